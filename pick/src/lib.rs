@@ -17,7 +17,7 @@
 //! an emulator: see [`Price`]. Several lights can share a tolerance: see [`Scene`].
 //!
 //! Files, in the order in which they build on one another: `target`, `light`, `evaluation`,
-//! `search`, `price`, `request`, `scene`, `measure`.
+//! `search`, `price`, `request`, `survey`, `scene`, `measure`.
 #![forbid(unsafe_code)]
 
 mod evaluation;
@@ -28,6 +28,7 @@ mod price;
 mod request;
 mod scene;
 mod search;
+mod survey;
 mod target;
 
 pub use evaluation::Evaluation;
@@ -36,4 +37,5 @@ pub use price::Price;
 pub use request::{Answer, Refusal, Request};
 pub use scene::{Budget, Scene, SceneAnswer};
 pub use search::{Bound, MARGIN, Place};
+pub use survey::{Survey, Surveyed};
 pub use target::{Chip, Display, Tolerance};

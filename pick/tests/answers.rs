@@ -97,3 +97,23 @@ fn scene_keeps_the_sum_within_the_tolerance_at_the_least_price() {
     let told = request(1e-6).pick_scene(&scene).unwrap_err().to_string();
     assert!(told.starts_with("tolerance"), "{told}");
 }
+
+#[test]
+fn survey_picks_the_evaluation_of_the_answer_and_prices_every_chip() {
+    let lights = [level(60.0), Light { edge: Edge::Hard, ..level(3.0) }, Light::default()];
+    for (light, steps) in lights.iter().zip([1.0, 1.0, 0.1]) {
+        let survey = request(steps).survey(light).unwrap();
+        let answer = request(steps).pick(light).unwrap();
+        assert_eq!(survey.picked, Some(answer.evaluation));
+        let found = survey.evaluations.iter().find(|each| each.evaluation == answer.evaluation).unwrap();
+        assert_eq!((found.bound, &found.code), (answer.bound, &answer.code));
+        assert_eq!(found.prices["cortex-m0"], answer.price);
+        let rv32 = Request::new(Chip::Rv32imc, Display::Rgb565).steps(steps).pick(light).unwrap();
+        let found = survey.evaluations.iter().find(|each| each.evaluation == rv32.evaluation).unwrap();
+        assert_eq!(found.prices["rv32imc"], rv32.price);
+    }
+    assert_eq!(request(1e-9).survey(&Light::default()).unwrap().picked, None);
+    let told =
+        request(1.0).survey(&Light { field: Some(170.0), ..Light::default() }).unwrap_err().to_string();
+    assert!(told.starts_with("field angle = 170"), "{told}");
+}

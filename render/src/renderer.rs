@@ -73,6 +73,7 @@ pub struct Renderer<S: Format> {
     seen: Reached,
     shadows: Shadows<S>,
     account: Account,
+    clock: Option<fn() -> f64>,
     workspace: Workspace<S>,
     sightings: Vec<Sighting>,
     /// The edges of the view and of the picture; `None` without anti-aliasing.
@@ -134,6 +135,7 @@ impl<S: Format> Renderer<S> {
             seen: Reached::default(),
             shadows: Shadows::new(),
             account: Account::default(),
+            clock: None,
             workspace: Workspace::default(),
             sightings: Vec::new(),
             silhouettes: None,
@@ -286,6 +288,16 @@ impl<S: Format> Renderer<S> {
         }
     }
 
+    /// Gives the renderer a clock, or none, which is the default. With a clock, each lighting pass
+    /// measures what each tile [costs](Self::cost), and the next [`draw_light`](Self::draw_light)
+    /// after a call that gives the first clock lights the whole picture.
+    pub fn set_clock(&mut self, clock: Option<fn() -> f64>) {
+        if self.clock.is_none() && clock.is_some() {
+            self.lit = None;
+        }
+        self.clock = clock;
+    }
+
     /// Switches anti-aliasing on or off; it is off at first. The next
     /// [`draw_geometry`](Self::draw_geometry) draws the scene again and finds its visible edges,
     /// and each [`encode`](Self::encode) mixes the codes of the pixels beside them, as [`Edges`]
@@ -356,6 +368,16 @@ impl<S: Format> Renderer<S> {
     /// Returns whether the last lighting pass re-lit a pixel; `None` outside the drawn rows.
     pub fn is_relit(&self, x: usize, y: usize) -> Option<bool> {
         self.block(x, y).map(|block| self.tiles.tiles[self.tiles.of_block(block)].is_relit)
+    }
+
+    /// Returns what the last lighting pass took for a pixel, in the unit of the clock: the time of
+    /// the pixel's tile, divided by the pixels of the tile. The sum over all pixels is the time of
+    /// the pass. Returns 0 without a [clock](Self::set_clock), and `None` outside the drawn rows.
+    pub fn cost(&self, x: usize, y: usize) -> Option<f64> {
+        let tile = self.tiles.of_block(self.block(x, y)?);
+        let (rows, column) = self.tiles.place(tile);
+        let pixels = rows.len() * LANES.min(self.width - column * LANES);
+        Some(self.tiles.tiles[tile].time / pixels as f64)
     }
 
     /// Returns the linear light from a pixel to the eye, 1 being full scale; `None` outside the

@@ -317,7 +317,8 @@ mod tests {
         for switch in &mut state.switched {
             *switch = random.choice([None, Some(true), Some(false)]).flatten();
         }
-        state.map = random.choice([Subject::Nothing, Subject::Lights, Subject::Tiles]).unwrap();
+        state.map =
+            random.choice([Subject::Nothing, Subject::Lights, Subject::Cost, Subject::Tiles]).unwrap();
         state.is_everything = random.bool();
         let [least, most] = EXPOSURES;
         state.exposure = (least + random.f32() * (most - least)).min(most);

@@ -13,6 +13,15 @@ pub(crate) struct Clock {
     performance: Option<Performance>,
 }
 
+thread_local! {
+    static CLOCK: Clock = Clock::new();
+}
+
+/// The time in nanoseconds since a fixed but arbitrary moment.
+pub(crate) fn nanoseconds() -> f64 {
+    CLOCK.with(|clock| 1e6 * clock.now())
+}
+
 impl Clock {
     /// The clock of this window or worker.
     pub(crate) fn new() -> Self {

@@ -153,6 +153,11 @@ pub(crate) trait Draw {
     fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16>;
     /// Returns whether the last lighting pass re-lit a pixel; `None` outside the picture.
     fn is_relit(&self, x: usize, y: usize) -> Option<bool>;
+    /// Measures what each pixel costs by a clock, from the next lighting pass on.
+    fn set_clock(&mut self, clock: Option<fn() -> f64>);
+    /// Returns what the last lighting pass took for a pixel, by the clock; `None` outside the
+    /// picture.
+    fn cost(&self, x: usize, y: usize) -> Option<f64>;
     /// Returns the linear light from a pixel to the eye; `None` outside the picture.
     fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>>;
 }
@@ -222,6 +227,14 @@ impl<S: luminaire_render::Format> Draw for Renderer<S> {
 
     fn is_relit(&self, x: usize, y: usize) -> Option<bool> {
         self.is_relit(x, y)
+    }
+
+    fn set_clock(&mut self, clock: Option<fn() -> f64>) {
+        self.set_clock(clock);
+    }
+
+    fn cost(&self, x: usize, y: usize) -> Option<f64> {
+        self.cost(x, y)
     }
 
     fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>> {

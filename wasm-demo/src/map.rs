@@ -1,4 +1,5 @@
-//! A map that is drawn over the picture: of the number of evaluated lights, or of the re-lit tiles.
+//! A map that is drawn over the picture: of the number of evaluated lights, of the time that they
+//! took, or of the re-lit tiles.
 
 use crate::{
     false_colour::{Palette, Scale},
@@ -15,6 +16,18 @@ const TILE_COVER: u8 = 120;
 /// Positions on the palette of the colours for re-lit and for kept tiles.
 const RELIT: (f32, f32) = (0.7, 0.0);
 
+/// Share of the blocks that the scale of costs holds. A block may take much longer because the
+/// system has interrupted its worker.
+const HELD: f64 = 0.99;
+
+/// Returns the count for a time in nanoseconds: at most 65,535. `rest` is what rounding has left of
+/// the times before, so that the counts of a picture have the sum of its times.
+pub(crate) fn count_of_nanoseconds(time: f64, rest: &mut f64) -> u16 {
+    let count = (time + *rest).round() as u16;
+    *rest = (time + *rest - f64::from(count)).clamp(-0.5, 0.5);
+    count
+}
+
 /// Subject of a map.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Subject {
@@ -22,6 +35,8 @@ pub(crate) enum Subject {
     Nothing,
     /// How many lights were evaluated at each pixel.
     Lights,
+    /// What lighting took at each pixel, haze included.
+    Cost,
     /// Which tiles were lit again.
     Tiles,
 }
@@ -33,6 +48,10 @@ pub(crate) struct Map {
     /// Largest number of lights at a pixel since the scale was reset. The scale never shrinks;
     /// otherwise the meaning of a colour would change from picture to picture.
     most: u16,
+    /// What the last colour of the last map stands for: lights, or nanoseconds.
+    end: f64,
+    /// The sum of the last map of costs over all pixels, in milliseconds.
+    total: f64,
     pixels: Vec<u8>,
 }
 
@@ -42,8 +61,9 @@ impl Subject {
         match name {
             "nothing" => Ok(Self::Nothing),
             "lights" => Ok(Self::Lights),
+            "cost" => Ok(Self::Cost),
             "tiles" => Ok(Self::Tiles),
-            _ => Err(Refusal::name("subject of the map", name, "nothing, lights or tiles")),
+            _ => Err(Refusal::name("subject of the map", name, "nothing, lights, cost or tiles")),
         }
     }
 
@@ -52,6 +72,7 @@ impl Subject {
         match self {
             Self::Nothing => "nothing",
             Self::Lights => "lights",
+            Self::Cost => "cost",
             Self::Tiles => "tiles",
         }
     }
@@ -60,7 +81,7 @@ impl Subject {
 impl Map {
     /// Returns no map.
     pub(crate) fn new() -> Self {
-        Self { palette: Palette::new(), most: 0, pixels: Vec::new() }
+        Self { palette: Palette::new(), most: 0, end: 1.0, total: 0.0, pixels: Vec::new() }
     }
 
     /// Resets the scale, for a picture of another scene.
@@ -73,9 +94,14 @@ impl Map {
         self.palette.colours()
     }
 
-    /// Returns how many lights the last colour stands for.
+    /// Returns how many lights, or nanoseconds, the last colour stands for.
     pub(crate) fn end(&self) -> f64 {
-        self.scale().end()
+        self.end
+    }
+
+    /// Returns the sum of the costs of all pixels, in milliseconds.
+    pub(crate) fn total(&self) -> f64 {
+        self.total
     }
 
     /// The colours of re-lit and of kept tiles.
@@ -89,16 +115,23 @@ impl Map {
     pub(crate) fn draw(&mut self, subject: Subject, counts: &[u16], width: usize) -> Option<&[u8]> {
         let most = counts.iter().copied().fold(self.most, u16::max);
         self.most = if subject == Subject::Lights { most } else { self.most };
-        let ([relit, kept], scale) = (self.tile_colours(), self.scale());
+        let scale = match subject {
+            Subject::Cost => scale_of_costs(counts),
+            _ => self.scale(),
+        };
+        self.end = scale.end();
+        let [relit, kept] = self.tile_colours();
         self.pixels.clear();
+        self.total = 0.0;
         for row in counts.chunks(width.div_ceil(LANES)) {
             for (column, &count) in row.iter().enumerate() {
                 let ([red, green, blue], cover) = match subject {
                     Subject::Nothing => return None,
-                    Subject::Lights => (self.palette.colour(scale, count.into()), COVER),
+                    Subject::Lights | Subject::Cost => (self.palette.colour(scale, count.into()), COVER),
                     Subject::Tiles => (if count > 0 { relit } else { kept }, TILE_COVER),
                 };
                 let pixels = LANES.min(width - column * LANES);
+                self.total += f64::from(count) * pixels as f64 / 1e6;
                 self.pixels.extend([red, green, blue, cover].repeat(pixels));
             }
         }
@@ -109,6 +142,17 @@ impl Map {
     fn scale(&self) -> Scale {
         Scale::to(self.most.max(1).into())
     }
+}
+
+/// The scale of costs: 1, 2 or 5 times a power of ten.
+fn scale_of_costs(counts: &[u16]) -> Scale {
+    let mut sorted = counts.to_vec();
+    sorted.sort_unstable();
+    let index = (HELD * sorted.len() as f64) as usize;
+    let most = f64::from(sorted.get(index).or(sorted.last()).copied().unwrap_or_default().max(1));
+    let power = 10_f64.powf(most.log10().floor());
+    let factor = [1.0, 2.0, 5.0, 10.0].into_iter().find(|factor| factor * power >= most).unwrap_or(10.0);
+    Scale::to(factor * power)
 }
 
 #[cfg(test)]
@@ -175,11 +219,31 @@ mod tests {
     #[test]
     fn the_scale_does_not_shrink_until_the_map_is_begun_anew() {
         let mut map = Map::new();
-        assert_eq!(map.end(), 1.0);
-        map.most = 7;
-        assert_eq!(map.end(), 7.0);
+        let end = |map: &mut Map, count| {
+            map.draw(Subject::Lights, &[count], LANES);
+            map.end()
+        };
+        assert_eq!([0, 7, 2].map(|count| end(&mut map, count)), [1.0, 7.0, 7.0]);
         map.begin();
-        assert_eq!(map.end(), 1.0);
-        assert!(Subject::named("heat").unwrap_err().to_string().contains("lights or tiles"));
+        assert_eq!(end(&mut map, 0), 1.0);
+        assert!(Subject::named("heat").unwrap_err().to_string().contains("cost or tiles"));
+    }
+
+    #[test]
+    fn the_map_of_costs_adds_up() {
+        // Two rows of two blocks, the second of which has 8 pixels. One block was interrupted.
+        let mut rest = 0.0;
+        let counts = [3.4, 6.4, 1.2, 99_999.0].map(|time| count_of_nanoseconds(time, &mut rest));
+        assert_eq!(counts, [3, 7, 1, u16::MAX]);
+        let mut map = Map::new();
+        let pixels = map.draw(Subject::Cost, &counts, LANES + 8).unwrap();
+        assert_eq!(pixels.len(), 4 * 2 * (LANES + 8));
+        let nanoseconds = 3.0 * LANES as f64 + 7.0 * 8.0 + LANES as f64 + 65_535.0 * 8.0;
+        assert!((map.total() - nanoseconds / 1e6).abs() < 1e-12);
+        let many: Vec<_> = [3; 200].into_iter().chain([u16::MAX]).collect();
+        map.draw(Subject::Cost, &many, LANES);
+        assert_eq!(map.end(), 5.0);
+        map.draw(Subject::Lights, &[0, 3], LANES);
+        assert_eq!(map.end(), 3.0);
     }
 }

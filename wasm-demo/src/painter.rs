@@ -4,11 +4,11 @@
 //! same job and different stripes, and pass shadow maps to one another.
 
 use crate::{
-    clock::Clock,
+    clock::{self, Clock},
     equality::Equality,
     format::{Draw, Format},
     job::Task,
-    map::Subject,
+    map::{self, Subject},
     panic,
     refusal::Refusal,
     scene_state::AccountState,
@@ -128,6 +128,7 @@ impl Painter {
         let (Some(task), Some(renderer)) = (&self.task, &mut self.renderer) else { return Ok(false) };
         let (state, display) = (&task.job.state, task.rig.display(&task.job.state));
         let Renderer { draw, shown, .. } = renderer;
+        draw.set_clock((state.map == Subject::Cost).then_some(clock::nanoseconds));
         let (lighting, lit) = self.clock.time(|| match state.is_everything {
             true => draw.draw_everything(&self.fixtures).map(|()| true),
             false => draw.draw_light(&self.fixtures),
@@ -163,18 +164,22 @@ impl Painter {
     }
 
     /// What the job's map shows of each block of pixels, row by row: the number of evaluated lights,
-    /// or 1 where the block was lit again and else 0. Empty if the job has no map.
+    /// the time that a pixel has taken, or 1 where the block was lit again and else 0. Empty if the job
+    /// has no map.
     pub fn counts(&self) -> Vec<u16> {
         let (Some(task), Some(renderer)) = (&self.task, &self.renderer) else { return Vec::new() };
         let (width, height) = (task.job.size.0 as usize, task.job.size.1 as usize);
         let draw = &renderer.draw;
-        let count = |x: usize, y: usize| match task.job.state.map {
+        let mut rest = 0.0;
+        let mut count = |x: usize, y: usize| match task.job.state.map {
             Subject::Nothing => None,
             Subject::Lights => draw.lights_evaluated(x, y),
+            Subject::Cost => draw.cost(x, y).map(|time| map::count_of_nanoseconds(time, &mut rest)),
             Subject::Tiles => draw.is_relit(x, y).map(u16::from),
         };
         let places = self.stripes.rows(height).flatten();
-        places.flat_map(|y| (0..width).step_by(LANES).filter_map(move |x| count(x, y))).collect()
+        let places = places.flat_map(|y| (0..width).step_by(LANES).map(move |x| (x, y)));
+        places.filter_map(|(x, y)| count(x, y)).collect()
     }
 
     /// The counts of the work for the stripes of the last picture.

@@ -247,13 +247,13 @@ impl Stage {
         Clamped(self.map.draw(state.map, counts, width).unwrap_or_default().to_vec())
     }
 
-    /// The subject of the map: `nothing`, `lights` or `tiles`.
+    /// The subject of the map: `nothing`, `lights`, `cost` or `tiles`.
     #[wasm_bindgen(getter)]
     pub fn map(&self) -> String {
         self.desk.state().map.name().to_owned()
     }
 
-    /// Sets the subject of the map: `nothing`, `lights` or `tiles`.
+    /// Sets the subject of the map: `nothing`, `lights`, `cost` or `tiles`.
     #[wasm_bindgen(js_name = setMap)]
     pub fn set_map(&mut self, subject: &str) -> Result<(), JsValue> {
         Ok(self.desk.change(|state| {
@@ -262,7 +262,13 @@ impl Stage {
         })?)
     }
 
-    /// Returns how many lights the last colour of the map stands for.
+    /// Returns the sum of the last map of costs over all pixels, in milliseconds of a core.
+    #[wasm_bindgen(getter, js_name = mapTotal)]
+    pub fn map_total(&self) -> f64 {
+        self.map.total()
+    }
+
+    /// Returns how many lights, or nanoseconds, the last colour of the map stands for.
     #[wasm_bindgen(getter, js_name = mapEnd)]
     pub fn map_end(&self) -> f64 {
         self.map.end()

@@ -1,5 +1,5 @@
 // The legend of the map over the picture.
-import { colours } from "./numbers.js";
+import { colours, tidy } from "./numbers.js";
 
 /** Formats a number of lights. */
 const counted = (lights) => `${lights} ${lights === 1 ? "light" : "lights"}`;
@@ -9,7 +9,7 @@ export class MapLegend {
   #select = document.getElementById("map-subject");
   #map = document.getElementById("map");
   #legends = { lights: document.getElementById("map-lights"), tiles: document.getElementById("map-tiles") };
-  #end = document.getElementById("map-end");
+  #ticks = ["start", "total", "end"].map((tick) => document.getElementById(`map-${tick}`));
   #bar = document.getElementById("map-bar");
   #screen;
 
@@ -32,9 +32,12 @@ export class MapLegend {
     const pixels = this.#stage.drawMap(this.#screen.counts, this.#screen.width);
     this.#map.hidden = pixels.length === 0;
     if (pixels.length > 0) this.#screen.showMap(pixels);
-    for (const [subject, legend] of Object.entries(this.#legends)) legend.hidden = subject !== this.#stage.map;
-    const end = this.#stage.mapEnd;
-    this.#end.textContent = counted(end);
-    this.#bar.setAttribute("aria-label", `From no light, dark blue, to ${counted(end)}, pale yellow`);
+    const { map, mapEnd: end, mapTotal: total } = this.#stage;
+    this.#legends.lights.hidden = map !== "lights" && map !== "cost";
+    this.#legends.tiles.hidden = map !== "tiles";
+    const isCost = map === "cost";
+    const ticks = isCost ? ["0", `${tidy(total)} ms of a core in all`, `${tidy(end)} ns a pixel`] : ["no light", "", counted(end)];
+    ticks.forEach((text, i) => (this.#ticks[i].textContent = text));
+    this.#bar.setAttribute("aria-label", `From ${ticks[0]}, dark blue, to ${ticks[2]}, pale yellow`);
   }
 }

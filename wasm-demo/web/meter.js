@@ -46,6 +46,16 @@ export class Meter {
     return this.#page.drawn + (this.comparison?.drawn ?? 0) + (this.museum?.drawn ?? 0);
   }
 
+  /** What lighting the last picture took, in milliseconds of a core: on the map of costs, and by the clock. */
+  get costs() {
+    return this.#page.costs;
+  }
+
+  /** The price of the selected light; undefined until it is in view. */
+  get price() {
+    return this.#page.price;
+  }
+
   /** Whether a picture is being drawn or will be. */
   get isDrawing() {
     return this.#page.isDrawing;

@@ -9,6 +9,8 @@ import { LightList } from "./light-list.js";
 import { LightPanel } from "./light-panel.js";
 import { MapLegend } from "./map-legend.js";
 import { whole } from "./numbers.js";
+import { plain } from "./plain.js";
+import { PriceSlot } from "./price-slot.js";
 import { Readout } from "./readout.js";
 import { ScenePicker } from "./scene-picker.js";
 import { now } from "./share.js";
@@ -37,6 +39,7 @@ export class StagePage {
   #effects;
   #lights;
   #panel;
+  #price = new PriceSlot();
   #legend;
   /** The curve and the lights over the picture, once they are loaded. */
   #curve;
@@ -50,6 +53,8 @@ export class StagePage {
   #drawnJob;
   /** Whether the canvas shows its picture. */
   #isShown = true;
+  /** What lighting the last picture took, in milliseconds of a core. */
+  #lighting = 0;
   /** The account and the times of the last picture in the size of pictures that move. */
   #told = {};
   /** Whether pictures have the resolution of the device at rest. */
@@ -79,6 +84,16 @@ export class StagePage {
   /** How many pictures have been drawn. */
   get drawn() {
     return this.#view.drawn;
+  }
+
+  /** What lighting the last picture took, in milliseconds of a core: on the map of costs, and by the clock. */
+  get costs() {
+    return { mapped: this.#stage.mapTotal, lighting: this.#lighting };
+  }
+
+  /** The price of the selected light; undefined until it is in view. */
+  get price() {
+    return this.#price.panel;
   }
 
   /** Whether a picture is being drawn or will be. */
@@ -299,6 +314,9 @@ export class StagePage {
     this.#panel.show(this.#lights.selected, source);
     aside(() => this.#curve?.draw(this.#lights.selected));
     aside(() => this.#handles?.show());
+    const { lightCount, format } = this.#stage;
+    const light = this.#lights.selected < lightCount ? plain(this.#stage.light(this.#lights.selected)) : undefined;
+    this.#price.show(light, format);
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */
@@ -356,7 +374,10 @@ export class StagePage {
     }
     times.transfer += now() - start;
     const isShown = this.#show(times);
-    if (isShown) element("size").textContent = `The picture has ${width} × ${height} pixels.`;
+    if (isShown) {
+      this.#lighting = parts.reduce((sum, part) => sum + part.times.lighting, 0);
+      element("size").textContent = `The picture has ${width} × ${height} pixels.`;
+    }
     if (isShown && !isAtRest) {
       this.#told = { account, times };
       aside(() => this.#tell(isPlaying, width * height));
@@ -391,6 +412,7 @@ export class StagePage {
     if (!isPlaying) this.#account.forget();
     this.#readout.add(times);
     this.#account.add(account, pixels);
+    this.#price.add(this.#lighting, account);
     this.#effects.show();
     this.#handles?.show(isPlaying);
   }

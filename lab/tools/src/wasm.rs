@@ -37,6 +37,8 @@ pub const DEMO: Package = Package {
 pub const COMPARISON: Package = Package { features: Some("comparison"), bindings: "comparison", ..DEMO };
 /// What the board of the demo must show. It shares the demo's standard library.
 pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip", true);
+/// The picker of evaluations. It shares the demo's standard library.
+pub const PICKER: Package = Package::new("luminaire-price", "luminaire_price", true);
 /// The program that times the kernels.
 pub const PRICES: Package = Package::new("luminaire-prices", "luminaire_prices", false);
 /// The program that times the kernels, with vector instructions.

@@ -22,6 +22,8 @@ impl<S: Format> Renderer<S> {
         plan: RenderPlan,
         lights: &[L],
     ) -> Result<bool, Error> {
+        let clock = self.clock.unwrap_or(|| 0.0);
+        let start = clock();
         let fixtures: Vec<Fixture> = lights.iter().map(|&light| light.into()).collect();
         if self.lit.as_ref() == Some(&fixtures) && self.shadows.redrawn().is_empty() {
             return Ok(false);
@@ -32,6 +34,9 @@ impl<S: Format> Renderer<S> {
         let (tiles, pixels) = (self.tiles.tiles.len(), self.pixels.len() / CHANNELS);
         self.account = Account::new(tiles, fixtures.len(), rig.kept(), pixels);
         let near = self.approach(&rig, &changed);
+        // What is done once for all tiles is shared by them.
+        let mut before = clock();
+        let share = (before - start) / tiles as f64;
         for tile in 0..tiles {
             let near = near.lights(self.tiles.region(tile));
             let is_another = self.ask(tile, &rig, near, &changed) || is_new;
@@ -39,6 +44,9 @@ impl<S: Format> Renderer<S> {
             if is_another {
                 self.light_tile(tile, &rig);
             }
+            let after = clock();
+            self.tiles.tiles[tile].time = share + (after - before);
+            before = after;
         }
         self.lit = plan.skips().then_some(fixtures);
         self.shadows.settle();

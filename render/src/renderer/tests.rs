@@ -259,3 +259,27 @@ fn surfaces_are_what_is_lit() {
     }
     assert_eq!((renderer.surface(SIZE.0, 0), renderer.surface(0, SIZE.1)), (None, None));
 }
+
+#[test]
+fn costs_of_all_pixels_add_up_to_the_time_of_the_pass() {
+    use std::sync::atomic::{AtomicU32, Ordering};
+    static LOOKS: AtomicU32 = AtomicU32::new(0);
+    /// Advances by one at each look.
+    fn clock() -> f64 {
+        LOOKS.fetch_add(1, Ordering::Relaxed).into()
+    }
+    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &stage::camera());
+    let lights = stage::lights().unwrap();
+    renderer.draw_light(&lights).unwrap();
+    assert_eq!(renderer.cost(0, 0), Some(0.0));
+    renderer.set_clock(Some(clock));
+    let before = clock();
+    assert!(renderer.draw_light(&lights).unwrap(), "a first clock has the picture lit again");
+    let after = clock();
+    let costs = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y)));
+    let sum: f64 = costs.map(|(x, y)| renderer.cost(x, y).unwrap()).sum();
+    // The first look of the pass is one after `before`, and its last one is one before `after`.
+    let time = after - before - 2.0;
+    assert!(time > 5.0 && (sum - time).abs() < 1e-9 * time, "{sum} in place of {time}");
+    assert_eq!(renderer.cost(SIZE.0, 0), None);
+}

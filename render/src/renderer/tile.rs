@@ -31,6 +31,8 @@ pub(crate) struct Tile {
     pub(crate) sight: Option<RayBundle>,
     /// Whether the last lighting pass re-lit the tile.
     pub(crate) is_relit: bool,
+    /// Time that the last lighting pass took for the tile, if the renderer has a clock; 0 else.
+    pub(crate) time: f64,
     /// Whether the encoded pixels are up to date.
     pub(crate) is_encoded: bool,
 }

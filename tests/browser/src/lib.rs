@@ -14,6 +14,7 @@ mod lights;
 mod museum;
 mod network;
 mod picture;
+mod price;
 mod readout;
 mod refusal;
 mod rest;
@@ -52,7 +53,7 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 pub type Test = (&'static str, Visit);
 
 /// Every test.
-pub const ALL: [Test; 74] = [
+pub const ALL: [Test; 76] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -106,6 +107,7 @@ pub const ALL: [Test; 74] = [
     ("lights and effects of a scene are switched", stage::are_switched),
     ("a light that moves lets tiles be lit again that it touches, and no others", stage::tiles_are_lit_again),
     ("the map shows how many lights were evaluated, with a legend", stage::map_is_shown),
+    ("the map of the lighting time adds up to it", stage::map_of_costs_adds_up),
     ("what a format cannot hold of a scene is refused in words", stage::refusals_are_told),
     ("the stage is used by the keyboard alone", stage::keys_are_enough),
     ("scenes are measured, pass by pass", stage::are_measured),
@@ -129,6 +131,7 @@ pub const ALL: [Test; 74] = [
     ("the page asks nobody but its own server", network::stays_at_home),
     ("the page's policy forbids all other code and data", network::policy_forbids_the_rest),
     ("the chip in the page shows the right pixels, and is loaded when opened", chip::shows_the_right_pixels),
+    ("the price of a light follows the format and the tolerance", price::follows_the_format),
     ("the folder for static hosts works under a path", hosting::works_under_a_path),
 ];
 

@@ -329,6 +329,19 @@ pub(crate) fn map_is_shown(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
+/// The map of the lighting time has the time of the lighting pass, haze included.
+pub(crate) fn map_of_costs_adds_up(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready_at("#stage?play=none&scene=show")?;
+    redraw(&mut page, "the map", |page| page.enter("map-subject", "cost"))?;
+    let costs = page.ask("luminaire.costs")?;
+    let time = |of: &str| costs[of].as_f64().context("no time");
+    let (mapped, lighting) = (time("mapped")?, time("lighting")?);
+    ensure!((mapped / lighting - 1.0).abs() < 0.01, "the map has {mapped} ms of {lighting}");
+    let [total, end] = [page.message("map-total")?, page.message("map-end")?];
+    ensure!(total.ends_with(" ms of a core in all") && end.ends_with(" ns a pixel"), "{total:?}, {end:?}");
+    page.must_be_content()
+}
+
 pub(crate) fn refusals_are_told(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     for name in names(&mut page)? {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use serde_json::Value;
 
-use super::{chip, preview, shrink};
+use super::{chip, chips, preview, shrink};
 use crate::progress::Progress;
 use crate::{project, wasm};
 
@@ -37,6 +37,7 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         for list in [PRICE_LIST, EFFECTS] {
             copy_list(list, &project::root().join("docs"), new)?;
         }
+        chips::write(&project::root().join("docs"), new)?;
         let (page, list) = (new.join("index.html"), new.join(PRICE_LIST));
         fs::write(&page, with_figures(&fs::read_to_string(&page)?, &fs::read_to_string(list)?)?)?;
         preview::write(new)?;
@@ -45,7 +46,9 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         shrink::shrink(&wasm::DEMO.bind(&module, &pkg, progress)?, progress)?;
         let module = wasm::COMPARISON.compile(progress)?;
         shrink::shrink(&wasm::COMPARISON.bind(&module, &pkg, progress)?, progress)?;
-        chip::write(new, progress)
+        chip::write(new, progress)?;
+        let module = wasm::PICKER.compile(progress)?;
+        shrink::shrink(&wasm::PICKER.bind(&module, &new.join("price"), progress)?, progress)
     })?;
     Ok(site)
 }

@@ -1,0 +1,175 @@
+//! The chips on which the demo prices a light, and what a picture costs on them beside its lit
+//! points.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use serde_json::{Value, json};
+
+/// The file in the demo's folder.
+const FILE: &str = "chips.json";
+
+/// A processor whose instructions are counted, and a chip with it.
+struct Chip {
+    name: &'static str,
+    title: &'static str,
+    part: &'static str,
+    /// The clock of the chip: the highest that its data sheet allows.
+    megahertz: u32,
+}
+
+const CHIPS: [Chip; 4] = [
+    Chip { name: "cortex-m0", title: "Cortex-M0+", part: "RP2040", megahertz: 133 },
+    Chip { name: "cortex-m3", title: "Cortex-M3", part: "STM32F103", megahertz: 72 },
+    Chip { name: "cortex-m4f", title: "Cortex-M4F", part: "STM32F411", megahertz: 100 },
+    Chip { name: "rv32imc", title: "RV32IMC", part: "ESP32-C3", megahertz: 160 },
+];
+
+/// The evaluations of a light.
+const EVALUATIONS: [&str; 6] = ["fx16-quick", "fx16", "fx32-quick", "fx32", "f32-quick", "f32"];
+
+/// The stage of the recorded picture that depends on the evaluation of the light.
+const LIGHT: &str = "light";
+
+/// Writes the list into the demo's folder, from the records in `docs`. Without records, the list is
+/// `null`.
+pub(super) fn write(docs: &Path, site: &Path) -> Result<()> {
+    let read = |name: &str| -> Result<Option<Value>> {
+        let file = docs.join(name);
+        if !file.exists() {
+            return Ok(None);
+        }
+        let text = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
+        serde_json::from_str(&text).with_context(|| format!("{} is no JSON", file.display()))
+    };
+    let list = match (read("frame.json")?, read("accuracy-vs-cost.json")?) {
+        (Some(frame), Some(prices)) => list(&frame, &prices)?,
+        _ => Value::Null,
+    };
+    let file = site.join(FILE);
+    fs::write(&file, list.to_string()).with_context(|| format!("cannot write {}", file.display()))
+}
+
+/// The chips, each with the instructions and cycles of the recorded picture but for its lit points.
+/// `reached` is the number of lit points: what a shadow covers is lit before the shadow is known.
+fn list(frame: &Value, prices: &Value) -> Result<Value> {
+    let pixels = Pixels::parse(frame["light"].as_str().context("the frame has no pixels")?)?;
+    let chips = CHIPS.iter().map(|chip| {
+        let board = &frame["boards"][chip.name];
+        let rest = EVALUATIONS.iter().map(|evaluation| {
+            let rest = |unit| pixels.rest(board, prices, chip.name, evaluation, unit);
+            Ok((*evaluation, json!({ "instructions": rest("instructions")?, "cycles": rest("cycles")? })))
+        });
+        Ok(json!({
+            "name": chip.name, "title": chip.title, "part": chip.part, "megahertz": chip.megahertz,
+            "rest": rest.collect::<Result<BTreeMap<_, _>>>()?,
+        }))
+    });
+    Ok(json!({
+        "pixels": frame["pixels"], "reached": pixels.reached, "chips": chips.collect::<Result<Vec<_>>>()?,
+    }))
+}
+
+/// How many pixels of the recorded picture cost how much light.
+struct Pixels {
+    facing_away: f64,
+    outside: f64,
+    reached: f64,
+}
+
+impl Pixels {
+    fn parse(text: &str) -> Result<Self> {
+        let count = |what: &str| {
+            let part = text.split(", ").find_map(|part| part.strip_suffix(what)?.trim().parse::<f64>().ok());
+            part.with_context(|| format!("the frame does not say how many pixels are {what}"))
+        };
+        Ok(Self {
+            facing_away: count("facing away")?,
+            outside: count("outside the cone")?,
+            reached: count("in shadow")? + count("lit")?,
+        })
+    }
+
+    /// Instructions or cycles of the picture on a chip but for its lit points; `None` if they were
+    /// not counted.
+    fn rest(
+        &self,
+        board: &Value,
+        prices: &Value,
+        chip: &str,
+        evaluation: &str,
+        unit: &str,
+    ) -> Result<Option<f64>> {
+        let Some(stages) = board[unit].as_object() else { return Ok(None) };
+        let others = stages.iter().filter(|(stage, _)| *stage != LIGHT);
+        let others: f64 = others.filter_map(|(_, count)| count.as_f64()).sum();
+        let away = price(prices, "away", evaluation, chip, unit)?;
+        let outside = price(prices, "outside", evaluation, chip, unit)?;
+        Ok(Some((others + self.facing_away * away + self.outside * outside).round()))
+    }
+}
+
+fn price(prices: &Value, kernel: &str, evaluation: &str, chip: &str, unit: &str) -> Result<f64> {
+    let mut rows = prices["rows"].as_array().into_iter().flatten();
+    let row =
+        rows.find(|row| row["kernel"] == kernel && row["format"] == evaluation && row["stage"] == "lit");
+    row.and_then(|row| row["cost"][chip][unit].as_f64())
+        .with_context(|| format!("the price list has no {unit} of {kernel} in {evaluation} on the {chip}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::project;
+
+    fn recorded(name: &str) -> Value {
+        serde_json::from_str(&fs::read_to_string(project::root().join("docs").join(name)).unwrap()).unwrap()
+    }
+
+    /// The recorded picture has the light by the quick evaluation of 16 bits, which is estimated
+    /// here as for every other evaluation.
+    #[test]
+    fn the_estimate_of_a_picture_is_near_the_recorded_one() {
+        let (frame, prices) = (recorded("frame.json"), recorded("accuracy-vs-cost.json"));
+        let list = list(&frame, &prices).unwrap();
+        let number = |value: &Value| value.as_f64().unwrap();
+        for chip in list["chips"].as_array().unwrap() {
+            let name = chip["name"].as_str().unwrap();
+            for unit in ["instructions", "cycles"] {
+                let Some(stages) = frame["boards"][name][unit].as_object() else { continue };
+                let counted: f64 = stages.values().map(number).sum();
+                let point = price(&prices, "lit-inverse-square", "fx16-quick", name, unit).unwrap();
+                let estimated = number(&chip["rest"]["fx16-quick"][unit]) + number(&list["reached"]) * point;
+                let error = estimated / counted - 1.0;
+                assert!(error.abs() < 0.1, "{name}: {estimated} {unit}, {counted} were counted");
+            }
+        }
+    }
+
+    #[test]
+    fn the_rest_is_what_costs_no_lit_point() {
+        let frame = json!({
+            "pixels": 100, "light": "10 facing away, 20 outside the cone, 30 in shadow, 40 lit",
+            "boards": CHIPS.iter().map(|chip| (chip.name, json!({
+                "instructions": { "geometry": 1000, "light": 5000 },
+            }))).collect::<BTreeMap<_, _>>(),
+        });
+        let rows = EVALUATIONS.iter().flat_map(|format| {
+            [("away", 3.0), ("outside", 5.0)].map(|(kernel, instructions)| {
+                let cost: BTreeMap<_, _> =
+                    CHIPS.iter().map(|chip| (chip.name, json!({ "instructions": instructions }))).collect();
+                json!({ "kernel": kernel, "stage": "lit", "format": format, "cost": cost })
+            })
+        });
+        let prices = json!({ "rows": rows.collect::<Vec<_>>() });
+        let list = list(&frame, &prices).unwrap();
+        assert_eq!(list["reached"], 70.0);
+        let rest = &list["chips"][0]["rest"]["f32"];
+        assert_eq!(rest, &json!({ "instructions": 1130.0, "cycles": null }));
+        assert!(super::list(&json!({ "light": "10 lit" }), &prices).is_err());
+        let told = super::list(&frame, &json!({ "rows": [] })).unwrap_err().to_string();
+        assert!(told.contains("away in fx16-quick on the cortex-m0"), "{told}");
+    }
+}

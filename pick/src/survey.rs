@@ -1,0 +1,60 @@
+//! All evaluations of a light, on every chip.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::evaluation::Evaluation;
+use crate::light::Light;
+use crate::price::Price;
+use crate::request::{Refusal, Request};
+use crate::search::Bound;
+use crate::target::Chip;
+
+/// Every evaluation that can hold a light, and the cheapest whose error is within the tolerance.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Survey {
+    /// The evaluations, the cheapest on the chip of the request first.
+    pub evaluations: Vec<Surveyed>,
+    /// The evaluation that [`Request::pick`] returns; `None` if no bound is within the tolerance.
+    pub picked: Option<Evaluation>,
+}
+
+/// An evaluation of a light, with its error and its prices.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Surveyed {
+    /// The evaluation.
+    pub evaluation: Evaluation,
+    /// The bound of the error, in the unit of the tolerance.
+    pub bound: Bound,
+    /// The cost of a lit point by the name of the chip.
+    pub prices: BTreeMap<&'static str, Price>,
+    /// Rust source of the constant `LIGHT`, the compiled light.
+    pub code: String,
+}
+
+impl Request {
+    /// Returns all evaluations that can hold a light, with their bounds and their prices on every
+    /// chip.
+    ///
+    /// # Errors
+    /// A parameter of the light that is invalid. A light that no evaluation can hold.
+    pub fn survey(&self, light: &Light) -> Result<Survey, Refusal> {
+        let cone = light.cone()?;
+        let offers = self.offers(light, f64::INFINITY)?;
+        let amount = self.tolerance.amount();
+        let picked = offers.iter().find(|offer| offer.bound.value <= amount).map(|offer| offer.evaluation);
+        let surveyed = offers.into_iter().map(|offer| Surveyed {
+            prices: Chip::ALL
+                .iter()
+                .map(|&chip| {
+                    (chip.name(), Price::of(chip, light, &cone, offer.evaluation, offer.price.fine_share))
+                })
+                .collect(),
+            evaluation: offer.evaluation,
+            bound: offer.bound,
+            code: offer.code,
+        });
+        Ok(Survey { evaluations: surveyed.collect(), picked })
+    }
+}

@@ -1,0 +1,89 @@
+// Error against cost, both logarithmic: one mark for each evaluation of a light.
+
+const BOX = { left: 64, right: 500, top: 16, bottom: 252 };
+
+/** Creates an element of the SVG. */
+function shape(name, attributes, text = "") {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.textContent = text;
+  return element;
+}
+
+/**
+ * The points that no other beats: none costs less and errs no more, or errs less and costs no more.
+ * @template {{cost: number, error: number}} Point
+ * @param {Point[]} points
+ * @returns {Point[]} from the cheapest to the most exact
+ */
+export function front(points) {
+  const sorted = [...points].sort((a, b) => a.cost - b.cost || a.error - b.error);
+  let least = Infinity;
+  return sorted.filter(({ error }) => error < least && ((least = error), true));
+}
+
+/** Returns the powers of ten that enclose some numbers, as exponents. */
+function decades(values) {
+  const logs = values.filter((value) => value > 0).map(Math.log10);
+  return [Math.floor(Math.min(...logs)), Math.ceil(Math.max(...logs) + 1e-9)];
+}
+
+/** A logarithmic scale of an axis, and its ticks. */
+function scale(values, from, to) {
+  const [low, high] = decades(values);
+  const place = (value) => from + ((to - from) * (Math.log10(Math.max(value, 10 ** low)) - low)) / Math.max(high - low, 1);
+  const every = Math.ceil((high - low) / 6);
+  const ticks = Array.from({ length: Math.floor((high - low) / every) + 1 }, (_, i) => 10 ** (low + i * every));
+  return { place, ticks };
+}
+
+const power = (value) => (value >= 0.001 && value <= 10_000 ? value.toLocaleString("en") : `1e${Math.round(Math.log10(value))}`);
+
+/**
+ * Draws the points.
+ * @param {SVGElement} svg
+ * @param {{name: string, cost: number, error: number, isStage: boolean, isPicked: boolean}[]} points
+ * @param {{tolerance: number, cost: string, error: string}} words the largest error that is allowed, and
+ *   the names of the axes
+ */
+export function draw(svg, points, { tolerance, cost, error }) {
+  const x = scale(points.map((point) => point.cost), BOX.left, BOX.right);
+  const y = scale([...points.map((point) => point.error), tolerance], BOX.bottom, BOX.top);
+  const line = (kind, x1, y1, x2, y2) => shape("line", { class: kind, x1, y1, x2, y2 });
+  const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
+  const ahead = front(points);
+  svg.replaceChildren(
+    ...x.ticks.flatMap((tick) => [
+      line("level", x.place(tick), BOX.top, x.place(tick), BOX.bottom),
+      label(x.place(tick) > BOX.right - 8 ? "end" : "middle", Math.min(x.place(tick), BOX.right + 12), BOX.bottom + 18, power(tick)),
+    ]),
+    ...y.ticks.flatMap((tick) => [
+      line("level", BOX.left, y.place(tick), BOX.right, y.place(tick)),
+      label("end", BOX.left - 8, y.place(tick) + 4, power(tick)),
+    ]),
+    label("middle", (BOX.left + BOX.right) / 2, BOX.bottom + 38, cost),
+    label("start", BOX.left + 6, BOX.top + 12, error),
+    line("tolerance", BOX.left, y.place(tolerance), BOX.right, y.place(tolerance)),
+    label("end allowed", BOX.right, y.place(tolerance) - 5, "allowed"),
+    shape("path", { class: "front", d: steps(ahead.map((point) => [x.place(point.cost), y.place(point.error)])) }),
+    ...points.flatMap((point) => {
+      const [left, top] = [x.place(point.cost), y.place(point.error)];
+      const kinds = ["point", point.isStage && "current", point.isPicked && "picked", !ahead.includes(point) && "beaten"];
+      const isRight = left > BOX.right - 90;
+      return [
+        ...(point.isPicked ? [shape("circle", { class: "ring", cx: left, cy: top, r: 11 })] : []),
+        shape("circle", { class: kinds.filter(Boolean).join(" "), cx: left, cy: top, r: point.isStage ? 6.5 : 4.5 }),
+        label(isRight ? "end name" : "start name", left + (isRight ? -14 : 14), top + (point.isStage ? 5 : 4), point.name),
+      ];
+    }),
+  );
+  svg.setAttribute(
+    "aria-label",
+    `Error against cost: ${points.map((p) => `${p.name} errs by ${power(p.error)} for ${Math.round(p.cost)} instructions`).join("; ")}`,
+  );
+}
+
+/** A staircase through points: between two of the front, the cheaper one is what can be had. */
+function steps(places) {
+  return places.map(([x, y], i) => (i === 0 ? `M${x} ${y}` : `H${x}V${y}`)).join("");
+}

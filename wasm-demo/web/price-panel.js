@@ -1,0 +1,206 @@
+// What the selected light costs on each chip, by each evaluation, and which one is enough.
+import { tidy, whole } from "./numbers.js";
+import { draw } from "./price-chart.js";
+
+/** The names of the evaluations. */
+const NAMES = {
+  "fx16-quick": "16 bits, quick",
+  fx16: "16 bits",
+  "fx32-quick": "32 bits, quick",
+  fx32: "32 bits",
+  "f32-quick": "f32, quick",
+  f32: "f32",
+};
+
+const element = (id) => document.getElementById(`price-${id}`);
+
+/** The digits of an error that matter. */
+const digits = (value) => String(Number(value.toPrecision(2)));
+
+/** Edges that the picker knows by one angle; others are fitted to beam and field angle. */
+const EDGES = ["soft", "hard"];
+
+/** A light of the stage as the picker describes it. */
+export function described({ beam, field, edge, ownEdge, intensity }, [near, far]) {
+  const shape = edge === "own" ? ownEdge : edge;
+  const cone = EDGES.includes(shape) ? { edge: shape, field } : { beam, field };
+  return { ...cone, intensity, near, far };
+}
+
+/**
+ * What a picture costs on a chip whose lit points take these amounts: instructions, cycles where
+ * they are counted, and the time of one clock a cycle, or an instruction, in milliseconds.
+ */
+export function picture(chips, chip, evaluation, price) {
+  const rest = chip.rest[evaluation];
+  const sum = (unit) => (price[unit] && rest[unit] ? rest[unit] + chips.reached * price[unit] : null);
+  const [instructions, cycles] = [sum("instructions"), sum("cycles")];
+  return { instructions, cycles, milliseconds: (cycles ?? instructions) / (1000 * chip.megahertz) };
+}
+
+export class PricePanel {
+  #chips;
+  #worker;
+  #light;
+  #format;
+  /** The question that is being answered, and that of the last answer. */
+  #asked;
+  #survey;
+
+  /** The largest error that is allowed in the answer that is shown; undefined before the first. */
+  get tolerance() {
+    return this.#survey && Object.values(JSON.parse(this.#survey.question).tolerance)[0];
+  }
+
+  /** Loads the panel into its place. */
+  static async open(place) {
+    const [text, chips] = await Promise.all(["price.html", "chips.json"].map(async (file) => {
+      const answer = await fetch(file);
+      if (!answer.ok) throw new Error(`${file}: the server answers ${answer.status}`);
+      return file.endsWith(".json") ? answer.json() : answer.text();
+    }));
+    if (chips === null) throw new Error("the page was built without a record of prices. Run cargo xtask measure, and build it again.");
+    place.innerHTML = text;
+    return new PricePanel(chips, new Worker(new URL("price-worker.js", import.meta.url), { type: "module" }));
+  }
+
+  constructor(chips, worker) {
+    this.#chips = chips;
+    this.#worker = worker;
+    worker.onmessage = ({ data }) => this.#hear(data);
+    worker.onerror = (event) => this.#tell(`The picker could not be loaded: ${event.message ?? "no module workers"}`);
+    for (const { name, title, part, megahertz } of chips.chips) {
+      element("chip").add(new Option(`${title} (${part}, ${megahertz} MHz)`, name));
+    }
+    for (const name of ["chip", "display", "most", "far"]) element(name).addEventListener("input", () => this.#ask());
+    element("copy").addEventListener("click", () => navigator.clipboard.writeText(element("code").textContent));
+  }
+
+  /** Shows the price of a light, whose state is a plain object, in a number format. */
+  show(light, format) {
+    this.#light = light;
+    this.#format = format;
+    element("title").textContent = light === undefined ? "The price" : `The price of the ${light.name}`;
+    if (light === undefined || !light.isSpot) {
+      this.#asked = undefined;
+      this.#tell(light === undefined ? "There is no light." : "Only spotlights have prices here.");
+      return;
+    }
+    this.#ask();
+  }
+
+  /** Shows what a point takes on this machine. */
+  live(text) {
+    element("live").textContent = text;
+  }
+
+  get #question() {
+    const display = element("display").value;
+    const most = Number(element("most").value);
+    const isCodes = display === "codes";
+    return JSON.stringify({
+      chip: element("chip").value,
+      display: isCodes ? "rgb888" : display,
+      tolerance: isCodes ? { codes: most } : { steps: most },
+      light: described(this.#light, element("far").value.split(" ").map(Number)),
+    });
+  }
+
+  /** Asks the worker, if it is idle: after an answer it gets the newest question. */
+  #ask() {
+    element("unit").textContent = { rgb565: "steps of 1/63", rgb888: "steps of 1/255", codes: "of 255" }[element("display").value];
+    const question = this.#question;
+    if (this.#asked !== undefined) return;
+    if (this.#survey?.question === question) return this.#show();
+    this.#asked = question;
+    this.#worker.postMessage(question);
+  }
+
+  #hear({ survey, refusal, failure }) {
+    const question = this.#asked;
+    this.#asked = undefined;
+    if (question === undefined || !this.#light?.isSpot) return;
+    if (survey) {
+      this.#survey = { ...survey, question };
+      this.#tell("");
+      this.#show();
+    } else {
+      this.#tell(failure ?? refusal);
+    }
+    if (this.#question !== question) this.#ask();
+  }
+
+  #tell(text) {
+    element("refusal").textContent = text;
+    document.querySelector("#price .priced").hidden = text !== "";
+  }
+
+  #show() {
+    const { evaluations, picked } = this.#survey;
+    const name = element("chip").value;
+    const most = Number(element("most").value);
+    const unit = element("unit").textContent;
+    const points = evaluations.map(({ evaluation, bound, prices }) => ({
+      name: NAMES[evaluation],
+      cost: prices[name].instructions,
+      error: bound.value,
+      isStage: evaluation === this.#format,
+      isPicked: evaluation === picked,
+    }));
+    draw(element("chart"), points, { tolerance: most, cost: "instructions a lit point", error: `error, ${unit}` });
+    this.#showPicked(evaluations.find(({ evaluation }) => evaluation === picked), name, unit);
+    this.#showChips(evaluations.find(({ evaluation }) => evaluation === this.#format));
+  }
+
+  #showPicked(found, name, unit) {
+    const [strong, words, small] = ["b", "span", "small"].map((kind) => document.createElement(kind));
+    if (found === undefined) {
+      strong.textContent = "none";
+      words.textContent = "is exact enough for this light.";
+    } else {
+      const { instructions, cycles, bytes } = found.prices[name];
+      strong.textContent = NAMES[found.evaluation];
+      words.textContent = `is the cheapest that is exact enough: ${whole(instructions)} instructions`;
+      small.textContent =
+        `errs by at most ${digits(found.bound.value)} ${unit} (${found.bound.label}); ` +
+        `${cycles === null ? "" : `${whole(cycles)} cycles, `}${whole(bytes)} bytes of code`;
+      words.append(small);
+    }
+    element("picked").replaceChildren(strong, words);
+    const code = found?.code ?? "";
+    element("code").textContent = code;
+    element("code").closest("details").hidden = code === "";
+  }
+
+  /** Shows the price of the stage's format on every chip. */
+  #showChips(found) {
+    element("format").textContent = NAMES[this.#format];
+    const rows = this.#chips.chips.map((chip) => {
+      const price = found?.prices[chip.name];
+      if (!price) return row(chip.title, ["–", "–", "–"]);
+      const { cycles, milliseconds } = picture(this.#chips, chip, found.evaluation, price);
+      const time = `${cycles === null ? "≥ " : ""}${tidy(milliseconds)} ms`;
+      return row(chip.title, [whole(price.instructions), price.cycles === null ? "–" : whole(price.cycles), time]);
+    });
+    element("chips").replaceChildren(...rows);
+    element("note").textContent =
+      `The picture is the one that the boards draw, ${whole(this.#chips.reached)} of its ${whole(this.#chips.pixels)} pixels lit by such a light; ` +
+      "estimated from the counted prices, within 10 %. Where cycles are not counted, at one for each instruction.";
+  }
+}
+
+function row(name, cells) {
+  const line = document.createElement("tr");
+  const head = document.createElement("th");
+  head.scope = "row";
+  head.textContent = name;
+  line.append(
+    head,
+    ...cells.map((text) => {
+      const cell = document.createElement("td");
+      cell.textContent = text;
+      return cell;
+    }),
+  );
+  return line;
+}

@@ -1,0 +1,58 @@
+// The place of the price on the stage. What fills it is loaded when it comes into view.
+import { load } from "./support.js";
+import { words } from "./failure.js";
+import { median, tidy } from "./numbers.js";
+
+/** Pictures whose median is shown. */
+const PICTURES = 30;
+
+export class PriceSlot {
+  #place = document.getElementById("price");
+  #panel;
+  #light;
+  /** Nanoseconds a lit point of the last pictures. */
+  #times = [];
+  #live = "";
+
+  constructor() {
+    const observer = new IntersectionObserver((entries) => {
+      if (!entries.some((entry) => entry.isIntersecting)) return;
+      observer.disconnect();
+      this.#open();
+    });
+    observer.observe(this.#place);
+  }
+
+  /** What fills the place; undefined until it is loaded. */
+  get panel() {
+    return this.#panel;
+  }
+
+  /** Shows the price of a light in the number format of the stage. */
+  show(light, format) {
+    if (format !== this.#light?.[1]) this.#times = [];
+    this.#light = [light, format];
+    this.#panel?.show(light, format);
+  }
+
+  /** Adds the time that all workers have lit a picture, in milliseconds, and the picture's account. */
+  add(lighting, { evaluated, evaluatedInAir }) {
+    if (evaluated === 0) return;
+    this.#times.push((1e6 * lighting) / evaluated);
+    if (this.#times.length > PICTURES) this.#times.shift();
+    const haze = evaluatedInAir > 0 ? ", haze included" : "";
+    this.#live = `On this machine, ${tidy(median(this.#times))} ns of a core for a lit point${haze}`;
+    this.#panel?.live(this.#live);
+  }
+
+  async #open() {
+    try {
+      const { PricePanel } = await load("price-panel.js");
+      this.#panel = await PricePanel.open(this.#place);
+      if (this.#light) this.#panel.show(...this.#light);
+      this.#panel.live(this.#live);
+    } catch (error) {
+      this.#place.textContent = `The price can't be shown: ${words(error)}`;
+    }
+  }
+}
