@@ -5,6 +5,8 @@
 //! | parameter | value |
 //! |---|---|
 //! | `format` | `fx16`, `fx32` or `f32` |
+//! | `with` | the format of the other half of a divided picture |
+//! | `difference` | `1`: the difference between both formats covers the picture |
 //! | `view` | yaw, pitch and factor of the visitor's camera |
 //! | `at` | the times of lights and camera, in seconds |
 //! | `play` | `lights`, `camera`, `both` or `none` |
@@ -53,6 +55,8 @@ pub(crate) fn write(state: &State, lights: usize) -> String {
         }
     };
     put("format", state.format != opened.format, &|| state.format.name().to_owned());
+    put("with", state.other != opened.other, &|| state.other.map_or("", Format::name).to_owned());
+    put("difference", state.is_difference, &|| "1".to_owned());
     put("view", state.viewpoint != opened.viewpoint, &|| numbers(&state.viewpoint.parts()));
     put("at", state.seconds != opened.seconds, &|| numbers(&state.seconds));
     let plays = PLAYS.iter().find(|(_, plays)| *plays == state.plays).map_or("", |(name, _)| name);
@@ -118,6 +122,8 @@ fn take(state: &mut State, lights: usize, name: &str, value: &str) -> Result<(),
         // Both are read first.
         "v" | "scene" => {}
         "format" => state.format = Format::named(value)?,
+        "with" => state.other = Some(Format::named(value)?),
+        "difference" => state.is_difference = value == "1",
         "view" => {
             let viewpoint = read_numbers(value).and_then(Viewpoint::from_parts);
             state.viewpoint =
@@ -150,7 +156,7 @@ fn take(state: &mut State, lights: usize, name: &str, value: &str) -> Result<(),
             return Err(Refusal::name(
                 "parameter",
                 name,
-                "v, scene, format, view, at, play, lights, effects, map, all, exposure, tone or handles",
+                "v, scene, format, with, difference, view, at, play, lights, effects, map, all, exposure, tone or handles",
             ));
         }
     }
@@ -298,6 +304,8 @@ mod tests {
         let count = scene.setup().unwrap().fixtures.len();
         let mut state = State::of(scene, count);
         state.format = random.choice(Format::ALL).unwrap();
+        state.other = random.choice([None, Some(Format::Fx16), Some(Format::F32)]).flatten();
+        state.is_difference = random.bool();
         state.viewpoint =
             Viewpoint::from_parts([number(random), number(random), number(random).abs().max(1e-30)]).unwrap();
         state.seconds = [number(random), number(random)];

@@ -264,6 +264,9 @@ impl Desk {
         let is_another = next.scene != self.state.scene;
         let rig =
             if is_another { Rig::new(next.scene.setup()?)?.fitted(&next) } else { self.rig.fitted(&next) }?;
+        if let Some(format) = next.other {
+            rig.fitted(&State { format, ..next.clone() })?;
+        }
         (self.state, self.rig) = (next, rig);
         Ok(())
     }

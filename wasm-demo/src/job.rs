@@ -21,8 +21,9 @@ pub(crate) struct Job {
 /// Writes a job, for a scene with this number of lights.
 pub(crate) fn write(size: (u32, u32), load: Option<Load>, state: &State, lights: usize) -> String {
     let (spots, side) = load.map_or((0, 0), |(spots, side)| (spots, side.unwrap_or(0)));
-    // What plays changes nothing in a picture.
-    let state = State { plays: State::of(state.scene, 0).plays, ..state.clone() };
+    // What plays changes nothing in a picture, and the other half is a picture of its own.
+    let plays = State::of(state.scene, 0).plays;
+    let state = State { plays, other: None, is_difference: false, ..state.clone() };
     let address = address::write(&state, lights);
     format!("{}x{} {spots}x{side} {} {address}", size.0, size.1, state.scene.name())
 }

@@ -42,6 +42,7 @@
 //! - `difference`: error of a picture against f64
 //! - `form`: the formats and formulas to compare
 //! - `side`: one side of the comparison
+//! - `divided`: the difference between two pictures of one scene
 //! - `comparison`: the JavaScript class of the comparison
 //! - `museum`: the JavaScript class of the museum
 //!
@@ -75,6 +76,8 @@ mod desk;
 #[cfg(feature = "comparison")]
 mod difference;
 mod display;
+#[cfg(feature = "stage")]
+mod divided;
 #[cfg(feature = "stage")]
 mod edge;
 #[cfg(feature = "stage")]
@@ -122,6 +125,8 @@ mod wall;
 
 #[cfg(feature = "comparison")]
 pub use comparison::Comparison;
+#[cfg(feature = "stage")]
+pub use divided::Divided;
 #[cfg(feature = "comparison")]
 pub use museum::{ExhibitState, Museum, PictureState};
 #[cfg(feature = "comparison")]

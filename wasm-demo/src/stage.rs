@@ -12,6 +12,7 @@ use crate::{
     panic,
     refusal::Refusal,
     scene_state::{EffectState, ExampleState, SwitchState},
+    state::State,
 };
 use luminaire::dynamic::Effect;
 use luminaire_fixtures::FIXTURES;
@@ -223,6 +224,14 @@ impl Stage {
         job::write(self.size(), self.load, self.desk.state(), self.desk.rig().lights())
     }
 
+    /// The picture of the state in the format of the other half; nothing if the picture is whole.
+    #[wasm_bindgen(js_name = otherJob)]
+    pub fn other_job(&self) -> Option<String> {
+        let state = self.desk.state();
+        let other = State { format: state.other?, map: Subject::Nothing, ..state.clone() };
+        Some(job::write(self.size(), self.load, &other, self.desk.rig().lights()))
+    }
+
     /// Pixels in a row.
     #[wasm_bindgen(getter)]
     pub fn width(&self) -> u32 {
@@ -345,6 +354,38 @@ impl Stage {
     pub fn set_format(&mut self, name: &str) -> Result<(), JsValue> {
         Ok(self.desk.change(|state| {
             state.format = Format::named(name)?;
+            Ok(())
+        })?)
+    }
+
+    /// The name of the number format of the other half of a divided picture; nothing for a whole
+    /// picture.
+    #[wasm_bindgen(getter)]
+    pub fn other(&self) -> Option<String> {
+        self.desk.state().other.map(|format| format.name().to_owned())
+    }
+
+    /// Divides the picture: the other half is in this number format, `fx16`, `fx32` or `f32`. Without
+    /// a format the picture is whole.
+    #[wasm_bindgen(js_name = setOther)]
+    pub fn set_other(&mut self, name: Option<String>) -> Result<(), JsValue> {
+        Ok(self.desk.change(|state| {
+            state.other = name.as_deref().map(Format::named).transpose()?;
+            Ok(())
+        })?)
+    }
+
+    /// Whether the difference between both formats covers the picture.
+    #[wasm_bindgen(getter, js_name = isDifference)]
+    pub fn is_difference(&self) -> bool {
+        self.desk.state().is_difference
+    }
+
+    /// Covers a divided picture with the difference between both formats, or uncovers it.
+    #[wasm_bindgen(js_name = setDifference)]
+    pub fn set_difference(&mut self, on: bool) -> Result<(), JsValue> {
+        Ok(self.desk.change(|state| {
+            state.is_difference = on;
             Ok(())
         })?)
     }

@@ -25,6 +25,10 @@ pub(crate) const LIGHTS: usize = 80;
 pub(crate) struct State {
     pub(crate) scene: Example,
     pub(crate) format: Format,
+    /// The format of the other half of a divided picture; `None` for a whole picture.
+    pub(crate) other: Option<Format>,
+    /// Whether the difference between both formats covers the picture.
+    pub(crate) is_difference: bool,
     /// The visitor's offset from the scene's camera.
     pub(crate) viewpoint: Viewpoint,
     /// The times to which the lights and the camera have moved, in seconds.
@@ -52,6 +56,8 @@ impl State {
         Self {
             scene,
             format: Format::F32,
+            other: None,
+            is_difference: false,
             viewpoint: Viewpoint::ORIGINAL,
             seconds: [0.0; 2],
             plays: [true, false],
@@ -67,8 +73,17 @@ impl State {
 
     /// The state in which another scene, or the same one again, opens for a visitor of this one.
     pub(crate) fn followed_by(&self, scene: Example, lights: usize) -> Self {
-        let Self { format, plays, map, is_everything, shows_handles, .. } = *self;
-        Self { format, plays, map, is_everything, shows_handles, ..Self::of(scene, lights) }
+        let Self { format, other, is_difference, plays, map, is_everything, shows_handles, .. } = *self;
+        Self {
+            format,
+            other,
+            is_difference,
+            plays,
+            map,
+            is_everything,
+            shows_handles,
+            ..Self::of(scene, lights)
+        }
     }
 
     /// Returns the new state of a switched effect; `None` if it was not switched.

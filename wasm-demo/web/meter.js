@@ -86,6 +86,11 @@ export class Meter {
     return this.#page.pixels;
   }
 
+  /** The difference between both halves of a divided picture: see `Divided`. */
+  get difference() {
+    return this.#page.difference;
+  }
+
   /** Requests a number format, as the select does: `fx16`, `fx32` or `f32`. */
   setFormat(name) {
     this.#page.setFormat(name);

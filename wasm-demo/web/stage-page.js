@@ -3,6 +3,7 @@ import { Stage } from "./pkg/wasm_demo.js";
 import { AccountTable } from "./account-table.js";
 import { remember } from "./address.js";
 import { CameraView } from "./camera-view.js";
+import { DividedPicture } from "./divided.js";
 import { EffectList } from "./effect-list.js";
 import { aside, words } from "./failure.js";
 import { LightList } from "./light-list.js";
@@ -32,6 +33,7 @@ export class StagePage {
   #pool;
   #screen;
   #module;
+  #divided;
   #view;
   #scenes = new ScenePicker();
   #readout = new Readout();
@@ -67,6 +69,7 @@ export class StagePage {
     this.#screen = screen;
     this.#module = module;
     this.#rests = rests;
+    this.#divided = new DividedPicture(module, pool.size);
     this.#view = new CameraView(element("view"), {
       orbit: (yaw, pitch) => this.#move(() => stage.orbit(yaw, pitch)),
       zoom: (factor) => this.#move(() => stage.zoom(factor)),
@@ -104,6 +107,11 @@ export class StagePage {
   /** A copy of the last picture: RGBA, sRGB, eight bits. */
   get pixels() {
     return this.#screen.pixels.slice();
+  }
+
+  /** The difference between both halves of the picture; undefined if it is whole. */
+  get difference() {
+    return this.#divided.difference;
   }
 
   /** What was evaluated for the last picture. */
@@ -165,6 +173,8 @@ export class StagePage {
     this.#scenes.onchange = (scene) => this.#set(() => stage.open(scene));
     for (const id of ["play", "camera"]) element(id).addEventListener("input", () => this.#play());
     on("format", "input", (select) => stage.setFormat(select.value));
+    on("divided-format", "input", (select) => stage.setOther(select.value || undefined));
+    on("divided-cover", "input", (box) => stage.setDifference(box.checked));
     on("map-subject", "input", (select) => stage.setMap(select.value));
     on("exposure", "input", (slider) => stage.setExposure(slider.valueAsNumber));
     on("everything", "input", (box) => stage.setEverything(box.checked));
@@ -270,6 +280,7 @@ export class StagePage {
     element("camera").disabled = !stage.cameraMoves;
     element("format").value = format;
     element("format-note").textContent = accuracy(format);
+    this.#divided.cover(stage.other, stage.isDifference);
     const slider = element("exposure");
     slider.value = exposure;
     slider.style.setProperty("--part", `${(100 * (exposure - slider.min)) / (slider.max - slider.min)}%`);
@@ -343,11 +354,13 @@ export class StagePage {
     this.#last = isPlaying ? now : undefined;
     const job = stage.job();
     const { isAtRest } = stage;
-    if (job === this.#drawnJob) return { goesOn: isPlaying, show: () => this.#show() };
+    const other = stage.otherJob();
+    if (job === this.#drawnJob && this.#divided.hasDrawn(other)) return { goesOn: isPlaying, show: () => this.#show() };
     const { width, height } = stage;
     this.#drawnJob = undefined;
     try {
       const picture = await this.#pool.draw(job);
+      await this.#divided.draw(other, { width, height });
       this.#drawnJob = job;
       return { goesOn: isPlaying, show: () => this.#take({ ...picture, width, height, isPlaying, isAtRest }) };
     } catch (refusal) {
@@ -383,7 +396,8 @@ export class StagePage {
       aside(() => this.#tell(isPlaying, width * height));
     }
     aside(() => this.#legend.draw());
-    return isShown && !isAtRest;
+    const isDivided = this.#divided.show(this.#screen.pixels, isShown, width);
+    return (isShown || isDivided) && !isAtRest;
   }
 
   /** Shows the last picture, if the canvas has not taken it yet. Returns whether it has now. */

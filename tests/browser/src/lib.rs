@@ -5,6 +5,7 @@ mod angles;
 mod chip;
 mod comparison;
 mod contrast;
+mod divided;
 pub mod engines;
 mod failure;
 mod fixtures;
@@ -53,7 +54,7 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 pub type Test = (&'static str, Visit);
 
 /// Every test.
-pub const ALL: [Test; 76] = [
+pub const ALL: [Test; 78] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -89,6 +90,11 @@ pub const ALL: [Test; 76] = [
     ("the comparison is reached by its link", comparison::is_reached_by_its_link),
     ("the pictures of the comparison are timed", comparison::times_are_measured),
     ("prices stand beside the errors", comparison::prices_stand_beside_the_errors),
+    ("the halves of a divided picture differ as on the host", divided::differs_as_on_the_host),
+    (
+        "a divided picture is covered by its difference, and kept by the address",
+        divided::is_covered_and_kept_by_the_address,
+    ),
     ("every exhibit of the museum shows the errors that the host computes", museum::shows_every_exhibit),
     ("the control of the museum changes the errors", museum::control_changes_the_errors),
     ("bad values leave the museum alone", museum::bad_values_are_refused),

@@ -59,7 +59,9 @@ pub(crate) fn ends_with_a_change(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()?;
 
     // What plays has the size of pictures that move.
-    let mut page = visitor.ready_at("?#stage?play=lights&scene=turntable")?;
+    let mut page =
+        visitor.browser.open(&format!("{}#stage?play=lights&scene=turntable", visitor.address), "")?;
+    page.ready()?;
     page.ask("probe.until(() => luminaire.drawn > 10)")?;
     ensure!(page.number(width)? == 960.0, "a picture that plays has another size");
     page.must_be_content()

@@ -1,7 +1,13 @@
 //! The desk: what is taken, what is refused, and the way back.
 
 use super::*;
-use crate::{fixture, format::Format, job, light::LightState};
+use crate::{
+    design::Design,
+    fixture,
+    format::Format,
+    job,
+    light::{LightState, Mark},
+};
 use luminaire::{
     Vec3,
     dynamic::{Effect, Effects},
@@ -26,6 +32,28 @@ fn number(desk: &mut Desk, name: &str, value: f32) -> Result<(), Refusal> {
 
 fn choice(desk: &mut Desk, name: &str, value: &str) -> Result<(), Refusal> {
     desk.set_choice(0, name, value)
+}
+
+#[test]
+fn the_other_half_of_a_picture_has_a_format_that_holds_the_lights() {
+    let mut desk = Desk::new(Example::ThreePoint).unwrap();
+    let divide = |desk: &mut Desk, other| {
+        desk.change(|state| {
+            state.other = other;
+            Ok(())
+        })
+    };
+    let narrow = |desk: &mut Desk| {
+        desk.change_light(0, |light| {
+            light.design = Design::of(Mark::Field, 0.5);
+            Ok(())
+        })
+    };
+    divide(&mut desk, Some(Format::Fx16)).unwrap();
+    assert!(narrow(&mut desk).unwrap_err().to_string().contains("16-bit fixed point cannot hold light 1"));
+    divide(&mut desk, None).unwrap();
+    narrow(&mut desk).unwrap();
+    assert!(divide(&mut desk, Some(Format::Fx16)).is_err() && desk.state().other.is_none());
 }
 
 #[test]
