@@ -20,9 +20,19 @@ const digits = (value) => String(Number(value.toPrecision(2)));
 /** Edges that the picker knows by one angle; others are fitted to beam and field angle. */
 const EDGES = ["soft", "hard"];
 
-/** A light of the stage as the picker describes it. */
-export function described({ beam, field, edge, ownEdge, intensity }, [near, far]) {
-  const shape = edge === "own" ? ownEdge : edge;
+/** Edges that the picker prices as they are. */
+const PRICED = [...EDGES, "quadratic", "cubic", "fitted"];
+
+const shapeOf = ({ edge, ownEdge }) => (edge === "own" ? ownEdge : edge);
+
+/**
+ * A light of the stage as the picker describes it. Its surfaces are between two distances, or from
+ * half to twice its throw.
+ */
+export function described(light, distances) {
+  const { beam, field, intensity, throw: reach = 6 } = light;
+  const [near, far] = distances ?? [reach / 2, 2 * reach];
+  const shape = shapeOf(light);
   const cone = EDGES.includes(shape) ? { edge: shape, field } : { beam, field };
   return { ...cone, intensity, near, far };
 }
@@ -102,7 +112,7 @@ export class PricePanel {
       chip: element("chip").value,
       display: isCodes ? "rgb888" : display,
       tolerance: isCodes ? { codes: most } : { steps: most },
-      light: described(this.#light, element("far").value.split(" ").map(Number)),
+      light: described(this.#light, element("far").value === "" ? undefined : element("far").value.split(" ").map(Number)),
     });
   }
 
@@ -185,7 +195,8 @@ export class PricePanel {
     element("chips").replaceChildren(...rows);
     element("note").textContent =
       `The picture is the one that the boards draw, ${whole(this.#chips.reached)} of its ${whole(this.#chips.pixels)} pixels lit by such a light; ` +
-      "estimated from the counted prices, within 10 %. Where cycles are not counted, at one for each instruction.";
+      "estimated from the counted prices, within 10 %. Where cycles are not counted, at one for each instruction." +
+      (PRICED.includes(shapeOf(this.#light)) ? "" : " This edge is priced as the polynomial through its beam and its field angle.");
   }
 }
 

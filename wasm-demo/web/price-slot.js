@@ -28,7 +28,7 @@ export class PriceSlot {
     return this.#panel;
   }
 
-  /** Shows the price of a light in the number format of the stage. */
+  /** Shows the price of a light, whose intensity is a multiple of full scale at one metre, in the number format of the stage. */
   show(light, format) {
     if (format !== this.#light?.[1]) this.#times = [];
     this.#light = [light, format];

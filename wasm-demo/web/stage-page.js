@@ -325,9 +325,9 @@ export class StagePage {
     this.#panel.show(this.#lights.selected, source);
     aside(() => this.#curve?.draw(this.#lights.selected));
     aside(() => this.#handles?.show());
-    const { lightCount, format } = this.#stage;
+    const { lightCount, format, fullScale } = this.#stage;
     const light = this.#lights.selected < lightCount ? plain(this.#stage.light(this.#lights.selected)) : undefined;
-    this.#price.show(light, format);
+    this.#price.show(light && { ...light, intensity: light.intensity / fullScale }, format);
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */

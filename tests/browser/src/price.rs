@@ -74,11 +74,11 @@ fn charts_data(page: &mut Page) -> Result<()> {
     let light = json!({ "beam": 10, "field": 20, "edge": "own", "ownEdge": "hard", "intensity": 3 });
     let described = page.ask(&format!(
         "import('./price-panel.js').then(({{ described }}) => [described({light}, [1, 2]), \
-         described({{ ...{light}, ownEdge: 'linear' }}, [1, 2])])"
+         described({{ ...{light}, ownEdge: 'linear', throw: 4 }})])"
     ))?;
     let [hard, fitted] = [
         json!({ "edge": "hard", "field": 20, "intensity": 3, "near": 1, "far": 2 }),
-        json!({ "beam": 10, "field": 20, "intensity": 3, "near": 1, "far": 2 }),
+        json!({ "beam": 10, "field": 20, "intensity": 3, "near": 2, "far": 8 }),
     ];
     ensure!(described == json!([hard, fitted]), "{described}");
     let chips = json!({ "reached": 10 });
