@@ -8,7 +8,7 @@ use crate::Visitor;
 
 /// The scene and its time are those of the address below.
 const SCENE: Example = Example::ThreePoint;
-const ADDRESS: &str = "#stage?scene=three-point&play=none&format=fx16&with=f32";
+const ADDRESS: &str = "#stage?scene=three-point&play=none&format=fx16&with=f32&effects=-dither";
 
 pub(crate) fn differs_as_on_the_host(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at(ADDRESS)?;
@@ -66,6 +66,7 @@ fn picture<S: Format>() -> Result<Vec<u8>> {
     let fixtures: Vec<Fixture> = setup.fixtures_at(0.0).context("no fixtures")?;
     let mut renderer = Renderer::<S>::new(width, height).context("no renderer")?;
     renderer.set_display(setup.display);
+    renderer.set_antialiased(true);
     renderer.draw_geometry(&setup.scene, &setup.camera);
     renderer.draw_shadows(&setup.scene, &fixtures).context("no shadows")?;
     renderer.draw_light(&fixtures).context("no light")?;
