@@ -45,7 +45,8 @@ fn imports(code: &str) -> BTreeSet<String> {
     found
 }
 
-/// Every file of a module: `name.rs`, and the files in the folder `name` except `tests.rs`.
+/// Every file of a module: `name.rs`, and the files in the folder `name` except `tests.rs` and
+/// those in a folder `tests`.
 fn files(src: &Path, module: &str) -> Vec<std::path::PathBuf> {
     let mut files = vec![src.join(format!("{module}.rs"))];
     let mut folders = vec![src.join(module)];
@@ -53,7 +54,7 @@ fn files(src: &Path, module: &str) -> Vec<std::path::PathBuf> {
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             let path = entry.path();
             if path.is_dir() {
-                folders.push(path);
+                folders.extend((!path.ends_with("tests")).then_some(path));
             } else if path.file_name().is_some_and(|name| name != "tests.rs") {
                 files.push(path);
             }

@@ -56,6 +56,10 @@ pub fn encode_srgb_dithered<S: Scalar>(linear: S, x: u32, y: u32) -> u8 {
 /// compilers use vector instructions for all but the look-ups. One value after another, half of the
 /// comparisons would be mispredicted branches, because the result of each depends on its pixel.
 #[inline]
+#[cfg_attr(
+    not(feature = "fixed"),
+    allow(irrefutable_let_patterns, reason = "without the feature every word is an f32")
+)]
 pub fn encode_srgb_dithered_each<S: Scalar, const N: usize>(linear: &[S; N], x: u32, y: u32) -> [u8; N] {
     let row: [u8; 8] = core::array::from_fn(|i| threshold(x.wrapping_add(i as u32), y));
     // One for each value: compilers do not vectorise the remainder of an index.
