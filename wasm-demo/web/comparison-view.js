@@ -155,7 +155,7 @@ export class ComparisonView {
     on("refusal-badge", side).hidden = on("refusal", side).textContent === "";
     on("widen", side).hidden = state.narrowest === undefined;
     if (state.narrowest !== undefined) on("widen", side).textContent = `Widen to ${exact(state.narrowest)}°`;
-    for (const half of document.querySelectorAll(`.half[data-side="${side}"]`)) {
+    for (const half of document.querySelectorAll(`#comparison .half[data-side="${side}"]`)) {
       half.classList.toggle("is-refused", refused);
       half.querySelector(".missing").hidden = !refused;
     }

@@ -58,7 +58,8 @@ export class Handles {
     }
     this.#frame.addEventListener("pointerenter", () => this.show());
     this.#frame.addEventListener("focusin", () => this.show());
-    new ResizeObserver(() => this.show()).observe(this.#canvas);
+    // In the next frame: a change of size within this one would be an error of the observer.
+    new ResizeObserver(() => requestAnimationFrame(() => this.show())).observe(this.#canvas);
   }
 
   /**
