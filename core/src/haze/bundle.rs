@@ -144,7 +144,8 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// eye and the light touches the beam.
     pub fn sides(&self, eye: Vec3<f32>) -> [Vec3<f32>; 2] {
         let light = unit(self.position.zip(eye, |p, e| p - e));
-        let beside = across(self.axis, light);
+        // Near the axis the difference is short, and its rounding errors have a part along `light`.
+        let beside = across(across(self.axis, light), light);
         let [_, outer] = self.cone;
         let (length, cone) = (trig::sqrt(beside.dot(beside)), Cap::new(self.axis, outer));
         // The sine of the angle between each plane and the axis is that of the outer angle, so it
