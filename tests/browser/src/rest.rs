@@ -20,9 +20,19 @@ pub(crate) fn has_the_resolution_of_the_device(visitor: &mut Visitor) -> Result<
     for (width, height, density) in [(1280, 800, 1.0), (390, 844, 1.0), (800, 600, 2.0)] {
         let mut page = visitor.ready_at("?#stage?play=none&scene=three-point")?;
         page.resize_on(width, height, density)?;
-        let is_exact = "(canvas => Math.abs(canvas.width - canvas.getBoundingClientRect().width * devicePixelRatio) <= 1)\
-             (document.getElementById('view'))";
-        page.ask(&format!("probe.until(() => {is_exact})"))?;
+        // The window may have its size a moment later, and the picture at rest has its own after a
+        // while in which nothing changed.
+        page.ask(&format!(
+            "(async () => {{
+                const view = document.getElementById('view');
+                const isExact = () => innerWidth === {width} && devicePixelRatio === {density}
+                    && Math.abs(view.width - view.getBoundingClientRect().width * devicePixelRatio) <= 1;
+                do {{
+                    await probe.until(isExact);
+                    await probe.settle();
+                }} while (!isExact());
+            }})()"
+        ))?;
         let found = resolution(&mut page)?;
         let is_right = found.iter().all(|along| (along - 1.0).abs() < 0.01);
         ensure!(is_right, "{width} x {height} at density {density}: expected 1, found {found:?}");
