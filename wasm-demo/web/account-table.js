@@ -1,18 +1,29 @@
 // Table of evaluated and skipped pairs, averaged over the last pictures.
+import { element as find } from "./elements.js";
 import { whole } from "./numbers.js";
+
+/** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").AccountState>} Account */
 
 /** Number of pictures that are averaged while a scene plays, so that the figures are readable. */
 const PICTURES = 30;
 
 /** Categories of the (light, pixel) pairs; together they are all pairs. */
-const PARTS = ["evaluated", "missedByRow", "missedByTile", "kept", "dropped"];
+const PARTS = /** @type {const} */ (["evaluated", "missedByRow", "missedByTile", "kept", "dropped"]);
 
-const element = (name) => document.getElementById(`account-${name}`);
+/** @param {string} name */
+const element = (name) => find(`account-${name}`);
 
-/** Formats a share in percent. */
+/**
+ * Formats a share in percent.
+ * @param {number} share
+ */
 const percent = (share) => (share === 0 ? "0 %" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`);
 
-/** Formats a small share in words. */
+/**
+ * Formats a small share in words.
+ * @param {number} part
+ * @param {number} all
+ */
 function oneIn(part, all) {
   if (all === 0) return "no lights";
   if (part === 0) return "none";
@@ -21,9 +32,13 @@ function oneIn(part, all) {
 }
 
 export class AccountTable {
-  #accounts = [];
+  #accounts = /** @type {Account[]} */ ([]);
 
-  /** Adds the account of a picture, and shows the average. `pixels` is the size of the picture. */
+  /**
+   * Adds the account of a picture, and shows the average.
+   * @param {Account} account
+   * @param {number} pixels the size of the picture
+   */
   add(account, pixels) {
     this.#accounts.push(account);
     if (this.#accounts.length > PICTURES) this.#accounts.shift();
@@ -35,11 +50,13 @@ export class AccountTable {
     this.#accounts.length = 0;
   }
 
+  /** @param {keyof Account} name */
   #mean(name) {
     const sum = this.#accounts.reduce((total, account) => total + account[name], 0);
     return sum / this.#accounts.length;
   }
 
+  /** @param {number} pixels */
   #show(pixels) {
     const [pairs, lights] = [this.#mean("pairs"), this.#mean("lights")];
     for (const part of PARTS) {
@@ -47,7 +64,7 @@ export class AccountTable {
       const share = pairs === 0 ? 0 : count / pairs;
       element(part).textContent = (count / pixels).toFixed(2);
       element(`${part}-share`).textContent = percent(share);
-      element(`${part}-bar`).style.flexGrow = share;
+      element(`${part}-bar`).style.flexGrow = String(share);
     }
     element("ratio").textContent = oneIn(this.#mean("evaluated"), pairs);
     element("pairs").textContent = `of ${whole(pairs)}: ${whole(lights)} × ${whole(pixels)}`;

@@ -6,10 +6,15 @@
  */
 const REST = 250;
 
+/** @type {string | undefined} */
 let current;
+/** @type {number | undefined} */
 let waiting;
 
-/** Switches to the address of another view and drops a pending update of the previous one. */
+/**
+ * Switches to the address of another view and drops a pending update of the previous one.
+ * @param {string} view
+ */
 export function follow(view) {
   current = view;
   clearTimeout(waiting);
@@ -18,6 +23,8 @@ export function follow(view) {
 /**
  * Writes the state of a view behind the # once the visitor has paused, when `state()` returns it as
  * text. Only the current view may write.
+ * @param {string} view
+ * @param {() => string} state
  */
 export function remember(view, state) {
   if (view !== current) return;
@@ -25,6 +32,7 @@ export function remember(view, state) {
   waiting = setTimeout(() => write(`#${view}?${state()}`), REST);
 }
 
+/** @param {string} hash */
 function write(hash) {
   try {
     history.replaceState(null, "", hash);

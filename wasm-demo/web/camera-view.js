@@ -13,6 +13,18 @@ const MOST = 10;
 /** A drag across the whole width of the canvas is one full turn, within the camera's limits. */
 const TURN = 2 * Math.PI;
 
+/**
+ * What is drawn: `orbit` turns by angles in radians, `zoom` returns whether the camera has moved,
+ * `draw` resolves when the picture can be shown, and `show` returns whether there was something to
+ * show.
+ * @typedef {{ goesOn: boolean, show: () => boolean }} Picture
+ * @typedef {object} Camera
+ * @property {(yaw: number, pitch: number) => void} orbit
+ * @property {(factor: number) => boolean} zoom
+ * @property {() => void} reset
+ * @property {(now: number) => Promise<Picture>} draw
+ */
+
 export class CameraView {
   #canvas;
   #camera;
@@ -20,11 +32,18 @@ export class CameraView {
   #paused = true;
   /** Whether a picture is being drawn. */
   #isBusy = false;
-  /** The time of a frame of the browser that began while a picture was being drawn. */
+  /**
+   * The time of a frame of the browser that began while a picture was being drawn.
+   * @type {number | undefined}
+   */
   #due;
-  /** The pointers that are down, by their id: one turns the camera, two pinch. */
+  /**
+   * The pointers that are down, by their id: one turns the camera, two pinch.
+   * @type {Map<number, { x: number, y: number }>}
+   */
   #pointers = new Map();
 
+  /** @type {Promise<void> | undefined} */
   #drawing;
 
   /** How many pictures have been drawn. */
@@ -32,19 +51,14 @@ export class CameraView {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {object} camera
-   * @param {(yaw: number, pitch: number) => void} camera.orbit by angles in radians
-   * @param {(factor: number) => boolean} camera.zoom returns whether the camera has moved
-   * @param {() => void} camera.reset
-   * @param {(now: number) => Promise<{goesOn: boolean, show: () => boolean}>} camera.draw resolves when
-   *   the picture can be shown; `show` returns whether there was something to show
+   * @param {Camera} camera
    */
   constructor(canvas, camera) {
     this.#canvas = canvas;
     this.#camera = camera;
     canvas.addEventListener("pointerdown", (event) => this.#grab(event));
     canvas.addEventListener("pointermove", (event) => this.#drag(event));
-    for (const end of ["pointerup", "pointercancel"]) {
+    for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
       canvas.addEventListener(end, (event) => this.#pointers.delete(event.pointerId));
     }
     canvas.addEventListener("dblclick", () => camera.reset());
@@ -58,7 +72,10 @@ export class CameraView {
     if (this.#frame === 0 && !this.#paused && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.#tick(now));
   }
 
-  /** While the canvas is hidden, as at first, nothing is drawn; changes are drawn afterwards. */
+  /**
+   * While the canvas is hidden, as at first, nothing is drawn; changes are drawn afterwards.
+   * @param {boolean} paused
+   */
   pause(paused) {
     this.#paused = paused;
     if (!paused) this.request();
@@ -69,7 +86,10 @@ export class CameraView {
     return this.#isBusy || this.#frame !== 0;
   }
 
-  /** Draws what has changed, now or after the picture that is being drawn. */
+  /**
+   * Draws what has changed, now or after the picture that is being drawn.
+   * @param {number} now
+   */
   async draw(now) {
     while (this.#isBusy) await this.#drawing;
     cancelAnimationFrame(this.#frame);
@@ -77,13 +97,17 @@ export class CameraView {
     await this.#start(now);
   }
 
-  /** A frame of the browser. One picture is drawn at a time, and the newest state next. */
+  /**
+   * A frame of the browser. One picture is drawn at a time, and the newest state next.
+   * @param {number} now
+   */
   #tick(now) {
     this.#frame = 0;
     if (this.#isBusy) this.#due = now;
     else this.#start(now);
   }
 
+  /** @param {number} now */
   #start(now) {
     this.#isBusy = true;
     this.#due = undefined;
@@ -91,6 +115,10 @@ export class CameraView {
     return this.#drawing;
   }
 
+  /**
+   * @param {Promise<Picture>} picture
+   * @returns {Promise<void>}
+   */
   async #finish(picture) {
     let drawn;
     try {
@@ -103,14 +131,16 @@ export class CameraView {
       if (due !== undefined && !hasFailed()) this.#start(due);
       if (drawn?.goesOn) this.request();
     }
-    if (drawn.show()) this.drawn += 1;
+    if (drawn?.show()) this.drawn += 1;
   }
 
+  /** @param {PointerEvent} event */
   #grab(event) {
     this.#canvas.setPointerCapture(event.pointerId);
     this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
   }
 
+  /** @param {PointerEvent} event */
   #drag(event) {
     const last = this.#pointers.get(event.pointerId);
     if (!last) return;
@@ -129,21 +159,24 @@ export class CameraView {
   /** Distance between the first two pointers. */
   #spread() {
     const [a, b] = this.#pointers.values();
-    return Math.hypot(a.x - b.x, a.y - b.y);
+    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
   }
 
+  /** @param {WheelEvent} event */
   #wheel(event) {
     // With a modifier the wheel is the browser's own zoom.
     if (event.ctrlKey || event.metaKey) return;
     // A notch is about 100 pixels, 3 lines or a fraction of a page, depending on the browser.
-    const notches = Math.max(-MOST, Math.min(event.deltaY / [100, 3, 1][event.deltaMode], MOST));
+    const notches = Math.max(-MOST, Math.min(event.deltaY / ([100, 3, 1][event.deltaMode] ?? 100), MOST));
     // At its limit the camera stays, and the page scrolls.
     if (this.#camera.zoom(NEARER ** -notches)) event.preventDefault();
   }
 
+  /** @param {KeyboardEvent} event */
   #key(event) {
     const { orbit, zoom } = this.#camera;
-    const act = {
+    /** @type {Record<string, () => void>} */
+    const acts = {
       ArrowLeft: () => orbit(-STEP, 0),
       ArrowRight: () => orbit(STEP, 0),
       ArrowUp: () => orbit(0, STEP),
@@ -151,7 +184,8 @@ export class CameraView {
       "+": () => zoom(NEARER),
       "=": () => zoom(NEARER),
       "-": () => zoom(1 / NEARER),
-    }[event.key];
+    };
+    const act = acts[event.key];
     if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     act();

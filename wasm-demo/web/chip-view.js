@@ -1,4 +1,5 @@
 // The board of an RP2040 whose firmware runs in a worker: its display, and what it costs.
+import { element as find, find as within } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 
 const SIZE = 240;
@@ -7,14 +8,35 @@ const [LEAST_BOARD, MOST] = [120, 500];
 /** Lines of the UART that are kept. */
 const LINES = 8;
 
-const element = (id) => document.getElementById(`chip-${id}`);
+/** @param {string} id */
+const element = (id) => find(`chip-${id}`);
+/** @param {string} id */
+const input = (id) => find(`chip-${id}`, HTMLInputElement);
+
+/**
+ * A picture that the display has received, compared with what it must. `stages` are the instructions
+ * and cycles of each stage of all pixels.
+ * @typedef {object} Picture
+ * @property {string} line that the firmware printed
+ * @property {string} name
+ * @property {number} count of pixels
+ * @property {number} differing
+ * @property {string} checksum
+ * @property {[number, number][]} stages
+ * @property {number} nanos
+ */
+
+/** @typedef {{ column: number, row: number, pixels: Uint16Array }} Row of the display, from a column */
+
+/** @typedef {{ failure?: string, rows?: Row[], nanos: number, wallMs: number, picture?: Picture }} Answer */
 
 export class ChipView {
   #worker;
-  #display = element("display");
-  #canvas = this.#display.getContext("2d");
+  #display = find("chip-display", HTMLCanvasElement);
+  #canvas = /** @type {CanvasRenderingContext2D} */ (this.#display.getContext("2d"));
   #image = this.#canvas.createImageData(SIZE, SIZE);
   #stages;
+  /** @type {string[]} */
   #lines = [];
   #isShown = false;
   /** Pictures after which the chip stops. */
@@ -22,12 +44,15 @@ export class ChipView {
 
   /** How many pictures the board has shown. */
   drawn = 0;
-  /** The last picture that is complete: what the display received, compared with what it must. */
+  /**
+   * The last picture that is complete.
+   * @type {Picture | undefined}
+   */
   picture;
 
   /** Loads the view, the emulator and the firmware. */
   static async open() {
-    const place = document.getElementById("chip");
+    const place = find("chip");
     const answer = await fetch("chip.html");
     if (!answer.ok) throw new Error(`chip.html: the server answers ${answer.status}`);
     place.innerHTML = await answer.text();
@@ -42,6 +67,10 @@ export class ChipView {
     return new ChipView(worker, stages);
   }
 
+  /**
+   * @param {Worker} worker
+   * @param {string[]} stages their names
+   */
   constructor(worker, stages) {
     this.#worker = worker;
     this.#stages = stages;
@@ -53,13 +82,13 @@ export class ChipView {
     const { data } = this.#image;
     for (let alpha = 3; alpha < data.length; alpha += 4) data[alpha] = 255;
     this.#canvas.putImageData(this.#image, 0, 0);
-    new ResizeObserver(() => this.#fit()).observe(document.querySelector("#chip .board"));
-    element("run").checked = true;
+    new ResizeObserver(() => this.#fit()).observe(board());
+    input("run").checked = true;
     element("run").addEventListener("input", () => {
       this.#last = Infinity;
       this.#order();
     });
-    element("speed").addEventListener("input", () => worker.postMessage({ speed: Number(element("speed").value) }));
+    element("speed").addEventListener("input", () => worker.postMessage({ speed: Number(/** @type {HTMLInputElement | HTMLSelectElement} */ (element("speed")).value) }));
     for (const step of ["row", "picture"]) element(step).addEventListener("click", () => this.#step(step));
     document.addEventListener("visibilitychange", () => this.#order());
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.#last = 1;
@@ -80,24 +109,31 @@ export class ChipView {
 
   /** Lets the chip run if the visitor wants it and sees it. */
   #order() {
-    const wanted = element("run").checked;
+    const wanted = input("run").checked;
     this.#worker.postMessage({ run: wanted && this.#isShown && !document.hidden });
     if (!wanted) element("state").textContent = "The chip waits.";
   }
 
+  /** @param {string} step */
   #step(step) {
-    element("run").checked = false;
+    input("run").checked = false;
     this.#order();
     this.#worker.postMessage({ step });
   }
 
+  /** @param {Answer} answer */
   #hear({ failure, rows, nanos, wallMs, picture }) {
     if (failure) throw new Error(failure);
     if (rows) this.#show(rows, nanos, wallMs);
     if (picture) this.#tell(picture);
   }
 
-  /** Shows new rows on the display, and the time. */
+  /**
+   * Shows new rows on the display, and the time.
+   * @param {Row[]} rows
+   * @param {number} nanos of the chip
+   * @param {number} wallMs
+   */
   #show(rows, nanos, wallMs) {
     for (const { column, row, pixels } of rows) pixels.forEach((pixel, x) => this.#set(column + x, row, pixel));
     if (rows.length > 0) this.#canvas.putImageData(this.#image, 0, 0);
@@ -105,12 +141,17 @@ export class ChipView {
     element("nanos").textContent = seconds(chipMs);
     element("wall").textContent = seconds(wallMs);
     element("slower").textContent = `${tidy(wallMs / chipMs)} times as long`;
-    if (!element("run").checked) return;
+    if (!input("run").checked) return;
     if (this.drawn === 0 && rows.length === 0) element("state").textContent = "The display starts.";
-    else if (rows.length > 0) element("state").textContent = `The display receives row ${rows.at(-1).row} of ${SIZE}.`;
+    else if (rows.length > 0) element("state").textContent = `The display receives row ${rows.at(-1)?.row} of ${SIZE}.`;
   }
 
-  /** Sets a pixel from 5, 6 and 5 bits. */
+  /**
+   * Sets a pixel from 5, 6 and 5 bits.
+   * @param {number} x
+   * @param {number} y
+   * @param {number} pixel
+   */
   #set(x, y, pixel) {
     const place = 4 * (y * SIZE + x);
     const [red, green, blue] = [pixel >> 11, (pixel >> 5) & 63, pixel & 31];
@@ -120,7 +161,10 @@ export class ChipView {
     data[place + 2] = (blue << 3) | (blue >> 2);
   }
 
-  /** Tells about a complete picture. */
+  /**
+   * Tells about a complete picture.
+   * @param {Picture} picture
+   */
   #tell(picture) {
     this.picture = picture;
     this.drawn += 1;
@@ -136,6 +180,7 @@ export class ChipView {
     element("count").textContent = whole(this.drawn);
     element("frame").textContent = seconds(nanos / 1e6);
     element("rate").textContent = `${tidy(1e9 / nanos)} a second`;
+    /** @type {(which: 0 | 1) => number} */
     const sum = (which) => stages.reduce((total, stage) => total + stage[which], 0) / count;
     element("instructions").textContent = whole(sum(0));
     element("cycles").textContent = whole(sum(1));
@@ -144,16 +189,17 @@ export class ChipView {
     element("lines").textContent = this.#lines.join("\n");
     if (this.drawn >= this.#last) {
       this.#last = Infinity;
-      element("run").checked = false;
+      input("run").checked = false;
       this.#order();
     }
   }
 
+  /** @param {number[]} cycles */
   #bars(cycles) {
     const most = Math.max(...cycles);
     const rows = cycles.map((value, i) => {
       const row = document.createElement("tr");
-      const [name, cell] = ["th", "td"].map((kind) => document.createElement(kind));
+      const [name, cell] = [document.createElement("th"), document.createElement("td")];
       name.scope = "row";
       name.textContent = this.#stages[i];
       cell.textContent = whole(value);
@@ -166,11 +212,14 @@ export class ChipView {
 
   /** Gives each pixel of the display a whole number of the screen's. */
   #fit() {
-    const board = document.querySelector("#chip .board");
-    const free = Math.min(board.clientWidth - LEAST_BOARD, MOST);
+    const free = Math.min(board().clientWidth - LEAST_BOARD, MOST);
     const scale = Math.max(1, Math.floor((free * devicePixelRatio) / SIZE)) / devicePixelRatio;
     this.#display.style.width = `${SIZE * scale}px`;
   }
 }
 
+/** The board in the view. */
+const board = () => within(document, "#chip .board");
+
+/** @param {number} ms */
 const seconds = (ms) => (ms < 1000 ? `${tidy(ms)} ms` : `${(ms / 1000).toFixed(2)} s`);

@@ -3,6 +3,7 @@ import { Comparison } from "./pkg/comparison.js";
 import { remember } from "./address.js";
 import { start } from "./comparison-module.js";
 import { Divider } from "./divider.js";
+import { element, find } from "./elements.js";
 import { ErrorScale } from "./error-scale.js";
 import { hasFailed } from "./failure.js";
 import { HalfAngle } from "./half-angle.js";
@@ -15,9 +16,22 @@ import { PriceList } from "./price-list.js";
 const SIZE = 400;
 
 const SIDES = [0, 1];
-const on = (name, side) => document.getElementById(`${name}-${side}`);
 
-/** Formats a distance in metres with a common unit. */
+/** @typedef {import("./ledger.js").State} State */
+
+/**
+ * The element of a side.
+ * @template {Element} [T=HTMLElement]
+ * @param {string} name
+ * @param {number} side
+ * @param {abstract new (...args: any) => T} [kind]
+ */
+const on = (name, side, kind) => element(`${name}-${side}`, kind);
+
+/**
+ * Formats a distance in metres with a common unit.
+ * @param {number} metres
+ */
 function far(metres) {
   if (metres < 1) return `${Math.round(100 * metres)} cm`;
   return metres < 1000 ? `${Number(metres.toPrecision(3))} m` : `${Number((metres / 1000).toPrecision(3))} km`;
@@ -26,11 +40,12 @@ function far(metres) {
 /**
  * Shows pictures by whole numbers of the device's pixels: a pixel of an error map is then a square of
  * one colour. Where there is no room for that, pictures fill their place.
+ * @param {Element} exhibit
  */
 function scale(exhibit) {
   const whole = Math.floor((exhibit.clientWidth * devicePixelRatio) / SIZE);
   const width = whole > 0 ? `${(whole * SIZE) / devicePixelRatio}px` : "100%";
-  exhibit.querySelector(".split").style.setProperty("--whole", width);
+  find(exhibit, ".split").style.setProperty("--whole", width);
 }
 
 export class ComparisonView {
@@ -52,18 +67,21 @@ export class ComparisonView {
     return new ComparisonView(prices);
   }
 
+  /** @param {PriceList} prices */
   constructor(prices) {
-    const canvases = SIDES.flatMap((side) => [on("picture", side), on("errors", side)]);
-    this.#comparison = new Comparison(...canvases, SIZE);
+    /** @type {(name: string, side: number) => HTMLCanvasElement} */
+    const canvas = (name, side) => on(name, side, HTMLCanvasElement);
+    const [first, second] = SIDES.map((side) => /** @type {const} */ ([canvas("picture", side), canvas("errors", side)]));
+    this.#comparison = new Comparison(...first, ...second, SIZE);
     this.#forms = new Map(Comparison.forms().map((form) => [form.name, plain(form)]));
-    this.#halfAngle = new HalfAngle([Comparison.narrowest(), Comparison.widest()].map(exact), (value) => {
+    this.#halfAngle = new HalfAngle([exact(Comparison.narrowest()), exact(Comparison.widest())], (value) => {
       this.#comparison.setHalfAngle(value);
       this.#request();
     });
     this.#scale = new ErrorScale(this.#comparison, Comparison.scales());
     this.#scale.onchange = () => this.#request();
     this.#ledger = new Ledger(this.#comparison, this.#forms, prices);
-    new Divider(document.getElementById("comparison"));
+    new Divider(element("comparison"));
     // In the next frame: a change of size within this one would be an error of the observer.
     const observer = new ResizeObserver((changes) => {
       requestAnimationFrame(() => changes.forEach(({ target }) => scale(target)));
@@ -72,7 +90,10 @@ export class ComparisonView {
     for (const side of SIDES) this.#joinSide(side);
   }
 
-  /** Applies the address, such as `left=f32&right=fx16&half=0.6`. Refusals are shown. */
+  /**
+   * Applies the address, such as `left=f32&right=fx16&half=0.6`. Refusals are shown.
+   * @param {string} text
+   */
   show(text) {
     const query = new URLSearchParams(text);
     for (const [side, name] of ["left", "right"].entries()) this.#ask(side, query.get(name));
@@ -94,7 +115,11 @@ export class ComparisonView {
     return SIDES.map((side) => plain(this.#comparison.side(side)));
   }
 
-  /** Sets a form by the name in the address, if there is one. */
+  /**
+   * Sets a form by the name in the address, if there is one.
+   * @param {number} side
+   * @param {string | null} name
+   */
   #ask(side, name) {
     this.#unknown[side] = "";
     if (name === null) return;
@@ -111,17 +136,18 @@ export class ComparisonView {
     return this.#ledger.measured;
   }
 
+  /** @param {number} side */
   #joinSide(side) {
-    const select = on("form", side);
+    const select = on("form", side, HTMLSelectElement);
     for (const { name, label } of this.#forms.values()) select.add(new Option(label, name));
     select.addEventListener("input", () => {
       this.#ask(side, select.value);
       this.#request();
     });
     on("widen", side).addEventListener("click", () => {
-      this.#halfAngle.take(exact(this.sides[side].narrowest));
+      this.#halfAngle.take(exact(this.sides[side]?.narrowest ?? NaN));
       // The button disappears, and the focus with it.
-      document.getElementById("half-angle").focus();
+      element("half-angle").focus();
     });
   }
 
@@ -137,7 +163,7 @@ export class ComparisonView {
     const states = this.sides;
     for (const [side, state] of states.entries()) this.#tell(side, state);
     const { beam, field, distance } = this.#comparison;
-    document.getElementById("beam-note").textContent =
+    element("beam-note").textContent =
       `Full angles: beam ${degrees(beam)}, field ${degrees(field)}. The wall is ${far(distance)} away, ` +
       "so that the spot on it keeps its radius of one metre.";
     this.#scale.show();
@@ -146,26 +172,36 @@ export class ComparisonView {
     this.drawn += 1;
   }
 
+  /**
+   * @param {number} side
+   * @param {State} state
+   */
   #tell(side, state) {
-    const { label } = this.#forms.get(state.form);
+    const label = this.#forms.get(state.form)?.label;
     const refused = state.refusal !== undefined;
-    on("form", side).value = state.form;
-    on("form", side).setAttribute("aria-invalid", refused);
+    const select = on("form", side, HTMLSelectElement);
+    select.value = state.form;
+    select.setAttribute("aria-invalid", String(refused));
     on("refusal", side).textContent = this.#unknown[side] || (state.refusal ?? "");
     on("refusal-badge", side).hidden = on("refusal", side).textContent === "";
     on("widen", side).hidden = state.narrowest === undefined;
     if (state.narrowest !== undefined) on("widen", side).textContent = `Widen to ${exact(state.narrowest)}°`;
     for (const half of document.querySelectorAll(`#comparison .half[data-side="${side}"]`)) {
       half.classList.toggle("is-refused", refused);
-      half.querySelector(".missing").hidden = !refused;
+      find(half, ".missing").hidden = !refused;
     }
     on("picture", side).setAttribute("aria-label", `The beam in ${label}`);
     on("errors", side).setAttribute("aria-label", `What ${label} differs from f64 by`);
     this.#ring(side, state);
   }
 
-  /** Marks the pixel of the largest error. */
-  #ring(side, { largest, place }) {
+  /**
+   * Marks the pixel of the largest error.
+   * @param {number} side
+   * @param {State} state
+   */
+  #ring(side, { largest = 0, place }) {
+    /** @type {(index: number) => string} */
     const middle = (index) => `${(100 * (index + 0.5)) / SIZE}%`;
     const ring = on("spot", side);
     ring.hidden = !(largest > 0);
@@ -173,13 +209,19 @@ export class ComparisonView {
     ring.style.top = middle(Math.floor(place / SIZE));
   }
 
-  /** Updates the address, so that it can be shared. */
+  /**
+   * Updates the address, so that it can be shared.
+   * @param {State[]} states
+   */
   #remember([left, right]) {
-    const half = exact(this.#comparison.halfAngle);
+    const half = String(exact(this.#comparison.halfAngle));
     const query = new URLSearchParams({ left: left.form, right: right.form, half });
-    remember("compare", () => query);
+    remember("compare", () => query.toString());
   }
 }
 
-/** Rounds an f32 to 7 significant digits, which restores the decimal fraction that was set. */
+/**
+ * Rounds an f32 to 7 significant digits, which restores the decimal fraction that was set.
+ * @param {number} value
+ */
 const exact = (value) => Number(value.toPrecision(7));

@@ -1,8 +1,13 @@
 // The intensity of a light across its axis, with a handle for each of its angles and curves to
 // compare it with.
+import { element } from "./elements.js";
 import { degrees, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
 import { line, shape } from "./shapes.js";
+
+/** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
+/** @typedef {(angle: number) => number} Across the horizontal position of an angle off the axis, in degrees */
+/** @typedef {typeof MARKS[number]} Mark */
 
 const SAMPLES = 241;
 
@@ -13,10 +18,10 @@ const HALF = (BOX.right - BOX.left) / 2;
 const WIDTH = 440;
 
 /** The angles of a light, with their intensities. */
-const MARKS = [
+const MARKS = /** @type {const} */ ([
   { name: "beam", level: 0.5, words: "Beam angle, at half the intensity" },
   { name: "field", level: 0.1, words: "Field angle, at a tenth of the intensity" },
-];
+]);
 
 /** Other falloffs with the same beam angle. */
 const OTHERS = { power: "power of the cosine", smooth: "smoothstep", linear: "linear" };
@@ -24,36 +29,48 @@ const OTHERS = { power: "power of the cosine", smooth: "smoothstep", linear: "li
 /** Factor on an angle per key, and per key with Shift. */
 const STEPS = [1.01, 1.1];
 
-/** Vertical positions of intensities. */
+/**
+ * Vertical positions of intensities.
+ * @param {number} intensity
+ */
 const height = (intensity) => BOX.bottom + (BOX.top - BOX.bottom) * intensity;
 
-/** Returns a tick distance of 1, 2 or 5 times a power of ten, for two to five ticks on a side. */
+/**
+ * Returns a tick distance of 1, 2 or 5 times a power of ten, for two to five ticks on a side.
+ * @param {number} reach
+ */
 function tickStep(reach) {
   const power = 10 ** Math.floor(Math.log10(reach / 2));
   return power * ([5, 2].find((factor) => reach / (power * factor) >= 2) ?? 1);
 }
 
+/** @type {(kind: string, x: number, y: number, text: string) => SVGElement} */
 const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
 
 export class Curve {
   #stage;
-  #svg = document.getElementById("curve");
+  #svg = element("curve", SVGElement);
   #drawn = shape("g", {});
   #handles;
-  #title = document.getElementById("curve-title");
-  #format = document.getElementById("curve-format");
-  #legend = document.getElementById("curve-legend");
+  #title = element("curve-title");
+  #format = element("curve-format");
+  #legend = element("curve-legend");
   /** The angle at the right end of the drawing, which stays the same during a drag. */
-  #reach;
+  #reach = 1;
   #isDragged = false;
 
-  /** Called with the name of an angle, a value in degrees, and the handle. */
-  onset = () => {};
+  /**
+   * Called with the name of an angle, a value in degrees, and the handle; with nothing when a drag has
+   * ended.
+   */
+  onset = /** @type {(name?: string, value?: number, handle?: SVGElement) => void} */ (() => {});
 
+  /** @param {import("./pkg/wasm_demo.js").Stage} stage */
   constructor(stage) {
     this.#stage = stage;
     this.#handles = MARKS.map((mark) => this.#handle(mark));
     this.#svg.append(this.#drawn, ...this.#handles);
+    /** @type {(kind: string, words: string) => HTMLElement} */
     const item = (kind, words) => {
       const entry = document.createElement("li");
       const sample = shape("svg", { viewBox: "0 0 24 8", class: "sample", "aria-hidden": "true" });
@@ -68,7 +85,10 @@ export class Curve {
     );
   }
 
-  /** Draws the curve of a light, evaluated by the module in the current number format. */
+  /**
+   * Draws the curve of a light, evaluated by the module in the current number format.
+   * @param {number} light
+   */
   draw(light) {
     if (light >= this.#stage.lightCount) return;
     const kept = this.#isDragged ? this.#reach : undefined;
@@ -76,8 +96,10 @@ export class Curve {
     if (points.length === 0) return;
     const state = plain(this.#stage.light(light));
     const reach = (this.#reach = points[points.length - 2]);
+    /** @type {Across} */
     const across = (angle) => MIDDLE + HALF * (angle / reach);
     this.#svg.style.setProperty("--light", state.color);
+    /** @type {(name: string) => SVGElement} */
     const other = (name) => trace(`other ${name}`, this.#stage.otherCurve(light, SAMPLES, reach, name), across);
     this.#drawn.replaceChildren(
       ...levels(),
@@ -94,9 +116,11 @@ export class Curve {
     this.#svg.setAttribute("aria-label", describe(state));
   }
 
+  /** @param {Mark} mark */
   #handle({ name, words }) {
     const handle = shape("g", { class: "handle", role: "slider", tabindex: 0, "aria-label": words });
     handle.append(...[0, 1].flatMap(() => [shape("circle", { class: "target", r: 15 }), shape("circle", { class: "dot", r: 6 })]));
+    /** @type {(value: number) => void} */
     const set = (value) => this.onset(`fit-${name}`, Math.min(Math.max(value, 1e-3), 179.9), handle);
     handle.addEventListener("pointerdown", (event) => {
       handle.setPointerCapture(event.pointerId);
@@ -113,7 +137,9 @@ export class Curve {
       this.onset();
     });
     handle.addEventListener("keydown", (event) => {
-      const turn = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+      /** @type {Record<string, number>} */
+      const turns = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+      const turn = turns[event.key];
       if (!turn || event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
       set(round(Number(handle.getAttribute("aria-valuenow")) * STEPS[Number(event.shiftKey)] ** turn));
@@ -122,8 +148,10 @@ export class Curve {
   }
 }
 
+/** @param {number} value */
 const round = (value) => Number(value.toPrecision(4));
 
+/** @param {Light} light */
 const describe = ({ name, beam, field, outer }) =>
   `${name}: half the intensity at ${degrees(beam / 2)} off axis, a tenth at ${degrees(field / 2)}, ` +
   `none from ${degrees(outer / 2)}`;
@@ -136,7 +164,11 @@ function levels() {
   ]);
 }
 
-/** The axis: degrees off the light's axis, to both sides. */
+/**
+ * The axis: degrees off the light's axis, to both sides.
+ * @param {number} reach
+ * @param {Across} across
+ */
 function ticks(reach, across) {
   const step = tickStep(reach);
   const count = Math.floor(reach / step);
@@ -146,6 +178,10 @@ function ticks(reach, across) {
   ]);
 }
 
+/**
+ * @param {Float32Array} points angles and intensities in turn
+ * @param {Across} across
+ */
 function path(points, across) {
   let path = "";
   for (let i = 0; i < points.length; i += 2) {
@@ -154,14 +190,23 @@ function path(points, across) {
   return path;
 }
 
+/** @type {(kind: string, points: Float32Array, across: Across) => SVGElement} */
 const trace = (kind, points, across) => shape("path", { class: kind, d: path(points, across) });
 
-/** The light under the curve. */
+/**
+ * The light under the curve.
+ * @param {Float32Array} points
+ * @param {Across} across
+ */
 function glow(points, across) {
   return shape("path", { class: "glow", d: `${path(points, across)}L${BOX.right} ${BOX.bottom}L${BOX.left} ${BOX.bottom}Z` });
 }
 
-/** Where each angle can be while the other one stays, at both sides. */
+/**
+ * Where each angle can be while the other one stays, at both sides.
+ * @param {Light} light
+ * @param {Across} across
+ */
 function reaches({ reach }, across) {
   return MARKS.flatMap(({ level }, i) => {
     const [least, most] = [0, 1].map((end) => Math.min(across(reach[2 * i + end] / 2), BOX.right));
@@ -172,7 +217,13 @@ function reaches({ reach }, across) {
   });
 }
 
-/** Draws a full angle at its intensity level, from one side to the other. */
+/**
+ * Draws a full angle at its intensity level, from one side to the other.
+ * @param {string} name
+ * @param {number} angle
+ * @param {number} level
+ * @param {Across} across
+ */
 function mark(name, angle, level, across) {
   const [left, right, y] = [across(-angle / 2), across(angle / 2), height(level)];
   return [
@@ -182,16 +233,22 @@ function mark(name, angle, level, across) {
   ];
 }
 
-/** Moves a handle to its angle. */
+/**
+ * Moves a handle to its angle.
+ * @param {SVGElement} handle
+ * @param {Mark} mark
+ * @param {Light} state
+ * @param {Across} across
+ */
 function tell(handle, { name, level }, state, across) {
   const angle = state[name];
   const range = state.reach.slice(name === "beam" ? 0 : 2);
   for (const [i, circle] of [...handle.children].entries()) {
-    circle.setAttribute("cx", across((i < 2 ? angle : -angle) / 2));
-    circle.setAttribute("cy", height(level));
+    circle.setAttribute("cx", String(across((i < 2 ? angle : -angle) / 2)));
+    circle.setAttribute("cy", String(height(level)));
   }
-  handle.setAttribute("aria-valuenow", tidy(angle));
+  handle.setAttribute("aria-valuenow", String(tidy(angle)));
   handle.setAttribute("aria-valuetext", `${tidy(angle)}°`);
-  handle.setAttribute("aria-valuemin", tidy(range[0] ?? angle));
-  handle.setAttribute("aria-valuemax", tidy(range[1] ?? angle));
+  handle.setAttribute("aria-valuemin", String(tidy(range[0] ?? angle)));
+  handle.setAttribute("aria-valuemax", String(tidy(range[1] ?? angle)));
 }

@@ -4,6 +4,9 @@ import { tidy } from "./numbers.js";
 /**
  * Connects a number field: `set` gets the typed value; `leave` is called when there is nothing to
  * set.
+ * @param {HTMLInputElement} field
+ * @param {(value: number, field: HTMLInputElement) => void} set
+ * @param {(field?: HTMLInputElement) => void} leave with the field if it is empty
  */
 export function joinNumber(field, set, leave) {
   field.addEventListener("input", () => {
@@ -14,7 +17,10 @@ export function joinNumber(field, set, leave) {
   field.addEventListener("blur", () => leave());
 }
 
-/** Rounds to four significant digits; the slider would give a dozen. */
+/**
+ * Rounds to four significant digits; the slider would give a dozen.
+ * @param {number} value
+ */
 const round = (value) => Number(value.toPrecision(4));
 
 /**
@@ -25,7 +31,7 @@ export class Dial {
   #slider;
   #number;
   #unit;
-  #ends = [1, 1];
+  #ends = /** @type {[number, number]} */ ([1, 1]);
 
   /**
    * @param {HTMLInputElement} slider
@@ -44,10 +50,14 @@ export class Dial {
     joinNumber(number, set, (source) => leave(number, source));
   }
 
-  /** Sets the ends of the slider, which are more than 0. */
+  /**
+   * Sets the ends of the slider, which are more than 0.
+   * @param {number} least
+   * @param {number} most
+   */
   range(least, most) {
     this.#ends = [least, most];
-    [this.#slider.min, this.#slider.max] = this.#ends.map(Math.log10);
+    [this.#slider.min, this.#slider.max] = this.#ends.map((end) => String(Math.log10(end)));
   }
 
   /**
@@ -59,9 +69,9 @@ export class Dial {
   show(value, source) {
     const [least, most] = this.#ends;
     const place = Math.log10(Math.min(Math.max(value, least), most));
-    if (source !== this.#number) this.#number.value = tidy(value);
-    if (source !== this.#slider) this.#slider.value = place;
-    const { min, max } = this.#slider;
+    if (source !== this.#number) this.#number.value = String(tidy(value));
+    if (source !== this.#slider) this.#slider.value = String(place);
+    const [min, max] = [Number(this.#slider.min), Number(this.#slider.max)];
     this.#slider.style.setProperty("--part", `${(100 * (place - min)) / (max - min)}%`);
     this.#slider.setAttribute("aria-valuetext", `${tidy(value)}${this.#unit}`);
   }

@@ -1,27 +1,48 @@
 // The other half of a divided picture: the same scene, camera and time in another number format.
 import { Divided } from "./pkg/wasm_demo.js";
 import { Divider } from "./divider.js";
+import { element as find } from "./elements.js";
 import { colours } from "./numbers.js";
 import { plain } from "./plain.js";
 import { Pool } from "./pool.js";
 import { Screen } from "./screen.js";
 
-const element = (name) => document.getElementById(`divided${name}`);
+/** @typedef {ReturnType<typeof plain<Divided>>} Difference */
 
-/** Formats a number of codes. */
+/**
+ * @template {Element} [T=HTMLElement]
+ * @param {string} name
+ * @param {abstract new (...args: any) => T} [kind]
+ */
+const element = (name, kind) => find(`divided${name}`, kind);
+
+/**
+ * Formats a number of codes.
+ * @param {number} codes
+ */
 const counted = (codes) => `${codes} ${codes === 1 ? "code" : "codes"}`;
 
 export class DividedPicture {
   #module;
   #count;
-  /** Draws the other half; there is none while the picture is whole. */
+  /**
+   * Draws the other half; there is none while the picture is whole.
+   * @type {Pool | undefined}
+   */
   #pool;
+  /** @type {Screen | undefined} */
   #screen;
-  /** The job that is drawn. */
+  /**
+   * The job that is drawn.
+   * @type {string | undefined}
+   */
   #job;
   #isShown = true;
 
-  /** The difference between both halves: a plain object. */
+  /**
+   * The difference between both halves: a plain object.
+   * @type {Difference | undefined}
+   */
   difference;
 
   /**
@@ -31,26 +52,33 @@ export class DividedPicture {
   constructor(module, count) {
     this.#module = module;
     this.#count = count;
-    new Divider(document.getElementById("frame"));
+    new Divider(find("frame"));
     element("-bar").style.background = `linear-gradient(90deg, ${colours(Divided.palette()).join()})`;
   }
 
-  /** Whether a job is drawn; without a job, whether the picture is whole. */
+  /**
+   * Whether a job is drawn; without a job, whether the picture is whole.
+   * @param {string} [job]
+   */
   hasDrawn(job) {
     return job === this.#job;
   }
 
-  /** Draws the other half, after the picture itself. Without a job the picture is whole. */
+  /**
+   * Draws the other half, after the picture itself. Without a job the picture is whole.
+   * @param {string | undefined} job
+   * @param {{ width: number, height: number }} size
+   */
   async draw(job, size) {
     if (job === this.#job) return;
     this.#job = undefined;
     if (job === undefined) return this.#end();
     this.#pool ??= new Pool(Promise.resolve(this.#module), this.#count);
-    this.#screen ??= new Screen(element("-other"), element("-difference"));
+    this.#screen ??= new Screen(element("-other", HTMLCanvasElement), element("-difference", HTMLCanvasElement));
     const { isDrawn, parts } = await this.#pool.draw(job);
     if (isDrawn) this.#screen.gather(parts, size);
     this.#pool.recycle(parts);
-    element("").style.setProperty("--aspect", size.width / size.height);
+    element("").style.setProperty("--aspect", String(size.width / size.height));
     this.#job = job;
     this.#isShown = false;
   }
@@ -58,10 +86,14 @@ export class DividedPicture {
   /**
    * Shows the other half and its difference from the picture, if either has changed. Returns whether
    * it did.
+   * @param {Uint8ClampedArray} pixels of the picture
+   * @param {boolean} isChanged whether the picture has changed
+   * @param {number} width of the picture
    */
   show(pixels, isChanged, width) {
-    if (this.#job === undefined || (this.#isShown && !isChanged)) return false;
-    const divided = new Divided(pixels, this.#screen.pixels);
+    if (!this.#screen || this.#job === undefined || (this.#isShown && !isChanged)) return false;
+    const bytes = [pixels, this.#screen.pixels].map(({ buffer, byteOffset, length }) => new Uint8Array(buffer, byteOffset, length));
+    const divided = new Divided(bytes[0], bytes[1]);
     this.#screen.show();
     this.#screen.showMap(divided.pixels());
     this.difference = plain(divided);
@@ -70,15 +102,24 @@ export class DividedPicture {
     return true;
   }
 
-  /** Shows the state, and covers the picture with the difference or uncovers it. */
+  /**
+   * Shows the state, and covers the picture with the difference or uncovers it.
+   * @param {string | undefined} format of the other half
+   * @param {boolean} isDifference
+   */
   cover(format, isDifference) {
     const isDivided = format !== undefined;
-    element("-format").value = format ?? "";
-    element("-cover").checked = isDifference;
+    element("-format", HTMLSelectElement).value = format ?? "";
+    element("-cover", HTMLInputElement).checked = isDifference;
     element("-difference").hidden = !isDifference;
     for (const part of ["", "-key", "-switch", "-note"]) element(part).hidden = !isDivided;
   }
 
+  /**
+   * @param {Difference} difference
+   * @param {number} width of the picture
+   * @param {number} pixels their number
+   */
   #tell({ largest, place, differing, end }, width, pixels) {
     const share = Number(((100 * differing) / pixels).toPrecision(2));
     const [x, y] = [place % width, Math.floor(place / width)];

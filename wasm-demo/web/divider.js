@@ -8,16 +8,18 @@ export class Divider {
   #sliders;
   #holder;
 
+  /** @param {HTMLElement} holder */
   constructor(holder) {
     this.#holder = holder;
-    this.#sliders = [...holder.querySelectorAll(".divider")];
-    for (const slider of this.#sliders) slider.addEventListener("input", () => this.#move(slider.value));
+    this.#sliders = /** @type {HTMLInputElement[]} */ ([...holder.querySelectorAll(".divider")]);
+    for (const slider of this.#sliders) slider.addEventListener("input", () => this.#move(slider.valueAsNumber));
     this.#move(50);
   }
 
+  /** @param {number} percent */
   #move(percent) {
     for (const slider of this.#sliders) {
-      slider.value = percent;
+      slider.valueAsNumber = percent;
       slider.setAttribute("aria-valuetext", `A on ${Math.round(percent)} % of the picture`);
     }
     this.#holder.style.setProperty("--split", `${percent}%`);

@@ -1,23 +1,32 @@
 // The effects of the library: those that the scene needs, and switches for some of them.
+import { copyOf, element, find } from "./elements.js";
 import { plain } from "./plain.js";
 import { load } from "./support.js";
 
 /** Delay before the prices are loaded, in milliseconds: the first picture goes before them. */
 const LATER = 500;
 
+/** @typedef {import("./pkg/wasm_demo.js").Stage} Stage */
+/**
+ * @template {{ free(): void }} T
+ * @typedef {import("./plain.js").Plain<T>} Plain
+ */
+
 export class EffectList {
   #stage;
-  #list = document.getElementById("effects");
-  #count = document.getElementById("effects-count");
-  #switches = document.getElementById("switches");
+  #list = element("effects");
+  #count = element("effects-count");
+  #switches = element("switches");
   /** The displayed text, so that the page is written only on a change. */
   #shown = "";
 
+  /** @type {Map<string, string>} */
   #prices = new Map();
 
   /** Called with an effect to switch off or on; returns whether the switch was accepted. */
-  onswitch = () => false;
+  onswitch = /** @type {(effect: string, isOn: boolean) => unknown} */ (() => false);
 
+  /** @param {Stage} stage */
   constructor(stage) {
     this.#stage = stage;
     setTimeout(() => this.#price().catch(reportError), LATER);
@@ -27,12 +36,14 @@ export class EffectList {
   async #price() {
     const { MEANING, loadPrices } = await load("effect-prices.js");
     this.#prices = await loadPrices();
-    if (this.#prices.size > 0) document.getElementById("switches-note").textContent = MEANING;
+    if (this.#prices.size > 0) element("switches-note").textContent = MEANING;
     for (const input of document.querySelectorAll("[id^='effect-']")) this.#tellPrice(input);
   }
 
+  /** @param {Element} input */
   #tellPrice(input) {
-    input.parentElement.querySelector("small").textContent = this.#prices.get(input.id.slice("effect-".length)) ?? "";
+    find(/** @type {Element} */ (input.parentElement), "small").textContent =
+      this.#prices.get(input.id.slice("effect-".length)) ?? "";
   }
 
   /** Shows the switches of the current scene. */
@@ -52,13 +63,14 @@ export class EffectList {
     this.#list.replaceChildren(...effects.map(item));
   }
 
+  /** @param {Plain<import("./pkg/wasm_demo.js").SwitchState>} state */
   #switch({ effect, label, offered, on }) {
-    const holder = document.getElementById("switch").content.firstElementChild.cloneNode(true);
-    const input = holder.querySelector("input");
+    const holder = copyOf("switch");
+    const input = find(holder, "input", HTMLInputElement);
     input.id = `effect-${effect}`;
     input.checked = offered && on;
     input.disabled = !offered;
-    holder.querySelector("span").textContent = label;
+    find(holder, "span").textContent = label;
     this.#tellPrice(input);
     input.addEventListener("input", () => {
       if (!this.onswitch(effect, input.checked)) input.checked = !input.checked;
@@ -67,6 +79,7 @@ export class EffectList {
   }
 }
 
+/** @param {Plain<import("./pkg/wasm_demo.js").EffectState>} effect */
 function item({ name, isCalledFor }) {
   const item = document.createElement("li");
   item.textContent = name;

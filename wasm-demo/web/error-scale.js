@@ -1,19 +1,26 @@
 // The scale of the errors: its colours, its end, and whether the visitor chose it.
+import { element } from "./elements.js";
 import { colours, tidy } from "./numbers.js";
+
+/** @typedef {import("./pkg/comparison.js").Comparison} Comparison */
 
 export class ErrorScale {
   #comparison;
-  #select = document.getElementById("scale");
-  #legend = document.getElementById("legend");
-  #note = document.getElementById("scale-note");
+  #select = element("scale", HTMLSelectElement);
+  #legend = element("legend");
+  #note = element("scale-note");
 
   /** Called when the visitor chooses another scale. */
   onchange = () => {};
 
+  /**
+   * @param {Comparison} comparison
+   * @param {Iterable<number>} ends
+   */
   constructor(comparison, ends) {
     this.#comparison = comparison;
     this.#select.add(new Option("automatic", ""));
-    for (const end of ends) this.#select.add(new Option(counted(end), end));
+    for (const end of ends) this.#select.add(new Option(counted(end), String(end)));
     this.#select.addEventListener("input", () => {
       comparison.setScale(this.#select.value === "" ? undefined : Number(this.#select.value));
       this.onchange();
@@ -24,8 +31,8 @@ export class ErrorScale {
   /** Shows the scale in force. */
   show() {
     const { scale, gain } = this.#comparison;
-    document.getElementById("tick-middle").textContent = tidy(scale / 2);
-    document.getElementById("tick-end").textContent = scale === 255 ? "255 codes" : `${counted(scale)} or more`;
+    element("tick-middle").textContent = String(tidy(scale / 2));
+    element("tick-end").textContent = scale === 255 ? "255 codes" : `${counted(scale)} or more`;
     const why = this.#select.value === "" ? "so that both sides fit" : "as chosen";
     const times = Number(gain.toPrecision(3)).toLocaleString("en");
     const size = gain === 1 ? "at their size" : `magnified ${times} times`;
@@ -34,5 +41,8 @@ export class ErrorScale {
   }
 }
 
-/** Formats a number of codes. */
+/**
+ * Formats a number of codes.
+ * @param {number} codes
+ */
 const counted = (codes) => `${codes} ${codes === 1 ? "code" : "codes"}`;

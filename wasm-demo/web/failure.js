@@ -1,5 +1,6 @@
 // Shows failures on the page as well as on the console. Only a failure of the module stops the
 // demo.
+import { element, find } from "./elements.js";
 
 let failed = false;
 
@@ -14,11 +15,14 @@ export function fail(cause) {
   if (failed) return;
   failed = true;
   tell("failure", words(cause));
-  document.querySelector("main").inert = true;
+  find(document, "main").inert = true;
   document.body.dataset.state = "failed";
 }
 
-/** Does something that no picture depends on. A failure is reported, and the rest continues. */
+/**
+ * Does something that no picture depends on. A failure is reported, and the rest continues.
+ * @param {() => void} act
+ */
 export function aside(act) {
   try {
     act();
@@ -27,27 +31,36 @@ export function aside(act) {
   }
 }
 
-/** Returns the message of an error, or of another thrown value. */
+/**
+ * Returns the message of an error, or of another thrown value.
+ * @param {unknown} cause
+ */
 export const words = (cause) => (cause instanceof Error ? cause.message : String(cause));
 
-/** Returns whether an error is a trap of the module, after which it can't be called any more. */
-export const isTrap = (cause) => cause?.name === "RuntimeError";
+/**
+ * Returns whether an error is a trap of the module, after which it can't be called any more.
+ * @param {unknown} cause
+ */
+export const isTrap = (cause) => /** @type {any} */ (cause)?.name === "RuntimeError";
 
 /**
  * Installs handlers: panics and traps of the module stop the demo, and uncaught errors are shown.
  */
 export function watch() {
+  /** @type {(what: unknown) => void} */
   const broken = (what) => fail(`The demo has stopped: ${what}. Reload the page to start again.`);
+  /** @type {(cause: unknown) => void} */
   const judge = (cause) =>
     isTrap(cause) ? broken(cause) : tell("trouble", `A part of this page has failed: ${cause}. The rest still works.`);
   // The message of a panic precedes its trap and is more specific.
-  window.addEventListener("luminaire-panic", (event) => broken(event.detail));
+  window.addEventListener("luminaire-panic", (event) => broken(/** @type {CustomEvent} */ (event).detail));
   window.addEventListener("error", (event) => judge(event.error ?? event.message));
   window.addEventListener("unhandledrejection", (event) => judge(event.reason));
 }
 
+/** @type {(id: string, text: string) => void} */
 function tell(id, text) {
-  const place = document.getElementById(id);
+  const place = element(id);
   place.textContent = text;
   place.hidden = false;
 }

@@ -2,6 +2,7 @@
 import { Stage } from "./pkg/wasm_demo.js";
 import { tidy, whole } from "./numbers.js";
 
+/** @type {Record<string, string>} */
 const KINDS = {
   beam: "narrow beam",
   profile: "profile spot",
@@ -12,6 +13,9 @@ const KINDS = {
   flood: "flood or blinder",
 };
 
+/** @typedef {ReturnType<typeof plain>} Fixture */
+
+/** @type {Map<string, Fixture> | undefined} */
 let fixtures;
 
 /** The table, read from the module once. */
@@ -20,6 +24,7 @@ function table() {
   return fixtures;
 }
 
+/** @param {import("./pkg/wasm_demo.js").FixtureState} fixture */
 function plain(fixture) {
   const { name, kind, narrow: least, wide: most, lumens } = fixture;
   const [narrow, wide] = [tidy(least), tidy(most)];
@@ -29,15 +34,22 @@ function plain(fixture) {
   return { name, kind, narrow, wide, angle, flux };
 }
 
-/** The fixture of this name, or undefined. */
+/**
+ * The fixture of this name, or undefined.
+ * @param {string} name
+ */
 export const findFixture = (name) => table().get(name);
 
-/** Fills a list with all fixtures and what a visitor may search for. Returns their number. */
+/**
+ * Fills a list with all fixtures and what a visitor may search for. Returns their number.
+ * @param {HTMLElement} list
+ */
 export function listFixtures(list) {
+  /** @type {(fixture: Fixture) => HTMLOptionElement} */
   const option = ({ name, kind, angle, flux }) => {
     const option = document.createElement("option");
     option.value = name;
-    option.label = [name, angle, flux, KINDS[kind]].filter((part) => part !== "").join(", ");
+    option.label = [name, angle, flux, KINDS[kind]].filter((part) => part).join(", ");
     return option;
   };
   list.replaceChildren(...[...table().values()].map(option));

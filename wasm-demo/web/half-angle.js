@@ -1,16 +1,15 @@
 // The half angle of the beam: a dial with its own message.
 import { Dial } from "./dial.js";
-
-const element = (name) => document.getElementById(`half-angle${name}`);
+import { element } from "./elements.js";
 
 /** Invalid values are refused with a message. */
 export class HalfAngle {
-  #number = element("-number");
-  #error = element("-error");
+  #number = element("half-angle-number", HTMLInputElement);
+  #error = element("half-angle-error");
   #dial;
   #set;
   /** The current value. */
-  #value;
+  #value = NaN;
 
   /**
    * @param {[number, number]} ends the narrowest and the widest, in degrees
@@ -18,22 +17,32 @@ export class HalfAngle {
    */
   constructor(ends, set) {
     this.#set = set;
+    /** @type {(value: number, source: HTMLInputElement) => void} */
     const take = (value, source) => this.take(value, source);
+    /** @type {(_: HTMLInputElement, source?: HTMLInputElement) => void} */
     const leave = (_, source) => {
       this.#tell("");
       this.show(this.#value, source);
     };
-    this.#dial = new Dial(element(""), this.#number, take, leave, "°");
+    this.#dial = new Dial(element("half-angle", HTMLInputElement), this.#number, take, leave, "°");
     this.#dial.range(...ends);
   }
 
-  /** Shows a value, except on the control that it comes from. */
+  /**
+   * Shows a value, except on the control that it comes from.
+   * @param {number} value
+   * @param {Element} [source]
+   */
   show(value, source) {
     this.#value = value;
     this.#dial.show(value, source);
   }
 
-  /** Sets a half angle in degrees. A refusal is shown and changes nothing else. */
+  /**
+   * Sets a half angle in degrees. A refusal is shown and changes nothing else.
+   * @param {number} value
+   * @param {Element} [source]
+   */
   take(value, source) {
     let refusal = "";
     try {
@@ -46,8 +55,9 @@ export class HalfAngle {
     if (refusal === "") this.show(value, source);
   }
 
+  /** @param {string} refusal */
   #tell(refusal) {
     this.#error.textContent = refusal;
-    this.#number.setAttribute("aria-invalid", refusal !== "");
+    this.#number.setAttribute("aria-invalid", String(refusal !== ""));
   }
 }

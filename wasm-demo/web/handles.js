@@ -1,5 +1,6 @@
 // The lights in the picture: a small fixture where each hangs, and the pool of the selected one. A
 // fixture moves its light, the pool aims it, and the wheel over the pool zooms it.
+import { element } from "./elements.js";
 import { tidy } from "./numbers.js";
 import { plain } from "./plain.js";
 import { line, shape } from "./shapes.js";
@@ -13,34 +14,56 @@ const WIDER = 1.08;
 /** Largest number of notches in one turn of the wheel. */
 const MOST = 5;
 
+/** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 /** Distance of a marker from the border, for a light beside the picture, in pixels. */
 const MARGIN = 14;
 
+/** @typedef {import("./pkg/wasm_demo.js").Stage} Stage */
+/** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
+
+/**
+ * A place in the picture as shares of its sides.
+ * @typedef {{ x: number, y: number }} Place
+ * @typedef {Place & { aspect: number }} Target with the width of the picture divided by its height
+ */
+
+/**
+ * What a handle moves, and from where.
+ * @typedef {{ from: Place, act: (to: Target, isLevel: boolean) => void }} Start
+ */
+
 export class Handles {
   #stage;
   #lights;
-  #frame = document.getElementById("frame");
-  #canvas = document.getElementById("view");
-  #svg = document.getElementById("handles");
+  #frame = element("frame");
+  #canvas = element("view", HTMLCanvasElement);
+  #svg = element("handles", SVGElement);
   #sides = [line("side", 0, 0, 0, 0), line("side", 0, 0, 0, 0)];
   #area = shape("path", { class: "area" });
   #outline = shape("path", { class: "outline" });
   #aim = slider("aim", [shape("circle", { class: "target", r: 22 }), shape("path", { class: "mark", d: "M-9 0H-3M3 0H9M0-9V-3M0 3V9" }), shape("circle", { class: "ring", r: 6 })]);
+  /** @type {SVGElement[]} */
   #bodies = [];
   /** The size of the picture on the page, in pixels. */
   #size = { width: 1, height: 1 };
-  /** Where the lights and their aims are, as shares of the picture. */
+  /**
+   * Where the lights and their aims are.
+   * @type {Place[]}
+   */
   #places = [];
-  /** What is being dragged: its act, and its offset from the pointer. */
+  /**
+   * What is being dragged: its act, its offset from the pointer, and where it is to go next.
+   * @type {{ act: Start["act"], offset: Place, to?: Target, isLevel?: boolean } | undefined}
+   */
   #drag;
   #isMoving = false;
 
   /** Called with a change of the state. */
-  onchange = () => {};
+  onchange = /** @type {(act: () => void) => void} */ (() => {});
   /** Called with the number of a light that the visitor selects. */
-  onselect = () => {};
+  onselect = /** @type {(light: number) => void} */ (() => {});
 
   /**
    * @param {Stage} stage
@@ -82,13 +105,16 @@ export class Handles {
     const pairs = this.#stage.places(aspect);
     this.#places = Array.from({ length: pairs.length / 2 }, (_, i) => ({ x: pairs[2 * i], y: pairs[2 * i + 1] }));
     const states = this.#stage.lights().map(plain);
-    while (this.#bodies.length > states.length) this.#bodies.pop().remove();
+    while (this.#bodies.length > states.length) this.#bodies.pop()?.remove();
     while (this.#bodies.length < states.length) this.#bodies.push(this.#body(this.#bodies.length));
     for (const [light, state] of states.entries()) this.#place(light, state);
     this.#showPool(aspect);
   }
 
-  /** Makes the handle of a light. */
+  /**
+   * Makes the handle of a light.
+   * @param {number} light
+   */
   #body(light) {
     const body = slider("body", [
       shape("circle", { class: "target", r: 22 }),
@@ -96,18 +122,23 @@ export class Handles {
       shape("path", { class: "lens", d: "M8-8V8" }),
     ]);
     body.id = `handle-${light}`;
-    this.#join(body, () => {
+    /** @type {() => Start} */
+    const start = () => {
       if (light !== this.#lights.selected) this.onselect(light);
       return {
         from: this.#places[2 * light],
         act: ({ x, y, aspect }, isLevel) => this.#stage.dragLight(light, x, y, aspect, isLevel),
       };
-    });
+    };
+    this.#join(body, start);
     this.#svg.append(body);
     return body;
   }
 
-  /** Dragging the pool of the selected light. */
+  /**
+   * Dragging the pool of the selected light.
+   * @returns {Start}
+   */
   #aiming() {
     const light = this.#lights.selected;
     return {
@@ -116,7 +147,11 @@ export class Handles {
     };
   }
 
-  /** Moves the handle of a light to its place. A selected light beside the picture is at the border. */
+  /**
+   * Moves the handle of a light to its place. A selected light beside the picture is at the border.
+   * @param {number} light
+   * @param {Light} state
+   */
   #place(light, { name, color, on, position }) {
     const [body, { width, height }] = [this.#bodies[light], this.#size];
     const isSelected = light === this.#lights.selected;
@@ -125,6 +160,7 @@ export class Handles {
     const isShown = !Number.isNaN(at.x) && (!isBeside || isSelected);
     body.toggleAttribute("hidden", !isShown);
     if (!isShown) return;
+    /** @type {(value: number, end: number) => number} */
     const inside = (value, end) => Math.min(Math.max(value, MARGIN), end - MARGIN);
     const [x, y] = isBeside ? [inside(at.x, width), inside(at.y, height)] : [at.x, at.y];
     const turn = Number.isNaN(aim.x) ? 90 : (180 / Math.PI) * Math.atan2(aim.y - at.y, aim.x - at.x);
@@ -133,11 +169,12 @@ export class Handles {
     body.classList.toggle("selected", isSelected);
     body.classList.toggle("beside", isBeside);
     body.classList.toggle("off", !on);
-    body.setAttribute("tabindex", isSelected ? 0 : -1);
+    body.setAttribute("tabindex", isSelected ? "0" : "-1");
     body.setAttribute("aria-label", `Position of light ${light + 1}, ${name}`);
     tellPlace(body, position);
   }
 
+  /** @param {number} aspect */
   #showPool(aspect) {
     const light = this.#lights.selected;
     const { isSpot, aim } = plain(this.#stage.light(light));
@@ -151,7 +188,8 @@ export class Handles {
     const pool = this.#stage.pool(light, aspect);
     const [ends, outline] = [pool.slice(0, 4), pool.slice(4)];
     const { width, height } = this.#size;
-    let [path, area, isNew] = ["", "", true];
+    let [path, area] = ["", ""];
+    let isNew = true;
     for (let i = 0; i < outline.length; i += 2) {
       const [x, y] = [outline[i] * width, outline[i + 1] * height];
       if (Number.isNaN(x)) {
@@ -169,19 +207,23 @@ export class Handles {
     for (const [i, side] of this.#sides.entries()) {
       side.toggleAttribute("hidden", Number.isNaN(ends[2 * i]));
       if (Number.isNaN(ends[2 * i])) continue;
-      side.setAttribute("x1", from.x);
-      side.setAttribute("y1", from.y);
-      side.setAttribute("x2", ends[2 * i] * width);
-      side.setAttribute("y2", ends[2 * i + 1] * height);
+      const to = { x: ends[2 * i] * width, y: ends[2 * i + 1] * height };
+      const places = { x1: from.x, y1: from.y, x2: to.x, y2: to.y };
+      for (const [name, value] of Object.entries(places)) side.setAttribute(name, String(value));
     }
   }
 
+  /** @param {number} place */
   #pixels(place) {
     const { x, y } = this.#places[place];
     return { x: x * this.#size.width, y: y * this.#size.height };
   }
 
-  /** Lets a target be dragged and moved by keys: `start` returns what it moves, and from where. */
+  /**
+   * Lets a target be dragged and moved by keys.
+   * @param {SVGElement} target
+   * @param {() => Start} start
+   */
   #join(target, start) {
     target.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
@@ -199,21 +241,26 @@ export class Handles {
     target.addEventListener("keydown", (event) => this.#key(event, start));
   }
 
-  /** Moves what is dragged to the pointer, once for each frame of the browser. */
+  /**
+   * Moves what is dragged to the pointer, once for each frame of the browser.
+   * @param {PointerEvent} event
+   */
   #follow(event) {
     const drag = this.#drag;
+    if (!drag) return;
     const isScheduled = drag.to !== undefined;
     const { x, y } = this.#pointer(event);
     drag.to = { x: x + drag.offset.x, y: y + drag.offset.y, aspect: this.#aspect };
     drag.isLevel = event.shiftKey;
     if (isScheduled) return;
     requestAnimationFrame(() => {
-      const to = drag.to;
+      const { to, isLevel = false } = drag;
       drag.to = undefined;
-      this.onchange(() => drag.act(to, drag.isLevel));
+      if (to) this.onchange(() => drag.act(to, isLevel));
     });
   }
 
+  /** @param {PointerEvent} event */
   #pointer({ clientX, clientY }) {
     const { left, top, width, height } = this.#canvas.getBoundingClientRect();
     return { x: (clientX - left) / width, y: (clientY - top) / height };
@@ -223,21 +270,29 @@ export class Handles {
     return this.#size.width / this.#size.height;
   }
 
+  /** @param {WheelEvent} event */
   #wheel(event) {
     if (event.ctrlKey || event.metaKey) return;
-    const notches = Math.max(-MOST, Math.min(event.deltaY / [100, 3, 1][event.deltaMode], MOST));
+    const notches = Math.max(-MOST, Math.min(event.deltaY / ([100, 3, 1][event.deltaMode] ?? 100), MOST));
     event.preventDefault();
     this.#zoom(WIDER ** notches);
   }
 
+  /** @param {number} factor */
   #zoom(factor) {
     this.onchange(() => this.#stage.zoomLight(this.#lights.selected, factor));
   }
 
+  /**
+   * @param {KeyboardEvent} event
+   * @param {() => Start} start
+   */
   #key(event, start) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const arrow = ARROWS[event.key];
-    const zoom = { "+": WIDER, "=": WIDER, "-": 1 / WIDER }[event.key];
+    /** @type {Record<string, number>} */
+    const zooms = { "+": WIDER, "=": WIDER, "-": 1 / WIDER };
+    const zoom = zooms[event.key];
     if (!arrow && !zoom) return;
     event.preventDefault();
     if (zoom) return this.#zoom(zoom);
@@ -247,15 +302,23 @@ export class Handles {
   }
 }
 
-/** A handle that moves in two dimensions. It has the role that screen readers move by arrow keys. */
+/**
+ * A handle that moves in two dimensions. It has the role that screen readers move by arrow keys.
+ * @param {string} kind
+ * @param {SVGElement[]} parts
+ */
 function slider(kind, parts) {
   const handle = shape("g", { class: `handle ${kind}`, role: "slider", tabindex: 0 });
   handle.append(...parts);
   return handle;
 }
 
-/** Tells a position in metres to those who do not see it. */
+/**
+ * Tells a position in metres to those who do not see it.
+ * @param {SVGElement} handle
+ * @param {Float32Array} place
+ */
 function tellPlace(handle, [x, y, z]) {
-  handle.setAttribute("aria-valuenow", tidy(x));
+  handle.setAttribute("aria-valuenow", String(tidy(x)));
   handle.setAttribute("aria-valuetext", `x ${tidy(x)}, height ${tidy(y)}, z ${tidy(z)} metres`);
 }

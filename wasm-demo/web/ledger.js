@@ -1,6 +1,12 @@
 // Errors and costs of both forms, side by side.
+import { element } from "./elements.js";
 import { degrees, median, tidy } from "./numbers.js";
-import { amount, price, stageName, targetName } from "./price-list.js";
+import { amount, isNumber, price, stageName, targetName } from "./price-list.js";
+
+/** @typedef {import("./pkg/comparison.js").Comparison} Comparison */
+/** @typedef {import("./plain.js").Plain<import("./pkg/comparison.js").SideState>} State of a side */
+/** @typedef {import("./plain.js").Plain<import("./pkg/comparison.js").FormState>} Form */
+/** @typedef {import("./price-list.js").Cost} Cost */
 
 /** Number of timings of each picture; the two pictures alternate. */
 const RUNS = 9;
@@ -8,40 +14,56 @@ const RUNS = 9;
 /** Delay after a change until the visitor has probably stopped sliding, in milliseconds. */
 const REST = 250;
 
+/** @param {number} milliseconds */
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /** Smallest error that is shown, in codes. */
 const LEAST = 0.001;
 
-/** Formats an error in codes, with two digits. */
+/**
+ * Formats an error in codes, with two digits.
+ * @param {number} value
+ */
 function codes(value) {
   if (value === 0) return "none";
   if (value < LEAST) return `under ${LEAST}`;
   return String(value < 10 ? Number(value.toPrecision(2)) : Math.round(value));
 }
 
-/** Formats a share in percent. */
+/**
+ * Formats a share in percent.
+ * @param {number} share
+ */
 const percent = (share) =>
   share === 0 ? "none" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`;
 
-/** States in one sentence which form is better here, by how much, and at what cost. */
+/**
+ * States in one sentence which form is better here, by how much, and at what cost.
+ * @param {State[]} states
+ * @param {boolean} isOneCurve
+ * @param {(Cost | undefined)[][]} costs of both sides, for each target
+ */
 function verdict(states, isOneCurve, costs) {
-  const refused = ["A", "B"].filter((_, side) => states[side].refusal !== undefined);
+  const refused = ["A", "B"].filter((_, side) => states[side]?.refusal !== undefined);
   if (refused.length === 2) return "Neither format can represent a beam this narrow.";
   if (refused.length === 1) return `Format ${refused[0]} cannot represent a beam this narrow.`;
   if (!isOneCurve) {
     return "A and B are different curves, each compared with its own f64: compare their shapes, not their errors.";
   }
-  const better = states[0].largest < states[1].largest ? 0 : 1;
-  const [least, most] = [states[better].largest, states[1 - better].largest];
+  const [a, b] = states.map((state) => state.largest ?? NaN);
+  const better = a < b ? 0 : 1;
+  const [least, most] = [Math.min(a, b), Math.max(a, b)];
   if (most < LEAST) return "Both are within a thousandth of a code here.";
   const factor = Number((most / Math.max(least, LEAST)).toPrecision(2)).toLocaleString("en");
   const over = least < LEAST ? "over " : "";
   const judged = `${"AB"[better]} is ${over}${factor}× more accurate here`;
-  return `${judged}${priceOf(costs.map((pair) => pair[better]?.instructions / pair[1 - better]?.instructions))}.`;
+  return `${judged}${priceOf(costs.map((pair) => (pair[better]?.instructions ?? NaN) / (pair[1 - better]?.instructions ?? NaN)))}.`;
 }
 
-/** Formats the range of some ratios of instructions; empty without any. */
+/**
+ * Formats the range of some ratios of instructions; empty without any.
+ * @param {number[]} ratios
+ */
 function priceOf(ratios) {
   const known = ratios.filter(Number.isFinite).map((ratio) => Number(ratio.toPrecision(2)));
   if (known.length === 0) return "";
@@ -53,26 +75,35 @@ export class Ledger {
   #comparison;
   #forms;
   #prices;
-  #costs = document.getElementById("costs");
-  #note = document.getElementById("costs-note");
+  #costs = element("costs");
+  #note = element("costs-note");
   #measurement = 0;
 
   /**
    * Resolves when the times of the current pictures are shown, or when newer pictures replace them.
+   * @type {Promise<void> | undefined}
    */
   measured;
 
+  /**
+   * @param {Comparison} comparison
+   * @param {Map<string, Form>} forms by name
+   * @param {import("./price-list.js").PriceList} prices
+   */
   constructor(comparison, forms, prices) {
     this.#comparison = comparison;
     this.#forms = forms;
     this.#prices = prices;
   }
 
-  /** Shows the state of both sides, and measures the rest. */
+  /**
+   * Shows the state of both sides, and measures the rest.
+   * @param {State[]} states
+   */
   show(states) {
     for (const [side, state] of states.entries()) this.#tell(side, state);
-    const forms = states.map((state) => this.#forms.get(state.form));
-    document.getElementById("verdict").textContent = verdict(
+    const forms = states.map((state) => this.#form(state));
+    element("verdict").textContent = verdict(
       states,
       this.#comparison.isOneCurve,
       this.#showCosts(forms),
@@ -80,23 +111,35 @@ export class Ledger {
     this.measured = this.#measure();
   }
 
+  /** @param {State} state */
+  #form(state) {
+    return /** @type {Form} */ (this.#forms.get(state.form));
+  }
+
+  /**
+   * @param {number} side
+   * @param {State} state
+   */
   #tell(side, state) {
+    /** @type {(name: string, text: string) => void} */
     const put = (name, text) => {
-      document.getElementById(`${name}-${side}`).textContent = text;
+      element(`${name}-${side}`).textContent = text;
     };
-    const { label, truth } = this.#forms.get(state.form);
+    const { label, truth } = this.#form(state);
+    const { largest = NaN, offAxis = NaN, differing = NaN } = state;
     const held = state.refusal === undefined;
     put("name", label);
     put("truth", truth);
-    put("largest", held ? codes(state.largest) : "refused");
-    document.getElementById(`largest-${side}`).classList.toggle("no", !held);
-    put("where", held && state.largest > 0 ? degrees(Number(state.offAxis.toPrecision(2))) : "–");
-    put("differing", held ? percent(state.differing) : "–");
+    put("largest", held ? codes(largest) : "refused");
+    element(`largest-${side}`).classList.toggle("no", !held);
+    put("where", held && largest > 0 ? degrees(Number(offAxis.toPrecision(2))) : "–");
+    put("differing", held ? percent(differing) : "–");
     put("time", held ? "…" : "–");
   }
 
   /**
    * Compares both in the same stage: the lit point if both have one. Returns the costs by target.
+   * @param {Form[]} forms
    */
   #showCosts(forms) {
     const list = this.#prices;
@@ -125,19 +168,19 @@ export class Ledger {
     const measurement = (this.#measurement += 1);
     const isOver = () => measurement !== this.#measurement;
     await pause(REST);
+    /** @type {(number | undefined)[][]} */
     const times = [[], []];
     for (let run = 0; run < RUNS; run += 1) {
       for (const side of [0, 1]) {
         if (isOver()) return;
-        times[side].push(this.#comparison.time(side));
+        times[side]?.push(this.#comparison.time(side));
         // Yields to the browser.
         await pause(0);
       }
     }
     if (isOver()) return;
     for (const [side, taken] of times.entries()) {
-      if (taken.includes(undefined)) continue;
-      document.getElementById(`time-${side}`).textContent = `${tidy(median(taken))} ms`;
+      if (taken.every(isNumber)) element(`time-${side}`).textContent = `${tidy(median(taken))} ms`;
     }
   }
 
@@ -147,6 +190,7 @@ export class Ledger {
   }
 }
 
+/** @param {string} text */
 function heading(text) {
   const row = document.createElement("tr");
   const cell = document.createElement("th");
@@ -157,14 +201,18 @@ function heading(text) {
   return row;
 }
 
-/** Shows the costs on a target as bars; the longer bar is full. */
+/**
+ * Shows the costs on a target as bars; the longer bar is full.
+ * @param {string} target
+ * @param {(Cost | undefined)[]} costs
+ */
 function bars(target, costs) {
   const row = document.createElement("tr");
   row.className = "bars";
   const name = document.createElement("th");
   name.scope = "row";
   name.textContent = targetName(target);
-  const most = Math.max(...costs.map(amount).filter(Number.isFinite));
+  const most = Math.max(...costs.map(amount).filter(isNumber));
   row.append(
     name,
     ...costs.map((cost) => {

@@ -2,11 +2,19 @@
 // settings.
 import { Stage } from "./pkg/wasm_demo.js";
 import { Dial, joinNumber } from "./dial.js";
+import { element as find } from "./elements.js";
 import { findFixture, listFixtures } from "./fixture-list.js";
 import { degrees, tidy, whole } from "./numbers.js";
 import { plain } from "./plain.js";
 
-const element = (name) => document.getElementById(`light-${name}`);
+/** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
+
+/** @param {string} name */
+const element = (name) => find(`light-${name}`);
+/** @param {string} name */
+const input = (name) => find(`light-${name}`, HTMLInputElement);
+/** @param {string} name */
+const select = (name) => find(`light-${name}`, HTMLSelectElement);
 
 /** The ends of the slider of the intensity, as multiples of the light's own intensity. */
 const INTENSITIES = [0.01, 10];
@@ -14,7 +22,10 @@ const INTENSITIES = [0.01, 10];
 /** The same for a fixture whose flux is published, which is its most. */
 const DIMMED = [0.001, 1];
 
-/** The fields of a position and of an aim. */
+/**
+ * The fields of a position and of an aim.
+ * @type {Record<"position" | "aim", string[]>}
+ */
 const PLACES = { position: ["x", "y", "z"], aim: ["aim-x", "aim-y", "aim-z"] };
 
 /** Least angle of the zoom's slider, as a share of the largest. */
@@ -23,24 +34,26 @@ const LEAST_ZOOM = 0.01;
 export class LightPanel {
   #stage;
   #light = 0;
-  #panel = document.getElementById("panel");
+  #panel = find("panel");
   #error = element("error");
   #dials;
 
   /** Called when the light has changed, with the control that the change comes from. */
-  onchange = () => {};
+  onchange = /** @type {(source: Element) => void} */ (() => {});
   /** Called with a change of the list of lights. */
-  onlist = () => {};
+  onlist = /** @type {(act: () => void) => void} */ (() => {});
 
+  /** @param {Stage} stage */
   constructor(stage) {
     this.#stage = stage;
     const count = listFixtures(element("fixtures"));
-    element("fixture").placeholder = `Search ${count} fixtures`;
+    input("fixture").placeholder = `Search ${count} fixtures`;
     element("edge").append(...Stage.edges().map((name) => new Option(name.replaceAll("-", " "), name)));
-    const dial = (name) => [name, this.#dial(name)];
-    this.#dials = Object.fromEntries(["beam", "field", "zoom", "intensity"].map(dial));
-    for (const name of ["fixture", "reading", "edge", "color"]) {
-      const control = element(name);
+    const [beam, field] = [this.#dial("beam"), this.#dial("field")];
+    this.#dials = { beam, field, zoom: this.#dial("zoom"), intensity: this.#dial("intensity") };
+    const choices = { fixture: input, reading: select, edge: select, color: input };
+    for (const [name, kind] of Object.entries(choices)) {
+      const control = kind(name);
       control.addEventListener("input", () => {
         // What is not yet the name of a fixture is a search.
         if (name === "fixture" && control.value !== "" && !findFixture(control.value)) return;
@@ -56,30 +69,41 @@ export class LightPanel {
     element("remove").addEventListener("click", () => this.onlist(() => stage.removeLight(this.#light)));
   }
 
-  /** Shows a light, except on the control that a change comes from. */
+  /**
+   * Shows a light, except on the control that a change comes from.
+   * @param {number} light
+   * @param {Element} [source]
+   */
   show(light, source) {
     if (light !== this.#light) this.#refuse(undefined, "");
     this.#light = light;
     this.#panel.hidden = this.#stage.lightCount === 0;
     if (this.#panel.hidden) return;
     const state = plain(this.#stage.light(light));
-    document.getElementById("panel-title").textContent = `${light + 1} ${state.name}`;
+    find("panel-title").textContent = `${light + 1} ${state.name}`;
     element("cone").hidden = !state.isSpot;
     element("curve").hidden = !state.isSpot;
-    for (const label of [element("edge"), element("edge").previousElementSibling]) label.hidden = !state.isSpot;
+    for (const part of [element("edge"), element("edge").previousElementSibling]) {
+      part?.toggleAttribute("hidden", !state.isSpot);
+    }
     this.#showDials(state, source);
     this.#showPlaces(state, source);
     element("photometry").textContent = photometry(state, this.#stage.fullScale);
-    element("expose").hidden = !(state.lux > 0);
+    element("expose").hidden = !((state.lux ?? 0) > 0);
     element("own-edge").textContent = `own: ${state.ownEdge}`;
-    element("edge").value = state.edge;
-    element("color").value = state.color;
+    select("edge").value = state.edge;
+    input("color").value = state.color;
   }
 
+  /**
+   * @param {Light} state
+   * @param {Element} [source]
+   */
   #showDials(state, source) {
     const { beam, field, zoom, intensity } = this.#dials;
     const fixture = findFixture(state.fixture);
-    intensity.range(...(fixture?.flux ? DIMMED : INTENSITIES).map((factor) => factor * state.ownIntensity));
+    const [least, most] = fixture?.flux ? DIMMED : INTENSITIES;
+    intensity.range(least * state.ownIntensity, most * state.ownIntensity);
     intensity.show(Number(state.intensity.toPrecision(4)), source);
     element("unit").textContent = state.unit;
     if (!state.isSpot) return;
@@ -88,55 +112,76 @@ export class LightPanel {
     field.range(state.narrowestField, state.widestField);
     field.show(state.field, source);
     element("outer").textContent = degrees(state.outer);
-    if (source !== element("fixture")) element("fixture").value = state.fixture;
+    if (source !== input("fixture")) input("fixture").value = state.fixture;
     element("published").hidden = !fixture;
     element("zoom-row").hidden = !fixture || fixture.narrow === fixture.wide;
     if (!fixture) return;
     element("angle").textContent = fixture.angle;
-    element("reading").value = state.reading;
+    select("reading").value = state.reading;
     const narrowest = state.reading === "beam" ? state.narrowestBeam : state.narrowestField;
     zoom.range(Math.max(fixture.narrow, narrowest, LEAST_ZOOM * fixture.wide), fixture.wide);
-    zoom.show(state.zoom, source);
+    zoom.show(state.zoom ?? fixture.wide, source);
   }
 
-  /** Shows where the light is and where it aims. */
+  /**
+   * Shows where the light is and where it aims.
+   * @param {Light} state
+   * @param {Element} [source]
+   */
   #showPlaces(state, source) {
     element("places").hidden = state.position.length === 0;
     element("aim-row").hidden = !state.isSpot;
-    for (const [place, names] of Object.entries(PLACES)) {
-      for (const [i, name] of names.entries()) {
-        const field = element(name);
-        if (field !== source) field.value = state[place].length > 0 ? tidy(state[place][i]) : "";
+    for (const place of /** @type {const} */ (["position", "aim"])) {
+      for (const [i, name] of PLACES[place].entries()) {
+        const field = input(name);
+        if (field !== source) field.value = state[place].length > 0 ? String(tidy(state[place][i])) : "";
       }
     }
     element("way").textContent = way(state);
     element("back").hidden = !state.moved;
   }
 
-  /** Joins the fields of a place; `set` gets its three numbers. */
+  /**
+   * Joins the fields of a place; `set` gets its three numbers.
+   * @param {"position" | "aim"} place
+   * @param {(place: [number, number, number]) => void} set
+   */
   #joinPlace(place, set) {
-    const fields = PLACES[place].map(element);
+    const fields = PLACES[place].map(input);
     for (const [i, field] of fields.entries()) {
+      /** @type {(value: number) => void} */
       const change = (value) => {
-        const now = plain(this.#stage.light(this.#light))[place];
-        set(now.map((other, j) => (i === j ? value : other)));
+        const [x, y, z] = plain(this.#stage.light(this.#light))[place].with(i, value);
+        set([x, y, z]);
       };
       joinNumber(field, (value) => this.#set(field, () => change(value)), (source) => this.#leave(field, source));
     }
   }
 
-  /** Sets a number of the light, for a control elsewhere. */
+  /**
+   * Sets a number of the light, for a control elsewhere.
+   * @param {string} name
+   * @param {number} value
+   * @param {Element} control
+   */
   setNumber(name, value, control) {
     this.#set(control, () => this.#stage.setNumber(this.#light, name, value));
   }
 
+  /** @param {string} name */
   #dial(name) {
+    /** @type {(value: number, control: HTMLInputElement) => void} */
     const set = (value, control) => this.#set(control, () => this.#stage.setNumber(this.#light, name, value));
+    /** @type {(control: HTMLInputElement, source?: HTMLInputElement) => void} */
     const leave = (control, source) => this.#leave(control, source);
-    return new Dial(element(name), element(`${name}-number`), set, leave, name === "intensity" ? "" : "°");
+    return new Dial(input(name), input(`${name}-number`), set, leave, name === "intensity" ? "" : "°");
   }
 
-  /** Sets a value. A refusal changes only the message; an accepted value clears it. */
+  /**
+   * Sets a value. A refusal changes only the message; an accepted value clears it.
+   * @param {Element} control
+   * @param {() => void} set
+   */
   #set(control, set) {
     try {
       set();
@@ -153,36 +198,52 @@ export class LightPanel {
   /**
    * Called when a number field is empty or loses focus: clears its error and shows the current
    * value, unless it is edited.
+   * @param {HTMLInputElement} control
+   * @param {HTMLInputElement} [source]
    */
   #leave(control, source) {
     if (control.hasAttribute("aria-invalid")) this.#refuse(control, "");
     this.show(this.#light, source);
   }
 
+  /**
+   * @param {Element | undefined} control
+   * @param {string} refusal
+   */
   #refuse(control, refusal) {
     this.#panel.querySelector("[aria-invalid]")?.removeAttribute("aria-invalid");
-    if (refusal) {
+    if (control && refusal) {
       control.setAttribute("aria-invalid", "true");
       control.setAttribute("aria-errormessage", this.#error.id);
       // The message is shown under its control.
-      control.closest(".row, figure").after(this.#error);
+      control.closest(".row, figure")?.after(this.#error);
     }
     this.#error.textContent = refusal;
   }
 }
 
-/** The flux of a light and what arrives where it aims, in words. */
+/**
+ * The flux of a light and what arrives where it aims, in words.
+ * @param {Light} light
+ * @param {number} fullScale
+ */
 function photometry({ lumens, lux, throw: distance, unit }, fullScale) {
   const flux = lumens === undefined ? [] : [`${amount(lumens)} lm`];
-  const arriving = distance === undefined || unit !== "cd" ? [] : [`${amount(lux)} lx at ${tidy(distance)} m`];
+  const arriving = lux === undefined || distance === undefined || unit !== "cd" ? [] : [`${amount(lux)} lx at ${tidy(distance)} m`];
   const shown = lux === undefined ? [] : [`${amount(lux / fullScale)} times full scale, which is ${amount(fullScale)} lx`];
   return `${[...flux, ...arriving, ...shown].join(", ")}.`;
 }
 
-/** Three significant digits. */
+/**
+ * Three significant digits.
+ * @param {number} value
+ */
 const amount = (value) => (value < 100 ? String(tidy(Number(value.toPrecision(3)))) : whole(Number(value.toPrecision(3))));
 
-/** Who moves the light, in words. */
+/**
+ * Who moves the light, in words.
+ * @param {Light} light
+ */
 function way({ sweeps, moved, aim }) {
   if (sweeps) return "The scene moves the aim. An aim of your own ends that.";
   if (moved) return "Moved by you.";

@@ -1,25 +1,36 @@
 // The legend of the map over the picture.
+import { element } from "./elements.js";
 import { colours, tidy } from "./numbers.js";
 
-/** Formats a number of lights. */
+/** @typedef {import("./pkg/wasm_demo.js").Stage} Stage */
+/** @typedef {import("./screen.js").Screen} Screen */
+
+/**
+ * Formats a number of lights.
+ * @param {number} lights
+ */
 const counted = (lights) => `${lights} ${lights === 1 ? "light" : "lights"}`;
 
 export class MapLegend {
   #stage;
-  #select = document.getElementById("map-subject");
-  #map = document.getElementById("map");
-  #legends = { lights: document.getElementById("map-lights"), tiles: document.getElementById("map-tiles") };
-  #ticks = ["start", "total", "end"].map((tick) => document.getElementById(`map-${tick}`));
-  #bar = document.getElementById("map-bar");
+  #select = element("map-subject", HTMLSelectElement);
+  #map = element("map", HTMLCanvasElement);
+  #legends = { lights: element("map-lights"), tiles: element("map-tiles") };
+  #ticks = ["start", "total", "end"].map((tick) => element(`map-${tick}`));
+  #bar = element("map-bar");
   #screen;
 
+  /**
+   * @param {Stage} stage
+   * @param {Screen} screen
+   */
   constructor(stage, screen) {
     this.#stage = stage;
     this.#screen = screen;
     this.#bar.style.background = `linear-gradient(90deg, ${colours(stage.palette()).join()})`;
     const [relit, kept] = colours(stage.tileColours());
-    document.getElementById("map-relit").style.background = relit;
-    document.getElementById("map-kept").style.background = kept;
+    element("map-relit").style.background = relit;
+    element("map-kept").style.background = kept;
   }
 
   /** Shows the subject. */

@@ -20,21 +20,54 @@ const STEP = 1 / 30;
 /** Yaw of the camera between frames, where it moves, in radians. */
 const TURN = 0.004;
 
-const PASSES = ["geometry", "shadows", "lighting", "encode", "transfer", "show", "frame"];
+/** The passes of a share of a picture. */
+const SHARED = /** @type {const} */ (["geometry", "shadows", "lighting", "encode"]);
+
+const PASSES = /** @type {const} */ ([...SHARED, "transfer", "show", "frame"]);
+
+/** @typedef {typeof PASSES[number]} Pass */
+
+/**
+ * @typedef {object} Options
+ * @property {number} [width] of the picture in pixels
+ * @property {number} [height]
+ * @property {string} [format] `f32`, `fx32` or `fx16`
+ * @property {number} [spots] how many there are above the turntable
+ * @property {number} [shadows] the side of their shadow maps in texels, above the turntable
+ * @property {string[]} [with] effects to put in, such as `haze`
+ * @property {string[]} [without] effects to leave out, such as `specular`
+ * @property {number} [workers] how many draw; with 0 the page draws by itself
+ * @property {boolean} [everything] whether all effects are evaluated, needed or not
+ */
 
 export class Meter {
   #stage;
   #page;
   #module;
 
-  /** The comparison view; undefined until it is opened. */
+  /**
+   * The comparison view; undefined until it is opened.
+   * @type {import("./comparison-view.js").ComparisonView | undefined}
+   */
   comparison;
-  /** The view of the chip; undefined until it is opened. */
+
+  /**
+   * The view of the chip; undefined until it is opened.
+   * @type {import("./chip-view.js").ChipView | undefined}
+   */
   chip;
 
-  /** The museum; undefined until it is opened. */
+  /**
+   * The museum; undefined until it is opened.
+   * @type {import("./museum-view.js").MuseumView | undefined}
+   */
   museum;
 
+  /**
+   * @param {Stage} stage
+   * @param {import("./stage-page.js").StagePage} page
+   * @param {WebAssembly.Module} module
+   */
   constructor(stage, page, module) {
     this.#stage = stage;
     this.#page = page;
@@ -91,7 +124,10 @@ export class Meter {
     return this.#page.difference;
   }
 
-  /** Requests a number format, as the select does: `fx16`, `fx32` or `f32`. */
+  /**
+   * Requests a number format, as the select does: `fx16`, `fx32` or `f32`.
+   * @param {string} name
+   */
   setFormat(name) {
     this.#page.setFormat(name);
   }
@@ -99,6 +135,7 @@ export class Meter {
   /**
    * Returns the largest difference between a picture in a format and one in f32, in displayed
    * codes.
+   * @param {string} format
    */
   statedError(format) {
     return Stage.statedError(format);
@@ -126,16 +163,7 @@ export class Meter {
    *
    * @param {string} name
    * @param {number} frames
-   * @param {object} [options]
-   * @param {number} [options.width] of the picture in pixels
-   * @param {number} [options.height]
-   * @param {string} [options.format] `f32`, `fx32` or `fx16`
-   * @param {number} [options.spots] how many there are above the turntable
-   * @param {number} [options.shadows] the side of their shadow maps in texels, above the turntable
-   * @param {string[]} [options.with] effects to put in, such as `haze`
-   * @param {string[]} [options.without] effects to leave out, such as `specular`
-   * @param {number} [options.workers] how many draw; with 0 the page draws by itself
-   * @param {boolean} [options.everything] whether all effects are evaluated, needed or not
+   * @param {Options} [options]
    */
   async measureScene(name, frames, options = {}) {
     const { format = "f32", workers = cores() } = options;
@@ -155,7 +183,9 @@ export class Meter {
    * Draws `frames` frames of a scene twice, with a moving camera. Returns the memory of all workers'
    * modules in bytes, after the first and after the second time.
    *
-   * @param {object} [options] as for `measureScene`
+   * @param {string} name
+   * @param {number} frames
+   * @param {Options} [options]
    */
   async measureMemory(name, frames, options = {}) {
     const stage = opened(name, options);
@@ -177,11 +207,15 @@ export class Meter {
    * then by each of as many workers in a loop of its own. Returns the pictures a second of both, the
    * better of `rounds` rounds.
    *
-   * @param {object} [options] as for `measureScene`
+   * @param {string} name
+   * @param {number} frames
+   * @param {number} rounds
+   * @param {Options} [options]
    */
   async measureCores(name, frames, rounds, options = {}) {
     const { workers = cores() } = options;
     const stage = opened(name, options);
+    /** @type {(frame: number) => string} */
     const order = (frame) => {
       stage.seek(STEP * frame, 0);
       stage.orbit(TURN, 0);
@@ -204,7 +238,11 @@ export class Meter {
   }
 }
 
-/** Opens a scene on a stage of its own. */
+/**
+ * Opens a scene on a stage of its own.
+ * @param {string} name
+ * @param {Options} options
+ */
 function opened(name, options) {
   const { width = 960, height = 540, format = "f32", everything = false } = options;
   const { spots, shadows, with: added = [], without = [] } = options;
@@ -221,11 +259,17 @@ function opened(name, options) {
 /** A screen that is not on the page. */
 const hidden = () => new Screen(document.createElement("canvas"), document.createElement("canvas"));
 
-/** Draws pictures as an animation does: the next one is begun before the last one is shown. */
+/**
+ * Draws pictures as an animation does: the next one is begun before the last one is shown. Returns
+ * the time in milliseconds, without that of the first pictures.
+ * @param {Stage} stage
+ * @param {Pool} pool
+ * @param {string[]} jobs
+ */
 async function inTurn(stage, pool, jobs) {
   const { width, height } = stage;
   const screen = hidden();
-  let start;
+  let start = now();
   let drawing = pool.draw(jobs[0]);
   for (let next = 1; next <= jobs.length; next += 1) {
     const { parts } = await drawing;
@@ -238,29 +282,38 @@ async function inTurn(stage, pool, jobs) {
   return now() - start;
 }
 
+/**
+ * @param {Stage} stage
+ * @param {Pool} pool
+ * @param {Screen} screen
+ * @param {number} frames
+ * @param {() => void} move
+ */
 async function run(stage, pool, screen, frames, move) {
   const { width, height } = stage;
-  const times = Object.fromEntries(PASSES.map((pass) => [pass, []]));
+  const times = /** @type {Record<Pass, number[]>} */ (Object.fromEntries(PASSES.map((pass) => [pass, /** @type {number[]} */ ([])])));
   for (let frame = -WARM_UP; frame < frames; frame += 1) {
     const start = now();
     stage.seek(STEP * (frame + WARM_UP), 0);
     move();
-    const { isDrawn, parts, times: measured } = await pool.draw(stage.job());
+    const { isDrawn, parts, times: passed } = await pool.draw(stage.job());
     if (isDrawn) {
       screen.gather(parts, { width, height });
       pool.recycle(parts);
       const gathered = now();
       screen.show();
       const end = now();
-      const passes = ["geometry", "shadows", "lighting", "encode"];
-      const busy = passes.reduce((sum, pass) => sum + (measured[pass] ?? 0), 0);
-      Object.assign(measured, { transfer: gathered - start - busy, show: end - gathered, frame: end - start });
+      const busy = SHARED.reduce((sum, pass) => sum + (passed[pass] ?? 0), 0);
+      const rest = { transfer: gathered - start - busy, show: end - gathered, frame: end - start };
+      /** @type {Partial<Record<Pass, number>>} */
+      const measured = { ...passed, ...rest };
       for (const pass of PASSES) if (frame >= 0 && measured[pass] !== undefined) times[pass].push(measured[pass]);
     }
     // Yields to the browser, as between frames.
     await pause();
   }
   if (times.frame.length === 0) return null;
+  /** @type {(pass: Pass) => [string, number | null]} */
   const middle = (pass) => [`${pass}Ms`, times[pass].length > 0 ? median(times[pass]) : null];
   return { ...Object.fromEntries(PASSES.map(middle)), leastFrameMs: Math.min(...times.frame) };
 }

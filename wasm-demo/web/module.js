@@ -1,6 +1,11 @@
 // Loading of WebAssembly modules.
+import { words } from "./failure.js";
 
-/** Compiles a module at an address. The browser's own message for a failure is of little help by itself. */
+/**
+ * Compiles a module at an address. The browser's own message for a failure is of little help by
+ * itself.
+ * @param {URL} address
+ */
 export async function compile(address) {
   try {
     const response = await fetch(address);
@@ -10,8 +15,9 @@ export async function compile(address) {
     return await (isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
   } catch (error) {
     throw new Error(
-      `A WebAssembly module of the demo could not be loaded (${error.message}). ` +
+      `A WebAssembly module of the demo could not be loaded (${words(error)}). ` +
         "Serve the whole folder, pkg included, over HTTP, and reload the page.",
+      { cause: error },
     );
   }
 }

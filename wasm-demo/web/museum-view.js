@@ -2,6 +2,7 @@
 import { Museum } from "./pkg/comparison.js";
 import { remember } from "./address.js";
 import { start } from "./comparison-module.js";
+import { copyOf, element as byId, find } from "./elements.js";
 import { aside, hasFailed } from "./failure.js";
 import { colours, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
@@ -12,10 +13,27 @@ const SIZE = { wide: 200, narrow: 160 };
 const THUMBNAIL = 48;
 
 const SIDES = [0, 1];
-const element = (name) => document.getElementById(`exhibit-${name}`);
+
+/** @typedef {import("./plain.js").Plain<import("./pkg/comparison.js").ExhibitState>} Exhibit */
+
+/** What is shown of an exhibit as it is. */
+const TEXTS = /** @type {const} */ ([
+  "title", "code", "cause", "noBetter", "project", "file", "version", "licence", "thread",
+]);
+
+/** @param {string} name */
+const element = (name) => byId(`exhibit-${name}`);
+/** @param {string} name */
+const input = (name) => byId(`exhibit-${name}`, HTMLInputElement);
+/** @param {string} name */
+const button = (name) => byId(`exhibit-${name}`, HTMLButtonElement);
+/** @type {(name: string, side: number) => HTMLElement} */
 const on = (name, side) => element(`${name}-${side}`);
 
-/** Formats an error in linear codes. */
+/**
+ * Formats an error in linear codes.
+ * @param {number} value
+ */
 function codes(value) {
   if (value < 0.001) return "under 0.001 codes";
   const rounded = value < 10 ? Number(value.toPrecision(2)) : Math.round(value);
@@ -51,19 +69,23 @@ export class MuseumView {
   }
 
   constructor() {
-    const canvases = SIDES.flatMap((side) => [on("picture", side), on("errors", side)]);
-    this.#museum = new Museum(...canvases, this.#size);
-    this.#slider = new Slider(element("value"), element("number"), (value, source) => this.#set(value, source));
+    /** @type {(name: string) => HTMLCanvasElement} */
+    const canvas = (name) => byId(`exhibit-${name}`, HTMLCanvasElement);
+    this.#museum = new Museum(canvas("picture-0"), canvas("errors-0"), canvas("picture-1"), canvas("errors-1"), this.#size);
+    this.#slider = new Slider(input("value"), input("number"), (value, source) => this.#set(value, source));
     for (const exhibit of this.#exhibits.values()) this.#list(exhibit);
     for (const name of ["start", "agrees"]) {
-      element(name).addEventListener("click", () => this.#set(Number(element(name).value)));
+      button(name).addEventListener("click", () => this.#set(Number(button(name).value)));
     }
     element("legend").style.background = `linear-gradient(90deg, ${colours(this.#museum.palette()).join()})`;
-    element("undefined").style.background = colours(Museum.undefined())[0];
+    element("undefined").style.background = colours(Museum.undefined())[0] ?? "";
     this.#drawThumbnails([...this.#exhibits.keys()]);
   }
 
-  /** Applies the address, such as `exhibit=gltf&at=2`. Refusals are shown. */
+  /**
+   * Applies the address, such as `exhibit=gltf&at=2`. Refusals are shown.
+   * @param {string} text
+   */
   show(text) {
     const query = new URLSearchParams(text);
     const name = query.get("exhibit") ?? this.#museum.exhibit;
@@ -93,29 +115,38 @@ export class MuseumView {
     return [...this.#exhibits.keys()];
   }
 
+  /** @param {Exhibit} exhibit */
   #list({ name, label }) {
-    const item = document.getElementById("exhibit").content.firstElementChild.cloneNode(true);
-    const input = item.querySelector("input");
-    input.id = `exhibit-of-${name}`;
-    input.value = name;
-    item.querySelector("span").textContent = label;
-    input.addEventListener("input", () => this.show(new URLSearchParams({ exhibit: name })));
+    const item = copyOf("exhibit");
+    const choice = find(item, "input", HTMLInputElement);
+    choice.id = `exhibit-of-${name}`;
+    choice.value = name;
+    find(item, "span").textContent = label;
+    choice.addEventListener("input", () => this.show(new URLSearchParams({ exhibit: name }).toString()));
     element("list").append(item);
   }
 
-  /** Draws one small picture with each frame of the browser. */
+  /**
+   * Draws one small picture with each frame of the browser.
+   * @param {string[]} names
+   */
   #drawThumbnails([name, ...rest]) {
     if (name === undefined || hasFailed()) return;
     aside(() => {
-      const canvas = document.getElementById(`exhibit-of-${name}`).parentElement.querySelector("canvas");
+      const canvas = find(held(input(`of-${name}`)), "canvas", HTMLCanvasElement);
       canvas.width = canvas.height = THUMBNAIL;
-      const image = new ImageData(Museum.thumbnail(name, THUMBNAIL), THUMBNAIL, THUMBNAIL);
-      canvas.getContext("2d").putImageData(image, 0, 0);
+      const pixels = /** @type {Uint8ClampedArray<ArrayBuffer>} */ (Museum.thumbnail(name, THUMBNAIL));
+      const image = new ImageData(pixels, THUMBNAIL, THUMBNAIL);
+      canvas.getContext("2d")?.putImageData(image, 0, 0);
     });
     requestAnimationFrame(() => this.#drawThumbnails(rest));
   }
 
-  /** Sets the control. A refusal is shown and changes nothing else. */
+  /**
+   * Sets the control. A refusal is shown and changes nothing else.
+   * @param {number} value
+   * @param {HTMLInputElement} [source]
+   */
   #set(value, source) {
     this.#tell("");
     if (!this.#try(() => this.#museum.setValue(value))) return;
@@ -123,6 +154,7 @@ export class MuseumView {
     if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame(() => this.#draw());
   }
 
+  /** @param {() => void} act */
   #try(act) {
     try {
       act();
@@ -134,32 +166,31 @@ export class MuseumView {
     }
   }
 
+  /** @param {string} refusal */
   #tell(refusal) {
     element("error").textContent = refusal;
-    element("number").setAttribute("aria-invalid", refusal !== "");
+    element("number").setAttribute("aria-invalid", String(refusal !== ""));
   }
 
   /** Shows what does not change with the control. */
   #showExhibit() {
-    const exhibit = this.#exhibits.get(this.#museum.exhibit);
-    const chosen = document.getElementById(`exhibit-of-${exhibit.name}`);
+    const exhibit = this.#exhibit;
+    const chosen = input(`of-${exhibit.name}`);
     chosen.checked = true;
     // On narrow screens the list is a row that scrolls.
-    element("list").scrollLeft = chosen.parentElement.offsetLeft - THUMBNAIL;
-    for (const name of ["title", "code", "cause", "noBetter", "project", "file", "version", "licence", "thread"]) {
-      element(name).textContent = exhibit[name];
-    }
-    element("thread").parentElement.hidden = exhibit.thread === "";
+    element("list").scrollLeft = held(chosen).offsetLeft - THUMBNAIL;
+    for (const name of TEXTS) element(name).textContent = exhibit[name];
+    held(element("thread")).hidden = exhibit.thread === "";
     element("control").textContent = exhibit.control;
     element("unit").textContent = exhibit.unit;
     element("number").setAttribute("aria-label", `${exhibit.control}${exhibit.unit && `, ${exhibit.unit}`}`);
     this.#slider.range(exact(exhibit.least), exact(exhibit.most), exhibit.isLogarithmic, exhibit.unit);
     this.#slider.show(exact(this.#museum.value));
-    element("start").value = exact(exhibit.start);
+    button("start").value = String(exact(exhibit.start));
     element("start").textContent = `Named case: ${tidy(exact(exhibit.start))}${exhibit.unit}`;
     element("agrees").hidden = exhibit.agreesAt === undefined;
     if (exhibit.agreesAt === undefined) return;
-    element("agrees").value = exact(exhibit.agreesAt);
+    button("agrees").value = String(exact(exhibit.agreesAt));
     element("agrees").textContent = `Both right: ${tidy(exact(exhibit.agreesAt))}${exhibit.unit}`;
   }
 
@@ -168,7 +199,7 @@ export class MuseumView {
     this.#frame = 0;
     this.#museum.draw();
     const { exhibit, value, format, scale, sides } = this.state;
-    const { label } = this.#exhibits.get(exhibit);
+    const { label } = this.#exhibit;
     for (const [side, { largest, undefined: lost, place }] of sides.entries()) {
       const share = Number(((100 * lost) / this.#size ** 2).toPrecision(2));
       on("largest", side).textContent = lost === 0 ? codes(largest) : `NaN, ${share} % of the pixels`;
@@ -177,14 +208,25 @@ export class MuseumView {
       this.#ring(side, largest, place);
     }
     element("format").textContent = format;
-    element("end").textContent = `${codes(scale)}${sides[0].largest > scale ? " or more" : ""}`;
+    element("end").textContent = `${codes(scale)}${(sides[0]?.largest ?? 0) > scale ? " or more" : ""}`;
     element("lost").hidden = sides.every((side) => side.undefined === 0);
-    remember("museum", () => new URLSearchParams({ exhibit, at: value }));
+    remember("museum", () => new URLSearchParams({ exhibit, at: String(value) }).toString());
     this.drawn += 1;
   }
 
-  /** Marks the pixel of the largest error. */
+  /** The exhibit that is shown. */
+  get #exhibit() {
+    return /** @type {Exhibit} */ (this.#exhibits.get(this.#museum.exhibit));
+  }
+
+  /**
+   * Marks the pixel of the largest error.
+   * @param {number} side
+   * @param {number} largest
+   * @param {number} place
+   */
   #ring(side, largest, place) {
+    /** @type {(index: number) => string} */
     const middle = (index) => `${(100 * (index + 0.5)) / this.#size}%`;
     const ring = on("ring", side);
     ring.hidden = !(largest > 0.5);
@@ -193,5 +235,14 @@ export class MuseumView {
   }
 }
 
-/** Rounds an f32 to 7 significant digits, which restores the decimal fraction that was set. */
+/**
+ * The element that holds another.
+ * @param {Element} element
+ */
+const held = (element) => /** @type {HTMLElement} */ (element.parentElement);
+
+/**
+ * Rounds an f32 to 7 significant digits, which restores the decimal fraction that was set.
+ * @param {number} value
+ */
 const exact = (value) => Number(value.toPrecision(7));

@@ -1,4 +1,5 @@
 // Draws each picture by several workers, a share by each.
+import { words } from "./failure.js";
 import { now, Share } from "./share.js";
 import { hire } from "./workers.js";
 
@@ -6,14 +7,24 @@ import { hire } from "./workers.js";
 const COMMON = ["triangles", "lights", "lightsDropped"];
 
 /** The passes of a share. */
-const PASSES = ["shadows", "geometry", "lighting", "encode"];
+const PASSES = /** @type {const} */ (["shadows", "geometry", "lighting", "encode"]);
+
+/** @typedef {Awaited<ReturnType<Share["draw"]>>} Part a share of a picture */
+/** @typedef {Part["account"]} Account */
+/** @typedef {import("./workers.js").Helper} Helper */
 
 export class Pool {
   #helpers;
-  /** The only share, if there is no worker. */
+  /**
+   * The only share, if there is no worker.
+   * @type {Share | undefined}
+   */
   #local;
   #opening;
-  /** For each helper, arrays for pixels to use again. */
+  /**
+   * For each helper, arrays for pixels to use again.
+   * @type {Uint8ClampedArray[][]}
+   */
   #spares;
   #isFresh = false;
 
@@ -41,17 +52,20 @@ export class Pool {
    * `account` of the whole, and `times` in milliseconds: the passes of the share that took longest,
    * of those that drew shadow maps if any did, and all the rest as `transfer`. Only one picture may
    * be asked for at a time.
+   * @param {string} job
    */
   async draw(job) {
     await this.#opening;
     const start = now();
     const isFresh = this.#isFresh;
     this.#isFresh = true;
+    /** @type {Part[]} */
     const parts = this.#local
       ? [await this.#local.draw({ job, isFresh })]
       : await all(this.#helpers.map((helper, share) => this.#ask(helper, share, { job, isFresh })));
     this.#isFresh = false;
     const span = now() - start;
+    /** @type {(part: Part) => number} */
     const busy = ({ times }) => PASSES.reduce((sum, pass) => sum + (times[pass] ?? 0), 0);
     const casting = parts.filter(({ times }) => times.shadows !== undefined);
     const slowest = (casting.length > 0 ? casting : parts).reduce((one, other) => (busy(other) > busy(one) ? other : one));
@@ -59,26 +73,41 @@ export class Pool {
     return { isDrawn: parts.some(({ isDrawn }) => isDrawn), parts, account: total(parts), times };
   }
 
-  /** Takes the arrays of pixels back, to use them again. */
+  /**
+   * Takes the arrays of pixels back, to use them again.
+   * @param {Part[]} parts
+   */
   recycle(parts) {
     parts.forEach(({ pixels }, share) => {
-      if (pixels && this.#spares[share]) this.#spares[share] = [...this.#spares[share].slice(0, 1), pixels];
+      const spares = this.#spares[share];
+      if (pixels && spares) this.#spares[share] = [...spares.slice(0, 1), pixels];
     });
   }
 
-  /** Lights a picture with the needed effects and with all, and compares the two bit for bit. */
+  /**
+   * Lights a picture with the needed effects and with all, and compares the two bit for bit.
+   * @param {string} job
+   */
   async compare(job) {
     await this.#opening;
+    /** @type {ReturnType<Share["compare"]>[]} */
     const shares = this.#local
       ? [this.#local.compare({ job })]
       : await all(this.#helpers.map((helper) => helper.ask("compare", { job })));
+    /** @type {(name: keyof ReturnType<Share["compare"]>) => number} */
     const sum = (name) => shares.reduce((sum, share) => sum + share[name], 0);
-    const sums = Object.fromEntries(["pixels", "differing", "evaluated", "pairs"].map((name) => [name, sum(name)]));
+    const [pixels, differing] = [sum("pixels"), sum("differing")];
+    const [evaluated, pairs] = [sum("evaluated"), sum("pairs")];
+    /** @type {(name: keyof ReturnType<Share["compare"]>) => number} */
     const most = (name) => Math.max(...shares.map((share) => share[name]));
-    return { ...sums, lightingMs: most("lightingMs"), everythingMs: most("everythingMs") };
+    const times = { lightingMs: most("lightingMs"), everythingMs: most("everythingMs") };
+    return { pixels, differing, evaluated, pairs, ...times };
   }
 
-  /** Each worker draws these pictures, one after the other. Returns the longest time. */
+  /**
+   * Each worker draws these pictures, one after the other. Returns the longest time.
+   * @param {string[]} jobs
+   */
   async loop(jobs) {
     await this.#opening;
     if (this.#local) return this.#local.loop({ jobs });
@@ -97,45 +126,64 @@ export class Pool {
     for (const helper of this.#helpers) helper.end();
   }
 
+  /** @param {Promise<WebAssembly.Module>} module */
   async #open(module) {
     const compiled = await module;
     const count = this.#helpers.length;
+    /** @type {MessagePort[][]} */
     const ports = this.#helpers.map(() => []);
     for (let one = 0; one < count; one += 1) {
       for (let other = one + 1; other < count; other += 1) {
         const { port1, port2 } = new MessageChannel();
-        ports[one].push(port1);
-        ports[other].push(port2);
+        ports[one]?.push(port1);
+        ports[other]?.push(port2);
       }
     }
+    /** @type {(helper: Helper, share: number) => Promise<void>} */
     const open = (helper, share) =>
       helper.ask("open", { module: compiled, share, count, ports: ports[share] }, ports[share]);
     try {
       await Promise.all(this.#helpers.map(open));
     } catch (error) {
-      console.info(`The page draws by itself: ${error.message ?? error}`);
+      console.info(`The page draws by itself: ${words(error)}`);
       this.end();
       this.#helpers = [];
     }
     if (this.#helpers.length === 0) this.#local = new Share(0, 1);
   }
 
+  /**
+   * @param {Helper} helper
+   * @param {number} share
+   * @param {{ job: string, isFresh: boolean }} order
+   * @returns {Promise<Part>}
+   */
   #ask(helper, share, order) {
-    const spare = this.#spares[share].pop();
+    const spare = this.#spares[share]?.pop();
     return helper.ask("draw", { ...order, spare }, spare ? [spare.buffer] : []);
   }
 }
 
-/** Waits for all answers, also if some are refusals: the workers then wait for the next order. */
+/**
+ * Waits for all answers, also if some are refusals: the workers then wait for the next order.
+ * @template T
+ * @param {Promise<T>[]} promises
+ */
 async function all(promises) {
   const answers = await Promise.allSettled(promises);
-  const failed = answers.find(({ status }) => status === "rejected");
-  if (failed) throw failed.reason;
-  return answers.map(({ value }) => value);
+  for (const answer of answers) if (answer.status === "rejected") throw answer.reason;
+  return answers.flatMap((answer) => (answer.status === "fulfilled" ? [answer.value] : []));
 }
 
+/**
+ * The account of the whole picture.
+ * @param {Part[]} parts
+ */
 function total(parts) {
-  const [first, ...rest] = parts.map(({ account }) => account);
-  const sum = (name) => (COMMON.includes(name) ? first[name] : rest.reduce((sum, account) => sum + account[name], first[name]));
-  return Object.fromEntries(Object.keys(first).map((name) => [name, sum(name)]));
+  const accounts = parts.map(({ account }) => account);
+  const whole = { .../** @type {Account} */ (accounts[0]) };
+  for (const name of /** @type {(keyof Account)[]} */ (Object.keys(whole))) {
+    if (!COMMON.includes(name)) whole[name] = accounts.reduce((sum, account) => sum + account[name], 0);
+  }
+  return whole;
 }

@@ -1,14 +1,7 @@
 // Error against cost, both logarithmic: one mark for each evaluation of a light.
+import { line, shape } from "./shapes.js";
 
 const BOX = { left: 64, right: 500, top: 16, bottom: 252 };
-
-/** Creates an element of the SVG. */
-function shape(name, attributes, text = "") {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.textContent = text;
-  return element;
-}
 
 /**
  * The points that no other beats: none costs less and errs no more, or errs less and costs no more.
@@ -22,21 +15,31 @@ export function front(points) {
   return sorted.filter(({ error }) => error < least && ((least = error), true));
 }
 
-/** Returns the powers of ten that enclose some numbers, as exponents. */
+/**
+ * Returns the powers of ten that enclose some numbers, as exponents.
+ * @param {number[]} values
+ */
 function decades(values) {
   const logs = values.filter((value) => value > 0).map(Math.log10);
   return [Math.floor(Math.min(...logs)), Math.ceil(Math.max(...logs) + 1e-9)];
 }
 
-/** A logarithmic scale of an axis, and its ticks. */
+/**
+ * A logarithmic scale of an axis, and its ticks.
+ * @param {number[]} values
+ * @param {number} from
+ * @param {number} to
+ */
 function scale(values, from, to) {
   const [low, high] = decades(values);
+  /** @type {(value: number) => number} */
   const place = (value) => from + ((to - from) * (Math.log10(Math.max(value, 10 ** low)) - low)) / Math.max(high - low, 1);
   const every = Math.ceil((high - low) / 6);
   const ticks = Array.from({ length: Math.floor((high - low) / every) + 1 }, (_, i) => 10 ** (low + i * every));
   return { place, ticks };
 }
 
+/** @param {number} value */
 const power = (value) => (value >= 0.001 && value <= 10_000 ? value.toLocaleString("en") : `1e${Math.round(Math.log10(value))}`);
 
 /**
@@ -49,7 +52,7 @@ const power = (value) => (value >= 0.001 && value <= 10_000 ? value.toLocaleStri
 export function draw(svg, points, { tolerance, cost, error }) {
   const x = scale(points.map((point) => point.cost), BOX.left, BOX.right);
   const y = scale([...points.map((point) => point.error), tolerance], BOX.bottom, BOX.top);
-  const line = (kind, x1, y1, x2, y2) => shape("line", { class: kind, x1, y1, x2, y2 });
+  /** @type {(kind: string, x: number, y: number, text: string) => SVGElement} */
   const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
   const ahead = front(points);
   svg.replaceChildren(
@@ -83,7 +86,10 @@ export function draw(svg, points, { tolerance, cost, error }) {
   );
 }
 
-/** A staircase through points: between two of the front, the cheaper one is what can be had. */
+/**
+ * A staircase through points: between two of the front, the cheaper one is what can be had.
+ * @param {number[][]} places
+ */
 function steps(places) {
   return places.map(([x, y], i) => (i === 0 ? `M${x} ${y}` : `H${x}V${y}`)).join("");
 }

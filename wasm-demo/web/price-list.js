@@ -1,8 +1,27 @@
 // The price list made by `cargo xtask measure`: error of each kernel and its cost on each target.
+import { element } from "./elements.js";
 import { words } from "./failure.js";
 import { tidy, whole } from "./numbers.js";
 
-/** Names of the targets, in display order. */
+/**
+ * A cost: exact instructions, or measured nanoseconds.
+ * @typedef {{ instructions?: number, ns?: number }} Cost
+ */
+
+/**
+ * A row of the list: a kernel in a format.
+ * @typedef {object} Row
+ * @property {string} stage
+ * @property {string} kernel
+ * @property {string} format
+ * @property {{ codes?: number, kind?: string } | null} [error]
+ * @property {Record<string, Cost>} [cost] by target
+ */
+
+/**
+ * Names of the targets, in display order.
+ * @type {Record<string, string>}
+ */
 const TARGETS = {
   "cortex-m0": "Cortex-M0",
   "cortex-m3": "Cortex-M3",
@@ -13,33 +32,62 @@ const TARGETS = {
   "wasm-simd": "browser, SIMD",
 };
 
+/** @type {Record<string, string>} */
 const STAGES = { lit: "a lit point", falloff: "the intensity alone" };
 
-/** Returns the name of a stage within a sentence. */
+/**
+ * Returns the name of a stage within a sentence.
+ * @param {string} stage
+ */
 export const stageName = (stage) => STAGES[stage];
 
-/** Returns the name of a target. */
+/**
+ * Returns the name of a target.
+ * @param {string} target
+ */
 export const targetName = (target) => TARGETS[target] ?? target;
 
-/** Formats a cost with its unit: exact instructions, or measured nanoseconds. */
+/**
+ * Formats a cost with its unit.
+ * @param {Cost} [cost]
+ */
 export function price(cost) {
-  if (Number.isFinite(cost?.instructions)) return whole(cost.instructions);
-  return Number.isFinite(cost?.ns) ? `${tidy(cost.ns)} ns` : "–";
+  if (isNumber(cost?.instructions)) return whole(cost.instructions);
+  return isNumber(cost?.ns) ? `${tidy(cost.ns)} ns` : "–";
 }
 
-/** Returns the bare number, to compare costs on one target; NaN if there is none. */
-export const amount = (cost) => [cost?.instructions, cost?.ns].find(Number.isFinite) ?? NaN;
+/**
+ * Returns the bare number, to compare costs on one target; NaN if there is none.
+ * @param {Cost} [cost]
+ */
+export const amount = (cost) => [cost?.instructions, cost?.ns].find(isNumber) ?? NaN;
 
-/** Formats a number that spans many powers of ten, with two digits. */
+/**
+ * Returns whether a value of the list is a number.
+ * @param {unknown} value
+ * @returns {value is number}
+ */
+export function isNumber(value) {
+  return Number.isFinite(value);
+}
+
+/**
+ * Formats a number that spans many powers of ten, with two digits.
+ * @param {number} value
+ */
 const small = (value) =>
   value > 0 && value < 0.001 ? value.toExponential(1) : String(Number(value.toPrecision(2)));
 
 export class PriceList {
   #rows;
   #problem;
-  #stage = document.getElementById("stage-of-list");
-  #note = document.getElementById("prices-note");
-  #table = document.getElementById("prices");
+  #stage = element("stage-of-list", HTMLSelectElement);
+  #note = element("prices-note");
+  #table = element("prices");
+  /**
+   * The rows of each side.
+   * @type {(Row | undefined)[][]}
+   */
   #marks = [];
 
   /** Loads the list. A list that is missing or can't be loaded is empty. */
@@ -53,11 +101,14 @@ export class PriceList {
     }
   }
 
-  /** @param {string} [problem] why there are no rows, if not for want of a list */
+  /**
+   * @param {Row[]} rows
+   * @param {string} [problem] why there are no rows, if not for want of a list
+   */
   constructor(rows, problem) {
     this.#rows = rows;
     this.#problem = problem;
-    this.#stage.closest(".row").classList.toggle("empty", this.isEmpty);
+    this.#stage.closest(".row")?.classList.toggle("empty", this.isEmpty);
     this.#stage.disabled = this.isEmpty;
     this.#stage.addEventListener("input", () => this.#show());
   }
@@ -75,7 +126,12 @@ export class PriceList {
     return ["This page was built without a price list. Run ", command, ", and build the page again."];
   }
 
-  /** Returns the row of a kernel, or undefined. */
+  /**
+   * Returns the row of a kernel, or undefined.
+   * @param {string} stage
+   * @param {string} [kernel]
+   * @param {string} [format]
+   */
   find(stage, kernel, format) {
     return this.#rows.find((row) => row.stage === stage && row.kernel === kernel && row.format === format);
   }
@@ -86,7 +142,10 @@ export class PriceList {
     return [...new Set([...Object.keys(TARGETS), ...listed])].filter((target) => listed.has(target));
   }
 
-  /** Shows the list with the rows of both forms marked. */
+  /**
+   * Shows the list with the rows of both forms marked.
+   * @param {(Row | undefined)[][]} forms
+   */
   mark(forms) {
     this.#marks = forms;
     this.#show();
@@ -107,6 +166,10 @@ export class PriceList {
     this.#table.replaceChildren(line("th", head), ...rows);
   }
 
+  /**
+   * @param {Row} row
+   * @param {string[]} targets
+   */
   #line(row, targets) {
     const names = ["A", "B"].filter((_, side) => this.#marks[side]?.includes(row));
     const error = row.error?.codes;
@@ -114,7 +177,7 @@ export class PriceList {
       names.join(" "),
       row.kernel,
       row.format,
-      Number.isFinite(error) ? small(error) : "–",
+      isNumber(error) ? small(error) : "–",
       row.error?.kind ?? "–",
       ...targets.map((target) => price(row.cost?.[target])),
     ]);
@@ -123,6 +186,10 @@ export class PriceList {
   }
 }
 
+/**
+ * @param {"td" | "th"} kind
+ * @param {string[]} texts
+ */
 function line(kind, texts) {
   const row = document.createElement("tr");
   row.append(

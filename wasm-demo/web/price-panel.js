@@ -1,8 +1,37 @@
 // What the selected light costs on each chip, by each evaluation, and which one is enough.
+import { element as find } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 import { draw } from "./price-chart.js";
 
-/** The names of the evaluations. */
+/** @typedef {import("./price-slot.js").Light} Light */
+/** @typedef {{ instructions: number, cycles: number | null, bytes: number }} Price of a lit point */
+
+/**
+ * A chip: what the rest of a picture takes for each evaluation.
+ * @typedef {object} Chip
+ * @property {string} name
+ * @property {string} title
+ * @property {string} part
+ * @property {number} megahertz
+ * @property {Record<string, { instructions: number, cycles: number | null }>} rest
+ */
+
+/**
+ * The chips, and how many pixels of their picture a light reaches.
+ * @typedef {{ chips: Chip[], reached: number, pixels: number }} Chips
+ */
+
+/**
+ * An evaluation of a light, its error and its price on each chip.
+ * @typedef {{ evaluation: string, bound: { value: number, label: string }, prices: Record<string, Price>, code?: string }} Evaluation
+ */
+
+/** @typedef {{ evaluations: Evaluation[], picked: string | null, question: string }} Survey */
+
+/**
+ * The names of the evaluations.
+ * @type {Record<string, string>}
+ */
 const NAMES = {
   "fx16-quick": "16 bits, quick",
   fx16: "16 bits",
@@ -12,9 +41,15 @@ const NAMES = {
   f32: "f32",
 };
 
-const element = (id) => document.getElementById(`price-${id}`);
+/** @param {string} id */
+const element = (id) => find(`price-${id}`);
+/** @param {string} id */
+const select = (id) => find(`price-${id}`, HTMLSelectElement);
 
-/** The digits of an error that matter. */
+/**
+ * The digits of an error that matter.
+ * @param {number} value
+ */
 const digits = (value) => String(Number(value.toPrecision(2)));
 
 /** Edges that the picker knows by one angle; others are fitted to beam and field angle. */
@@ -23,11 +58,14 @@ const EDGES = ["soft", "hard"];
 /** Edges that the picker prices as they are. */
 const PRICED = [...EDGES, "quadratic", "cubic", "fitted"];
 
+/** @param {Pick<Light, "edge" | "ownEdge">} light */
 const shapeOf = ({ edge, ownEdge }) => (edge === "own" ? ownEdge : edge);
 
 /**
  * A light of the stage as the picker describes it. Its surfaces are between two distances, or from
  * half to twice its throw.
+ * @param {Pick<Light, "beam" | "field" | "edge" | "ownEdge" | "intensity"> & { throw?: number }} light
+ * @param {number[]} [distances] in metres
  */
 export function described(light, distances) {
   const { beam, field, intensity, throw: reach = 6 } = light;
@@ -40,21 +78,33 @@ export function described(light, distances) {
 /**
  * What a picture costs on a chip whose lit points take these amounts: instructions, cycles where
  * they are counted, and the time of one clock a cycle, or an instruction, in milliseconds.
+ * @param {Pick<Chips, "reached">} chips
+ * @param {Pick<Chip, "rest" | "megahertz">} chip
+ * @param {string} evaluation
+ * @param {Omit<Price, "bytes">} price
  */
 export function picture(chips, chip, evaluation, price) {
   const rest = chip.rest[evaluation];
-  const sum = (unit) => (price[unit] && rest[unit] ? rest[unit] + chips.reached * price[unit] : null);
-  const [instructions, cycles] = [sum("instructions"), sum("cycles")];
+  const instructions = rest.instructions + chips.reached * price.instructions;
+  const cycles = price.cycles && rest.cycles ? rest.cycles + chips.reached * price.cycles : null;
   return { instructions, cycles, milliseconds: (cycles ?? instructions) / (1000 * chip.megahertz) };
 }
 
 export class PricePanel {
   #chips;
   #worker;
+  /** @type {Light | undefined} */
   #light;
-  #format;
-  /** The question that is being answered, and that of the last answer. */
+  #format = "";
+  /**
+   * The question that is being answered.
+   * @type {string | undefined}
+   */
   #asked;
+  /**
+   * The last answer, with its question.
+   * @type {Survey | undefined}
+   */
   #survey;
 
   /** The largest error that is allowed in the answer that is shown; undefined before the first. */
@@ -62,7 +112,10 @@ export class PricePanel {
     return this.#survey && Object.values(JSON.parse(this.#survey.question).tolerance)[0];
   }
 
-  /** Loads the panel into its place. */
+  /**
+   * Loads the panel into its place.
+   * @param {HTMLElement} place
+   */
   static async open(place) {
     const [text, chips] = await Promise.all(["price.html", "chips.json"].map(async (file) => {
       const answer = await fetch(file);
@@ -74,19 +127,27 @@ export class PricePanel {
     return new PricePanel(chips, new Worker(new URL("price-worker.js", import.meta.url), { type: "module" }));
   }
 
+  /**
+   * @param {Chips} chips
+   * @param {Worker} worker
+   */
   constructor(chips, worker) {
     this.#chips = chips;
     this.#worker = worker;
     worker.onmessage = ({ data }) => this.#hear(data);
     worker.onerror = (event) => this.#tell(`The picker could not be loaded: ${event.message ?? "no module workers"}`);
     for (const { name, title, part, megahertz } of chips.chips) {
-      element("chip").add(new Option(`${title} (${part}, ${megahertz} MHz)`, name));
+      select("chip").add(new Option(`${title} (${part}, ${megahertz} MHz)`, name));
     }
     for (const name of ["chip", "display", "most", "far"]) element(name).addEventListener("input", () => this.#ask());
-    element("copy").addEventListener("click", () => navigator.clipboard.writeText(element("code").textContent));
+    element("copy").addEventListener("click", () => navigator.clipboard.writeText(element("code").textContent ?? ""));
   }
 
-  /** Shows the price of a light, whose state is a plain object, in a number format. */
+  /**
+   * Shows the price of a light in a number format.
+   * @param {Light | undefined} light
+   * @param {string} format
+   */
   show(light, format) {
     this.#light = light;
     this.#format = format;
@@ -99,33 +160,41 @@ export class PricePanel {
     this.#ask();
   }
 
-  /** Shows what a point takes on this machine. */
+  /**
+   * Shows what a point takes on this machine.
+   * @param {string} text
+   */
   live(text) {
     element("live").textContent = text;
   }
 
-  get #question() {
-    const display = element("display").value;
-    const most = Number(element("most").value);
+  /** @param {Light} light */
+  #question(light) {
+    const display = select("display").value;
+    const most = Number(select("most").value);
     const isCodes = display === "codes";
     return JSON.stringify({
-      chip: element("chip").value,
+      chip: select("chip").value,
       display: isCodes ? "rgb888" : display,
       tolerance: isCodes ? { codes: most } : { steps: most },
-      light: described(this.#light, element("far").value === "" ? undefined : element("far").value.split(" ").map(Number)),
+      light: described(light, select("far").value === "" ? undefined : select("far").value.split(" ").map(Number)),
     });
   }
 
   /** Asks the worker, if it is idle: after an answer it gets the newest question. */
   #ask() {
-    element("unit").textContent = { rgb565: "steps of 1/63", rgb888: "steps of 1/255", codes: "of 255" }[element("display").value];
-    const question = this.#question;
+    /** @type {Record<string, string>} */
+    const units = { rgb565: "steps of 1/63", rgb888: "steps of 1/255", codes: "of 255" };
+    element("unit").textContent = units[select("display").value];
+    if (!this.#light) return;
+    const question = this.#question(this.#light);
     if (this.#asked !== undefined) return;
     if (this.#survey?.question === question) return this.#show();
     this.#asked = question;
     this.#worker.postMessage(question);
   }
 
+  /** @param {{ survey?: Omit<Survey, "question">, refusal?: string, failure?: string }} answer */
   #hear({ survey, refusal, failure }) {
     const question = this.#asked;
     this.#asked = undefined;
@@ -135,21 +204,23 @@ export class PricePanel {
       this.#tell("");
       this.#show();
     } else {
-      this.#tell(failure ?? refusal);
+      this.#tell(failure ?? refusal ?? "");
     }
-    if (this.#question !== question) this.#ask();
+    if (this.#question(this.#light) !== question) this.#ask();
   }
 
+  /** @param {string} text */
   #tell(text) {
     element("refusal").textContent = text;
-    document.querySelector("#price .priced").hidden = text !== "";
+    document.querySelector("#price .priced")?.toggleAttribute("hidden", text !== "");
   }
 
   #show() {
+    if (!this.#survey) return;
     const { evaluations, picked } = this.#survey;
-    const name = element("chip").value;
-    const most = Number(element("most").value);
-    const unit = element("unit").textContent;
+    const name = select("chip").value;
+    const most = Number(select("most").value);
+    const unit = element("unit").textContent ?? "";
     const points = evaluations.map(({ evaluation, bound, prices }) => ({
       name: NAMES[evaluation],
       cost: prices[name].instructions,
@@ -157,11 +228,16 @@ export class PricePanel {
       isStage: evaluation === this.#format,
       isPicked: evaluation === picked,
     }));
-    draw(element("chart"), points, { tolerance: most, cost: "instructions a lit point", error: `error, ${unit}` });
+    draw(find("price-chart", SVGElement), points, { tolerance: most, cost: "instructions a lit point", error: `error, ${unit}` });
     this.#showPicked(evaluations.find(({ evaluation }) => evaluation === picked), name, unit);
     this.#showChips(evaluations.find(({ evaluation }) => evaluation === this.#format));
   }
 
+  /**
+   * @param {Evaluation | undefined} found
+   * @param {string} name of the chip
+   * @param {string} unit
+   */
   #showPicked(found, name, unit) {
     const [strong, words, small] = ["b", "span", "small"].map((kind) => document.createElement(kind));
     if (found === undefined) {
@@ -179,10 +255,13 @@ export class PricePanel {
     element("picked").replaceChildren(strong, words);
     const code = found?.code ?? "";
     element("code").textContent = code;
-    element("code").closest("details").hidden = code === "";
+    element("code").closest("details")?.toggleAttribute("hidden", code === "");
   }
 
-  /** Shows the price of the stage's format on every chip. */
+  /**
+   * Shows the price of the stage's format on every chip.
+   * @param {Evaluation | undefined} found
+   */
   #showChips(found) {
     element("format").textContent = NAMES[this.#format];
     const rows = this.#chips.chips.map((chip) => {
@@ -196,10 +275,14 @@ export class PricePanel {
     element("note").textContent =
       `The picture is the one that the boards draw, ${whole(this.#chips.reached)} of its ${whole(this.#chips.pixels)} pixels lit by such a light; ` +
       "estimated from the counted prices, within 10 %. Where cycles are not counted, at one for each instruction." +
-      (PRICED.includes(shapeOf(this.#light)) ? "" : " This edge is priced as the polynomial through its beam and its field angle.");
+      (!this.#light || PRICED.includes(shapeOf(this.#light)) ? "" : " This edge is priced as the polynomial through its beam and its field angle.");
   }
 }
 
+/**
+ * @param {string} name
+ * @param {string[]} cells
+ */
 function row(name, cells) {
   const line = document.createElement("tr");
   const head = document.createElement("th");

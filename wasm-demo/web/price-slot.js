@@ -1,16 +1,27 @@
 // The place of the price on the stage. What fills it is loaded when it comes into view.
+import { element } from "./elements.js";
 import { load } from "./support.js";
 import { words } from "./failure.js";
 import { median, tidy } from "./numbers.js";
+
+/** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
 
 /** Pictures whose median is shown. */
 const PICTURES = 30;
 
 export class PriceSlot {
-  #place = document.getElementById("price");
+  #place = element("price");
+  /** @type {import("./price-panel.js").PricePanel | undefined} */
   #panel;
+  /**
+   * The light, unless there is none, and the number format.
+   * @type {[Light | undefined, string] | undefined}
+   */
   #light;
-  /** Nanoseconds a lit point of the last pictures. */
+  /**
+   * Nanoseconds a lit point of the last pictures.
+   * @type {number[]}
+   */
   #times = [];
   #live = "";
 
@@ -28,14 +39,22 @@ export class PriceSlot {
     return this.#panel;
   }
 
-  /** Shows the price of a light, whose intensity is a multiple of full scale at one metre, in the number format of the stage. */
+  /**
+   * Shows the price of a light in the number format of the stage.
+   * @param {Light | undefined} light whose intensity is a multiple of full scale at one metre
+   * @param {string} format
+   */
   show(light, format) {
     if (format !== this.#light?.[1]) this.#times = [];
     this.#light = [light, format];
     this.#panel?.show(light, format);
   }
 
-  /** Adds the time that all workers have lit a picture, in milliseconds, and the picture's account. */
+  /**
+   * Adds what a picture took.
+   * @param {number} lighting the time that all workers have lit it, in milliseconds
+   * @param {import("./pool.js").Account} account of the picture
+   */
   add(lighting, { evaluated, evaluatedInAir }) {
     if (evaluated === 0) return;
     this.#times.push((1e6 * lighting) / evaluated);
@@ -48,9 +67,11 @@ export class PriceSlot {
   async #open() {
     try {
       const { PricePanel } = await load("price-panel.js");
-      this.#panel = await PricePanel.open(this.#place);
-      if (this.#light) this.#panel.show(...this.#light);
-      this.#panel.live(this.#live);
+      /** @type {import("./price-panel.js").PricePanel} */
+      const panel = await PricePanel.open(this.#place);
+      this.#panel = panel;
+      if (this.#light) panel.show(...this.#light);
+      panel.live(this.#live);
     } catch (error) {
       this.#place.textContent = `The price can't be shown: ${words(error)}`;
     }

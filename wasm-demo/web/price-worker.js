@@ -1,4 +1,5 @@
 // Answers what a light costs, off the page's thread.
+import { words } from "./failure.js";
 import init, { survey } from "./price/luminaire_price.js";
 
 const ready = init();
@@ -9,6 +10,6 @@ onmessage = async ({ data }) => {
     postMessage({ survey: JSON.parse(survey(data)) });
   } catch (refusal) {
     // The module refuses with a string.
-    postMessage(typeof refusal === "string" ? { refusal } : { failure: String(refusal?.message ?? refusal) });
+    postMessage(typeof refusal === "string" ? { refusal } : { failure: words(refusal) });
   }
 };

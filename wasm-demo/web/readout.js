@@ -1,20 +1,23 @@
 // Times of the passes: medians over the last pictures, because a single time is mostly noise.
+import { element } from "./elements.js";
 import { median } from "./numbers.js";
 
 const PICTURES = 30;
 
 /** The passes of a picture. */
-const PASSES = ["geometry", "shadows", "lighting", "encode", "transfer", "show"];
+const PASSES = /** @type {const} */ (["geometry", "shadows", "lighting", "encode", "transfer", "show"]);
 
-const place = (name) => document.getElementById(`${name}-ms`);
+/** @param {string} name */
+const place = (name) => element(`${name}-ms`);
 
 export class Readout {
-  #passes = PASSES.map((name) => ({ name, times: [], place: place(name) }));
+  #passes = PASSES.map((name) => ({ name, times: /** @type {number[]} */ ([]), place: place(name) }));
   #frame = place("frame");
 
   /**
    * Adds the times of a picture. The frame is the sum of the passes that ran for it; of the passes
    * that run in parallel, those of the share that took longest.
+   * @param {Partial<Record<typeof PASSES[number], number>>} passes in milliseconds
    */
   add(passes) {
     let frame = 0;
@@ -25,7 +28,7 @@ export class Readout {
       // Rounded to hundredths as displayed, so that the shown times add up.
       const shown = times.length === 0 ? undefined : Number(median(times).toFixed(2));
       tell(place, shown, time === undefined);
-      if (time !== undefined) frame += shown;
+      if (time !== undefined) frame += shown ?? 0;
     }
     tell(this.#frame, frame, false);
   }
@@ -39,6 +42,9 @@ export class Readout {
 /**
  * Shows a time, or that there is none. A pass that did not run for the last picture keeps its time
  * and is marked.
+ * @param {HTMLElement} place
+ * @param {number | undefined} time in milliseconds
+ * @param {boolean} isKept
  */
 function tell(place, time, isKept) {
   place.textContent = time === undefined ? "–" : `${time.toFixed(2)} ms`;

@@ -1,19 +1,26 @@
 // The canvases of the picture and its map.
 import { Composite, Painter } from "./pkg/wasm_demo.js";
 
+/** @typedef {Awaited<ReturnType<import("./share.js").Share["draw"]>>} Part a share of a picture */
+
 export class Screen {
   #canvas;
   #map;
+  /** @type {CanvasRenderingContext2D[]} */
   #contexts;
   #composite = new Composite();
   #size = { width: 0, height: 0 };
   #counts = new Uint16Array();
 
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {HTMLCanvasElement} map
+   */
   constructor(canvas, map) {
     this.#canvas = canvas;
     this.#map = map;
-    this.#contexts = [canvas, map].map((canvas) => canvas.getContext("2d"));
-    if (this.#contexts.includes(null)) {
+    this.#contexts = [canvas, map].flatMap((canvas) => canvas.getContext("2d") ?? []);
+    if (this.#contexts.length < 2) {
       throw new Error("The browser gives no 2d context for the canvas: allow canvas for this page, or use another browser.");
     }
   }
@@ -33,15 +40,23 @@ export class Screen {
     return this.#counts;
   }
 
-  /** Puts the parts of a picture together. */
+  /**
+   * Puts the parts of a picture together.
+   * @param {Part[]} parts
+   * @param {{ width: number, height: number }} size
+   */
   gather(parts, { width, height }) {
     this.#size = { width, height };
     this.#composite.begin(width, height, parts.length);
-    parts.forEach(({ pixels, marks }, share) => pixels && this.#composite.put(share, pixels, marks));
+    parts.forEach(({ pixels, marks }, share) => pixels && marks && this.#composite.put(share, pixels, marks));
     this.#composite.mix();
   }
 
-  /** Takes the counts for the map. */
+  /**
+   * Takes the counts for the map.
+   * @param {Part[]} parts
+   * @param {number} height
+   */
   count(parts, height) {
     const length = parts.reduce((sum, { counts }) => sum + counts.length, 0);
     if (this.#counts.length !== length) this.#counts = new Uint16Array(length);
@@ -58,13 +73,21 @@ export class Screen {
     this.#composite.show(this.#contexts[0]);
   }
 
-  /** Shows a map. */
+  /**
+   * Shows a map.
+   * @param {Uint8ClampedArray} pixels
+   */
   showMap(pixels) {
-    this.#contexts[1].putImageData(new ImageData(pixels, this.#size.width), 0, 0);
+    this.#contexts[1].putImageData(new ImageData(/** @type {Uint8ClampedArray<ArrayBuffer>} */ (pixels), this.#size.width), 0, 0);
   }
 }
 
-/** Writes the stripes of each share to their places in the whole. `row` is the length of a row. */
+/**
+ * Writes the stripes of each share to their places in the whole.
+ * @param {Uint16Array[]} shares
+ * @param {number} row the length of a row
+ * @param {Uint16Array} whole
+ */
 function interleave(shares, row, whole) {
   const stripe = row * Painter.stripeRows();
   shares.forEach((part, share) => {

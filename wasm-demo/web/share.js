@@ -6,14 +6,24 @@ import { plain } from "./plain.js";
 /** The time in milliseconds. The date is precise enough if the browser has no clock. */
 export const now = () => globalThis.performance?.now() ?? Date.now();
 
+/** @typedef {import("./pkg/wasm_demo.js").AccountState} AccountState */
+/**
+ * The shadow maps that a share sends with a picture, or why there are none.
+ * @typedef {{ maps?: { light: number, depths: Uint32Array }[], refusal?: unknown }} Letter
+ */
+
 export class Share {
   #painter;
   #ports;
   /** For each other share the shadow maps that it has sent, one list for each picture. */
+  /** @type {Letter[][]} */
   #mail;
   /** Called when mail arrives. */
-  #wake = () => {};
-  /** Arrays of shadow maps to use again. */
+  #wake = /** @type {() => void} */ (() => {});
+  /**
+   * Arrays of shadow maps to use again.
+   * @type {Uint32Array[]}
+   */
   #spares = [];
 
   /**
@@ -40,7 +50,7 @@ export class Share {
    * @param {object} order
    * @param {string} order.job of the stage
    * @param {boolean} [order.isFresh] whether nothing is kept of earlier pictures
-   * @param {Uint8ClampedArray} [spare] an array for the pixels
+   * @param {Uint8ClampedArray} [order.spare] an array for the pixels
    */
   async draw({ job, isFresh = false, spare }) {
     const painter = this.#painter;
@@ -56,22 +66,31 @@ export class Share {
       pixels: isDrawn ? painter.pixels(spare) : undefined,
       marks: isDrawn ? painter.edgeMarks() : undefined,
       counts: painter.counts(),
-      account: plain(painter.account()),
+      // There is one, because `drawLight` has made it.
+      account: plain(/** @type {AccountState} */ (painter.account())),
       times: plain(painter.times()),
     };
   }
 
-  /** Draws pictures one after the other. Returns the time in milliseconds. */
+  /**
+   * Draws pictures one after the other. Returns the time in milliseconds.
+   * @param {{ jobs: string[] }} order
+   */
   async loop({ jobs }) {
     const start = now();
     for (const job of jobs) await this.draw({ job });
     return now() - start;
   }
 
+  /** @param {{ job: string }} order */
   compare({ job }) {
     return plain(this.#painter.compare(job));
   }
 
+  /**
+   * @param {() => Uint32Array} draw returns the lights whose shadow maps it has drawn
+   * @param {boolean} isShared
+   */
   #send(draw, isShared) {
     let lights;
     try {
@@ -90,10 +109,10 @@ export class Share {
 
   async #receive() {
     while (this.#mail.some((pictures) => pictures.length === 0)) {
-      await new Promise((resolve) => (this.#wake = resolve));
+      await new Promise((resolve) => (this.#wake = () => resolve(undefined)));
     }
-    const letters = this.#mail.map((pictures) => pictures.shift());
-    for (const { maps, refusal } of letters) {
+    const letters = this.#mail.flatMap((pictures) => pictures.shift() ?? []);
+    for (const { maps = [], refusal } of letters) {
       if (refusal !== undefined) throw refusal;
       for (const { light, depths } of maps) {
         this.#painter.takeShadowMap(light, depths);
@@ -105,5 +124,8 @@ export class Share {
   }
 }
 
-/** Draws a small picture of a scene: RGBA. */
+/**
+ * Draws a small picture of a scene: RGBA.
+ * @param {{ scene: string, width: number, height: number }} order
+ */
 export const thumbnail = ({ scene, width, height }) => Painter.thumbnail(scene, width, height);

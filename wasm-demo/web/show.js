@@ -1,5 +1,6 @@
 // Starts the demo: loads the module and connects the views.
 import { initSync, Stage } from "./pkg/wasm_demo.js";
+import { element } from "./elements.js";
 import { Meter } from "./meter.js";
 import { compile } from "./module.js";
 import { Pool } from "./pool.js";
@@ -18,34 +19,37 @@ export async function open() {
   const module = await compiling;
   initSync({ module });
   const stage = new Stage(width, height);
-  const screen = new Screen(document.getElementById("view"), document.getElementById("map"));
+  const screen = new Screen(element("view", HTMLCanvasElement), element("map", HTMLCanvasElement));
   const page = new StagePage(stage, pool, screen, module, { rests });
   const meter = new Meter(stage, page, module);
   const comparison = {
-    element: document.getElementById("comparison"),
+    element: element("comparison"),
+    /** @param {number} attempt */
     async open(attempt) {
       const { ComparisonView } = await load("comparison-view.js", attempt);
       return (meter.comparison = await ComparisonView.open());
     },
   };
   const museum = {
-    element: document.getElementById("museum"),
+    element: element("museum"),
+    /** @param {number} attempt */
     async open(attempt) {
       const { MuseumView } = await load("museum-view.js", attempt);
       return (meter.museum = await MuseumView.open());
     },
   };
   const chip = {
-    element: document.getElementById("chip"),
+    element: element("chip"),
+    /** @param {number} attempt */
     async open(attempt) {
       const { ChipView } = await load("chip-view.js", attempt);
       return (meter.chip = await ChipView.open());
     },
   };
-  window.luminaire = meter;
+  Object.assign(window, { luminaire: meter });
   await new Views(
     new Map([
-      ["stage", { element: document.getElementById("stage-page"), open: async () => page }],
+      ["stage", { element: element("stage-page"), open: async () => page }],
       ["compare", comparison],
       ["museum", museum],
       ["chip", chip],

@@ -5,6 +5,7 @@ import { remember } from "./address.js";
 import { CameraView } from "./camera-view.js";
 import { DividedPicture } from "./divided.js";
 import { EffectList } from "./effect-list.js";
+import { element } from "./elements.js";
 import { aside, words } from "./failure.js";
 import { LightList } from "./light-list.js";
 import { LightPanel } from "./light-panel.js";
@@ -17,7 +18,16 @@ import { ScenePicker } from "./scene-picker.js";
 import { now } from "./share.js";
 import { load } from "./support.js";
 
-const element = (id) => document.getElementById(id);
+/** @typedef {import("./camera-view.js").Picture} Shown */
+/** @typedef {Awaited<ReturnType<import("./pool.js").Pool["draw"]>>} Drawn */
+/** @typedef {Drawn["times"] & { show?: number }} Times of the passes, in milliseconds */
+
+/** @param {string} id */
+const input = (id) => element(id, HTMLInputElement);
+/** @param {string} id */
+const select = (id) => element(id, HTMLSelectElement);
+/** @param {string} id */
+const button = (id) => element(id, HTMLButtonElement);
 
 /** Longest time between two pictures that an animation follows, in seconds. */
 const LONGEST_STEP = 0.25;
@@ -43,26 +53,50 @@ export class StagePage {
   #panel;
   #price = new PriceSlot();
   #legend;
-  /** The curve and the lights over the picture, once they are loaded. */
+  /**
+   * The curve, once it is loaded.
+   * @type {import("./curve.js").Curve | undefined}
+   */
   #curve;
+  /**
+   * The lights over the picture, once they are loaded.
+   * @type {import("./handles.js").Handles | undefined}
+   */
   #handles;
   #isOpen = false;
   /** Whether a pointer is down: what it drags is one step to undo, however long it takes. */
   #isHeld = false;
-  /** The time of the last picture of an animation. */
+  /**
+   * The time of the last picture of an animation.
+   * @type {number | undefined}
+   */
   #last;
-  /** The job that the pool has drawn last. */
+  /**
+   * The job that the pool has drawn last.
+   * @type {string | undefined}
+   */
   #drawnJob;
   /** Whether the canvas shows its picture. */
   #isShown = true;
   /** What lighting the last picture took, in milliseconds of a core. */
   #lighting = 0;
-  /** The account and the times of the last picture in the size of pictures that move. */
+  /**
+   * The account and the times of the last picture in the size of pictures that move.
+   * @type {{ account?: Drawn["account"], times?: Times }}
+   */
   #told = {};
   /** Whether pictures have the resolution of the device at rest. */
   #rests;
+  /** @type {number | undefined} */
   #timer;
 
+  /**
+   * @param {Stage} stage
+   * @param {import("./pool.js").Pool} pool
+   * @param {import("./screen.js").Screen} screen
+   * @param {WebAssembly.Module} module
+   * @param {{ rests?: boolean }} [options]
+   */
   constructor(stage, pool, screen, module, { rests = true } = {}) {
     this.#stage = stage;
     this.#pool = pool;
@@ -70,7 +104,7 @@ export class StagePage {
     this.#module = module;
     this.#rests = rests;
     this.#divided = new DividedPicture(module, pool.size);
-    this.#view = new CameraView(element("view"), {
+    this.#view = new CameraView(element("view", HTMLCanvasElement), {
       orbit: (yaw, pitch) => this.#move(() => stage.orbit(yaw, pitch)),
       zoom: (factor) => this.#move(() => stage.zoom(factor)),
       reset: () => this.#move(() => stage.resetCamera()),
@@ -127,6 +161,7 @@ export class StagePage {
   /**
    * Takes the state of the address; without one it stays as it is. Refusals are shown. Resolves when
    * there is a picture.
+   * @param {string} query
    */
   async show(query) {
     this.#view.pause(false);
@@ -152,7 +187,10 @@ export class StagePage {
     this.#view.pause(true);
   }
 
-  /** Requests a number format: `fx16`, `fx32` or `f32`. */
+  /**
+   * Requests a number format: `fx16`, `fx32` or `f32`.
+   * @param {string} name
+   */
   setFormat(name) {
     this.#set(() => this.#stage.setFormat(name));
   }
@@ -169,18 +207,19 @@ export class StagePage {
 
   #join() {
     const stage = this.#stage;
-    const on = (id, kind, act) => element(id).addEventListener(kind, (event) => this.#set(() => act(event.target)));
+    /** @type {<T extends HTMLElement>(control: T, act: (control: T) => void, kind?: string) => void} */
+    const on = (control, act, kind = "input") => control.addEventListener(kind, () => this.#set(() => act(control)));
     this.#scenes.onchange = (scene) => this.#set(() => stage.open(scene));
     for (const id of ["play", "camera"]) element(id).addEventListener("input", () => this.#play());
-    on("format", "input", (select) => stage.setFormat(select.value));
-    on("divided-format", "input", (select) => stage.setOther(select.value || undefined));
-    on("divided-cover", "input", (box) => stage.setDifference(box.checked));
-    on("map-subject", "input", (select) => stage.setMap(select.value));
-    on("exposure", "input", (slider) => stage.setExposure(slider.valueAsNumber));
-    on("everything", "input", (box) => stage.setEverything(box.checked));
-    on("undo", "click", () => stage.undo());
-    on("redo", "click", () => stage.redo());
-    on("reset", "click", () => stage.open(stage.scene));
+    on(select("format"), ({ value }) => stage.setFormat(value));
+    on(select("divided-format"), ({ value }) => stage.setOther(value || undefined));
+    on(input("divided-cover"), ({ checked }) => stage.setDifference(checked));
+    on(select("map-subject"), ({ value }) => stage.setMap(value));
+    on(input("exposure"), ({ valueAsNumber }) => stage.setExposure(valueAsNumber));
+    on(input("everything"), ({ checked }) => stage.setEverything(checked));
+    on(button("undo"), () => stage.undo(), "click");
+    on(button("redo"), () => stage.redo(), "click");
+    on(button("reset"), () => stage.open(stage.scene), "click");
     element("copy").addEventListener("click", () => this.#copyLink());
     element("save").addEventListener("click", () => this.#save());
     element("full").addEventListener("click", () => this.#fillScreen());
@@ -188,8 +227,8 @@ export class StagePage {
     this.#effects.onswitch = (effect, isOn) => this.#set(() => stage.setEffect(effect, isOn));
     this.#lights.onchange = (act) => this.#set(act);
     this.#lights.onselect = () => this.#showLight();
-    on("effect-keep-hue", "input", (box) => stage.setKeepsHue(box.checked));
-    on("handles-shown", "input", (box) => stage.setHandles(box.checked));
+    on(input("effect-keep-hue"), ({ checked }) => stage.setKeepsHue(checked));
+    on(input("handles-shown"), ({ checked }) => stage.setHandles(checked));
     this.#panel.onchange = (source) => {
       element("stage-error").textContent = "";
       this.#changed(source);
@@ -202,14 +241,20 @@ export class StagePage {
 
   /** Loads what the first picture goes before. A failure is reported, and the rest works. */
   #loadLater() {
+    /** @type {<T>(file: string, join: (module: T) => void) => Promise<void>} */
     const later = async (file, join) => join(await load(file));
-    later("curve.js", ({ Curve }) => {
+    /** @type {(module: typeof import("./curve.js")) => void} */
+    const joinCurve = ({ Curve }) => {
       const curve = new Curve(this.#stage);
-      curve.onset = (name, value, handle) => (name ? this.#panel.setNumber(name, value, handle) : this.#showLight());
+      curve.onset = (name, value, handle) => {
+        if (name === undefined || value === undefined || handle === undefined) this.#showLight();
+        else this.#panel.setNumber(name, value, handle);
+      };
       this.#curve = curve;
       this.#showLight();
-    }).catch(reportError);
-    later("handles.js", ({ Handles }) => {
+    };
+    /** @type {(module: typeof import("./handles.js")) => void} */
+    const joinHandles = ({ Handles }) => {
       const handles = new Handles(this.#stage, this.#lights);
       handles.onselect = (light) => {
         this.#lights.selected = light;
@@ -219,7 +264,9 @@ export class StagePage {
       handles.onchange = (act) => this.#set(act);
       this.#handles = handles;
       handles.show(this.#last !== undefined);
-    }).catch(reportError);
+    };
+    later("curve.js", joinCurve).catch(reportError);
+    later("handles.js", joinHandles).catch(reportError);
   }
 
   /** Makes one step to undo of what the visitor drags, from where a pointer goes down. */
@@ -238,7 +285,10 @@ export class StagePage {
     }
   }
 
-  /** Changes the state. A refusal is shown and changes nothing else. */
+  /**
+   * Changes the state. A refusal is shown and changes nothing else.
+   * @param {() => void} act
+   */
   #set(act) {
     element("stage-error").textContent = "";
     try {
@@ -255,10 +305,15 @@ export class StagePage {
   #play() {
     this.#last = undefined;
     this.#account.forget();
-    this.#move(() => this.#stage.play(element("play").checked, element("camera").checked));
+    this.#move(() => this.#stage.play(input("play").checked, input("camera").checked));
   }
 
-  /** Moves the camera; earlier times stay valid. Returns what `act` returns. */
+  /**
+   * Moves the camera; earlier times stay valid. Returns what `act` returns.
+   * @template T
+   * @param {() => T} act
+   * @returns {T}
+   */
   #move(act) {
     const moved = act();
     this.#stir();
@@ -267,27 +322,31 @@ export class StagePage {
     return moved;
   }
 
-  /** Shows the state, except on the control that a change comes from, and draws it. */
+  /**
+   * Shows the state, except on the control that a change comes from, and draws it.
+   * @param {Element} [source]
+   */
   #changed(source) {
     const stage = this.#stage;
     const { format, exposure } = stage;
     this.#scenes.show(stage.scene);
     element("summary").textContent = this.#scenes.summary;
     element("view").setAttribute("aria-label", `The scene: ${this.#scenes.title}`);
-    element("play").checked = stage.lightsPlay;
-    element("play").disabled = !stage.lightsMove;
-    element("camera").checked = stage.cameraPlays;
-    element("camera").disabled = !stage.cameraMoves;
-    element("format").value = format;
+    input("play").checked = stage.lightsPlay;
+    input("play").disabled = !stage.lightsMove;
+    input("camera").checked = stage.cameraPlays;
+    input("camera").disabled = !stage.cameraMoves;
+    select("format").value = format;
     element("format-note").textContent = accuracy(format);
     this.#divided.cover(stage.other, stage.isDifference);
-    const slider = element("exposure");
-    slider.value = exposure;
-    slider.style.setProperty("--part", `${(100 * (exposure - slider.min)) / (slider.max - slider.min)}%`);
+    const slider = input("exposure");
+    const [least, most] = [Number(slider.min), Number(slider.max)];
+    slider.value = String(exposure);
+    slider.style.setProperty("--part", `${(100 * (exposure - least)) / (most - least)}%`);
     element("exposure-stops").textContent = `${exposure > 0 ? "+" : ""}${exposure} EV`.replace("-", "−");
-    element("effect-keep-hue").checked = stage.keepsHue;
-    element("handles-shown").checked = stage.showsHandles;
-    element("everything").checked = stage.isEverything;
+    input("effect-keep-hue").checked = stage.keepsHue;
+    input("handles-shown").checked = stage.showsHandles;
+    input("everything").checked = stage.isEverything;
     element("equality").textContent = "";
     element("told").textContent = "";
     this.#lights.show();
@@ -321,6 +380,7 @@ export class StagePage {
     if (width > 0 && stage.rest(width)) this.#view.request();
   }
 
+  /** @param {Element} [source] the control that a change comes from */
   #showLight(source) {
     this.#panel.show(this.#lights.selected, source);
     aside(() => this.#curve?.draw(this.#lights.selected));
@@ -342,11 +402,15 @@ export class StagePage {
   }
 
   #showReturns() {
-    element("undo").disabled = !this.#stage.canUndo;
-    element("redo").disabled = !this.#stage.canRedo;
+    button("undo").disabled = !this.#stage.canUndo;
+    button("redo").disabled = !this.#stage.canRedo;
   }
 
-  /** Draws what has changed: see `CameraView`. */
+  /**
+   * Draws what has changed: see `CameraView`.
+   * @param {number} now
+   * @returns {Promise<Shown>}
+   */
   async #draw(now) {
     const stage = this.#stage;
     const step = Math.min((now - (this.#last ?? now)) / 1000, LONGEST_STEP);
@@ -376,6 +440,7 @@ export class StagePage {
   /**
    * Takes a picture of the pool and shows it. Returns whether it is another one: at rest it is the
    * same in another resolution, and the readout keeps the figures of before.
+   * @param {Drawn & { times: Times, width: number, height: number, isPlaying: boolean, isAtRest: boolean }} picture
    */
   #take({ isDrawn, parts, account, times, width, height, isPlaying, isAtRest }) {
     const start = now();
@@ -388,7 +453,7 @@ export class StagePage {
     times.transfer += now() - start;
     const isShown = this.#show(times);
     if (isShown) {
-      this.#lighting = parts.reduce((sum, part) => sum + part.times.lighting, 0);
+      this.#lighting = parts.reduce((sum, part) => sum + (part.times.lighting ?? 0), 0);
       element("size").textContent = `The picture has ${width} × ${height} pixels.`;
     }
     if (isShown && !isAtRest) {
@@ -400,14 +465,17 @@ export class StagePage {
     return (isShown || isDivided) && !isAtRest;
   }
 
-  /** Shows the last picture, if the canvas has not taken it yet. Returns whether it has now. */
+  /**
+   * Shows the last picture, if the canvas has not taken it yet. Returns whether it has now.
+   * @param {{ show?: number }} [times]
+   */
   #show(times = {}) {
     if (this.#isShown) return false;
     const start = now();
     try {
       this.#screen.show();
     } catch (error) {
-      this.#refuse(`The canvas has refused the picture: ${error.message}`);
+      this.#refuse(`The canvas has refused the picture: ${words(error)}`);
       return false;
     }
     this.#isShown = true;
@@ -415,14 +483,20 @@ export class StagePage {
     return true;
   }
 
+  /** @param {unknown} refusal */
   #refuse(refusal) {
     if (typeof refusal !== "string") throw refusal;
     this.#stage.play(false, false);
     element("stage-error").textContent = refusal;
   }
 
+  /**
+   * @param {boolean} isPlaying
+   * @param {number} pixels
+   */
   #tell(isPlaying, pixels) {
     const { account, times } = this.#told;
+    if (!account || !times) return;
     if (!isPlaying) this.#account.forget();
     this.#readout.add(times);
     this.#account.add(account, pixels);
@@ -444,7 +518,8 @@ export class StagePage {
   #save() {
     const link = document.createElement("a");
     link.download = `luminaire-${this.#stage.scene}-${this.#stage.format}.png`;
-    element("view").toBlob((blob) => {
+    element("view", HTMLCanvasElement).toBlob((blob) => {
+      if (!blob) return;
       link.href = URL.createObjectURL(blob);
       link.click();
       URL.revokeObjectURL(link.href);
@@ -460,6 +535,7 @@ export class StagePage {
     }
   }
 
+  /** @param {KeyboardEvent} event */
   #key(event) {
     const isTyping = event.target instanceof Element && event.target.matches("input:not([type=checkbox], [type=radio]), select");
     if (isTyping || element("stage-page").hidden || event.altKey) return;
@@ -482,7 +558,10 @@ export class StagePage {
   }
 }
 
-/** Describes the largest difference between a picture in this format and the reference format. */
+/**
+ * Describes the largest difference between a picture in this format and the reference format.
+ * @param {string} format
+ */
 function accuracy(format) {
   const error = Stage.statedError(format);
   return error === 0 ? "The reference for the other formats" : `Within ${error}/255 of f32, measured on a scene without shadows`;

@@ -1,4 +1,5 @@
 // Requirements on the browser, and parameters of the page's address.
+import { words } from "./failure.js";
 
 /** The smallest module with a SIMD instruction: a function that splats a byte and counts its bits. */
 const SIMD = Uint8Array.of(
@@ -21,14 +22,17 @@ export function requireSimd() {
 /**
  * Imports a file of the page. The browser caches a failed import by its address, so that every
  * retry uses a new address.
+ * @param {string} file
+ * @param {number} attempt the number of failed imports
  */
 export async function load(file, attempt = 0) {
   try {
     return await import(`./${file}${attempt === 0 ? "" : `?attempt=${attempt}`}`);
   } catch (error) {
     throw new Error(
-      `${file}, or a file that it needs, could not be loaded (${error.message}). ` +
+      `${file}, or a file that it needs, could not be loaded (${words(error)}). ` +
         "Is the connection up, and the whole folder served?",
+      { cause: error },
     );
   }
 }
@@ -36,16 +40,24 @@ export async function load(file, attempt = 0) {
 /**
  * The size of the picture and the number of workers, `?width=&height=&workers=`, else undefined; and
  * with `?rest=0` that pictures at rest have the size of those that move.
+ * @param {string} search
  */
 export function requested(search) {
   const query = new URLSearchParams(search);
   const [width, height] = ["width", "height"].map((name) => count(query, name, "pixels"));
   const workers = count(query, "workers", "workers");
-  if (workers > MOST_WORKERS) throw new Error(`workers = ${workers}: expected 0 to ${MOST_WORKERS} workers`);
+  if (workers !== undefined && workers > MOST_WORKERS) {
+    throw new Error(`workers = ${workers}: expected 0 to ${MOST_WORKERS} workers`);
+  }
   return { width, height, workers, rests: query.get("rest") !== "0" };
 }
 
-/** Checks only that the value is a whole number; the renderer checks the range of a size. */
+/**
+ * Checks only that the value is a whole number; the renderer checks the range of a size.
+ * @param {URLSearchParams} query
+ * @param {string} name
+ * @param {string} unit
+ */
 function count(query, name, unit) {
   const text = query.get(name);
   if (text === null) return undefined;

@@ -4,7 +4,7 @@ addEventListener(
   "error",
   ({ target }) => {
     if (!(target instanceof HTMLScriptElement)) return;
-    const place = document.getElementById("failure");
+    const place = /** @type {HTMLElement} */ (document.getElementById("failure"));
     place.textContent =
       location.protocol === "file:"
         ? "This page was opened as a file, and from files browsers load no modules. " +

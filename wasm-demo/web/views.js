@@ -1,13 +1,18 @@
 // The views of the page, one at a time. The address selects the view after its #.
 import { follow } from "./address.js";
+import { element } from "./elements.js";
 import { isTrap, words } from "./failure.js";
+
+/** @typedef {{ show: (query: string) => void, hide: () => void }} Shown an opened view */
+/** @typedef {{ element: HTMLElement, open: (attempt: number) => Promise<Shown> }} Source */
 
 /**
  * Splits the part of the address after the #: the name of a view and, after a question mark, the
  * text of its state.
+ * @param {string} hash
  */
 function requestedView(hash) {
-  const [, name, query] = /^#?([^?]*)\??(.*)$/s.exec(hash);
+  const [, name, query] = /** @type {RegExpExecArray} */ (/^#?([^?]*)\??(.*)$/s.exec(hash));
   return { name, query };
 }
 
@@ -15,14 +20,21 @@ function requestedView(hash) {
 class View {
   #open;
   #attempts = 0;
+  /** @type {Promise<Shown> | undefined} */
   #opening;
+  /** @type {Shown | undefined} */
   #opened;
 
+  /** @param {Source} source */
   constructor({ element, open }) {
     this.element = element;
     this.#open = open;
   }
 
+  /**
+   * @param {string} query
+   * @param {() => boolean} isWanted
+   */
   async show(query, isWanted) {
     this.#opening ??= this.#open(this.#attempts);
     try {
@@ -44,19 +56,19 @@ class View {
 
 export class Views {
   #views;
+  /** @type {string | undefined} */
   #chosen;
-  #absent = document.getElementById("absent");
-  #reason = document.getElementById("absent-reason");
+  #absent = element("absent");
+  #reason = element("absent-reason");
 
   /**
-   * @param {Map<string, {element: HTMLElement, open: (attempt: number) => Promise<{show: Function, hide: Function}>}>}
-   *   views by name; the first is shown if the address names none of them. `show` gets the
+   * @param {Map<string, Source>} views by name; the first is shown if the address names none of them. `show` gets the
    *   state of the address, and `open` the number of its failures
    */
   constructor(views) {
     this.#views = new Map([...views].map(([name, view]) => [name, new View(view)]));
     window.addEventListener("hashchange", () => this.show());
-    document.getElementById("absent-retry").addEventListener("click", () => this.show());
+    element("absent-retry").addEventListener("click", () => this.show());
   }
 
   /**
@@ -65,19 +77,19 @@ export class Views {
    */
   async show({ name, query } = requestedView(location.hash)) {
     const [first] = this.#views.keys();
-    const chosen = this.#views.has(name) ? name : first;
+    const chosen = this.#views.has(name) ? name : /** @type {string} */ (first);
     const isWanted = () => this.#chosen === chosen;
     this.#chosen = chosen;
     follow(chosen);
     for (const [other, view] of this.#views) {
       if (other !== chosen && !view.element.hidden) view.hide();
     }
-    for (const link of document.querySelectorAll(".views a")) {
+    for (const link of /** @type {NodeListOf<HTMLAnchorElement>} */ (document.querySelectorAll(".views a"))) {
       if (link.hash === `#${chosen}`) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");
     }
     this.#absent.hidden = true;
-    const view = this.#views.get(chosen);
+    const view = /** @type {View} */ (this.#views.get(chosen));
     view.element.hidden = false;
     try {
       await view.show(query, isWanted);
@@ -87,6 +99,10 @@ export class Views {
     }
   }
 
+  /**
+   * @param {View} view
+   * @param {unknown} error
+   */
   #tell(view, error) {
     view.hide();
     this.#reason.textContent = `This view can't be shown: ${words(error)} The other views still work.`;

@@ -1,10 +1,17 @@
 // A worker: draws a share of each picture, or small pictures of scenes.
 import { initSync } from "./pkg/wasm_demo.js";
+import { words } from "./failure.js";
 import { Share, thumbnail } from "./share.js";
 
+/** @type {Share} */
 let share;
+/** @type {WebAssembly.Memory} */
 let memory;
 
+/**
+ * What the page can ask for.
+ * @type {Record<string, (order: any) => any>}
+ */
 const acts = {
   open({ module, share: number, count, ports }) {
     ({ memory } = initSync({ module }));
@@ -21,21 +28,27 @@ const acts = {
   },
 };
 
-/** Answers a message. A refusal of the module is a string. */
+/** @type {(message: Partial<import("./workers.js").Answer>, transferred?: Transferable[]) => void} */
+const tell = (message, transferred = []) => postMessage(message, { transfer: transferred });
+
+/**
+ * Answers a message. A refusal of the module is a string.
+ * @param {MessageEvent} event
+ */
 async function answer({ data: { number, act, ...order } }) {
   try {
     const result = await acts[act](order);
     const pixels = result?.pixels ?? result;
-    postMessage({ number, result }, ArrayBuffer.isView(pixels) ? [pixels.buffer] : []);
+    tell({ number, result }, ArrayBuffer.isView(pixels) ? [pixels.buffer] : []);
   } catch (error) {
-    if (typeof error === "string") postMessage({ number, refusal: error });
+    if (typeof error === "string") tell({ number, refusal: error });
     else {
       const isTrap = error instanceof WebAssembly.RuntimeError;
-      postMessage({ number, error: String(error?.message ?? error), isTrap });
+      tell({ number, error: words(error), isTrap });
     }
   }
 }
 
 // The message of a panic precedes its trap and is more specific.
-addEventListener("luminaire-panic", (event) => postMessage({ panic: event.detail }));
+addEventListener("luminaire-panic", (event) => tell({ panic: /** @type {CustomEvent} */ (event).detail }));
 addEventListener("message", answer);

@@ -7,11 +7,20 @@ const MOST = 8;
 /** How many workers draw a picture, unless the address asks for another number. */
 export const cores = () => Math.max(1, Math.min(navigator.hardwareConcurrency ?? 1, MOST));
 
+/**
+ * A message of a worker: the result of the question of that number, or why there is none.
+ * @typedef {{ number: number, result?: unknown, refusal?: string, error?: string, isTrap?: boolean, panic?: string }} Answer
+ */
+
 export class Helper {
   #worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-  /** The questions that are not answered yet, by their number. */
+  /**
+   * The questions that are not answered yet, by their number.
+   * @type {Map<number, { resolve: (result: any) => void, reject: (cause: unknown) => void }>}
+   */
   #asked = new Map();
   #number = 0;
+  /** @type {Error | undefined} */
   #broken;
 
   constructor() {
@@ -22,7 +31,13 @@ export class Helper {
     };
   }
 
-  /** Asks the worker. Rejects with a string what the module refuses. */
+  /**
+   * Asks the worker. Rejects with a string what the module refuses.
+   * @param {string} act
+   * @param {object} [order]
+   * @param {Transferable[]} [transferred]
+   * @returns {Promise<any>}
+   */
   ask(act, order, transferred = []) {
     if (this.#broken) return Promise.reject(this.#broken);
     return new Promise((resolve, reject) => {
@@ -37,18 +52,22 @@ export class Helper {
     this.#worker.terminate();
   }
 
+  /** @param {Answer} answer */
   #take({ number, result, refusal, error, isTrap, panic }) {
     if (panic !== undefined) {
       window.dispatchEvent(new CustomEvent("luminaire-panic", { detail: panic }));
       return;
     }
-    const { resolve, reject } = this.#asked.get(number);
+    const asked = this.#asked.get(number);
+    if (asked === undefined) return;
+    const { resolve, reject } = asked;
     this.#asked.delete(number);
     if (refusal !== undefined) reject(refusal);
     else if (error !== undefined) reject(isTrap ? new WebAssembly.RuntimeError(error) : new Error(error));
     else resolve(result);
   }
 
+  /** @param {Error} error */
   #break(error) {
     this.#broken = error;
     for (const { reject } of this.#asked.values()) reject(error);
@@ -56,7 +75,10 @@ export class Helper {
   }
 }
 
-/** Starts workers; none if the browser has none to give. */
+/**
+ * Starts workers; none if the browser has none to give.
+ * @param {number} count
+ */
 export function hire(count) {
   try {
     return Array.from({ length: count }, () => new Helper());

@@ -11,6 +11,7 @@ mod package;
 mod phrases;
 mod pictures;
 mod renderers;
+mod scripts;
 mod semver;
 mod test;
 

@@ -18,7 +18,7 @@ use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
 use tools::{command, install, project};
 
-use crate::{contributing, demo, export, msrv, package, renderers, semver};
+use crate::{contributing, demo, export, msrv, package, renderers, scripts, semver};
 
 /// The smallest processor that is supported: it has no floating point unit, no division and no
 /// atomics.
@@ -80,6 +80,7 @@ fn host(suite: &mut Suite, full: bool) {
         semver::run(suite);
     }
     export::run(suite);
+    scripts::run(suite);
     browser(suite, full);
 }
 

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use crate::progress::Progress;
 use crate::toolchain::Toolchain;
 use crate::{install, project};
 
-/// The emulator's package, of the version that the recorded cycles are from.
-pub const RP2040JS: &str = "rp2040js@1.4.1";
+/// The emulator's npm package. The recorded cycles are from the version of `lab/tools/npm`.
+pub const RP2040JS: &str = "rp2040js";
 
 /// Makes a call of cargo run in a folder of `boards`.
 pub fn in_folder(name: &str, mut cargo: Command) -> Command {
@@ -29,9 +29,5 @@ pub fn build(name: &str, target: &'static str, progress: &Progress) -> Result<Pa
 
 /// Finds the folder of the emulator of an RP2040, or installs it below `target`.
 pub fn emulator(progress: &Progress) -> Result<PathBuf> {
-    let (name, _) = RP2040JS.split_once('@').context("a package with its version")?;
-    if install::npm_folder(name).is_none() {
-        install::npm(RP2040JS, progress)?;
-    }
-    install::npm_folder(name).context("npm has not installed the emulator")
+    install::npm(RP2040JS, progress)
 }

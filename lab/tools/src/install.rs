@@ -6,7 +6,8 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
 
 use crate::command::Ended;
 use crate::progress::Progress;
@@ -80,16 +81,16 @@ fn until_unlocked(end: Instant, wait: impl Fn(), run: impl Fn() -> Result<Ended>
     }
 }
 
+/// The npm packages and their versions. `devDependencies` are those that only tests run.
+const NPM_PACKAGES: &str = include_str!("../npm/package.json");
+
+/// The versions of all packages that those need.
+const NPM_LOCK: &str = include_str!("../npm/package-lock.json");
+
 /// The program of an npm package in `target/tools`, if it is installed there.
 pub fn npm_program(name: &str) -> Option<PathBuf> {
     let program = npm_modules().join(".bin").join(name);
     program.is_file().then_some(program)
-}
-
-/// The folder of an npm package in `target/tools`, if it is installed there.
-pub fn npm_folder(name: &str) -> Option<PathBuf> {
-    let folder = npm_modules().join(name);
-    folder.is_dir().then_some(folder)
 }
 
 /// The folder of the npm packages in `target/tools`.
@@ -97,18 +98,47 @@ pub fn npm_modules() -> PathBuf {
     tools().join("node_modules")
 }
 
-/// Installs an npm package into `target/tools`, never globally.
-pub fn npm(package: &str, progress: &Progress) -> Result<()> {
-    let npm = command::on_path(&["npm"]).context("npm is not installed")?;
-    let step = progress.begin("Installing", format_args!("npm package {package} into target/tools"));
+/// The recorded version of an npm package, as in `rp2040js 1.4.1`.
+pub fn npm_version(name: &str) -> Result<String> {
+    let packages: Value =
+        serde_json::from_str(NPM_PACKAGES).context("the list of npm packages is no JSON")?;
+    let version = ["dependencies", "devDependencies"].iter().find_map(|kind| packages[kind][name].as_str());
+    let version = version.with_context(|| format!("package = {name:?}: expected one of lab/tools/npm"))?;
+    Ok(format!("{name} {version}"))
+}
+
+/// The folder of an npm package in `target/tools`. If it is not installed there with the recorded
+/// version, all packages are, never globally; those that only tests run are left out until a test
+/// needs one.
+pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
+    npm_version(name)?;
+    let (folder, lock) = (npm_modules().join(name), tools().join("package-lock.json"));
     fs::create_dir_all(tools()).with_context(|| format!("cannot create {}", tools().display()))?;
+    // Steps that run side by side wait for each other.
+    let one_at_a_time = fs::File::create(tools().join("npm.lock")).context("cannot write npm.lock")?;
+    one_at_a_time.lock().context("cannot wait for another npm")?;
+    let is_recorded = fs::read_to_string(&lock).is_ok_and(|installed| installed == NPM_LOCK);
+    if is_recorded && folder.is_dir() {
+        return Ok(folder);
+    }
+    let npm = command::on_path(&["npm"]).context("npm is not installed: install nodejs and npm")?;
+    let step = progress.begin("Installing", "the npm packages of lab/tools/npm into target/tools");
+    fs::write(tools().join("package.json"), NPM_PACKAGES)?;
+    fs::write(&lock, NPM_LOCK)?;
     let mut install = Command::new(npm);
     // Without a network the default retries would hold up the build for minutes.
     install.args(["install", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=60000"]);
-    install.arg("--prefix").arg(tools()).arg(package).current_dir(tools());
+    let is_for_tests = serde_json::from_str::<Value>(NPM_PACKAGES)?["devDependencies"][name].is_string();
+    let has_tests = npm_modules().join("typescript").is_dir();
+    if !is_for_tests && !has_tests {
+        install.arg("--omit=dev");
+    }
+    install.current_dir(tools());
     progress.run(install)?;
     step.done();
-    Ok(())
+    ensure!(folder.is_dir(), "npm has not installed {name} into {}", folder.display());
+    fs::write(&lock, NPM_LOCK)?;
+    Ok(folder)
 }
 
 /// The program of a crate, found on PATH or else built into `target/tools`, never into the user's
@@ -166,6 +196,16 @@ mod tests {
         }
         assert_eq!(calls(&[LOCKED, "E: none"], later), (false, 2, 1));
         assert_eq!(calls(&[LOCKED], Instant::now() - PAUSE), (false, 1, 0));
+    }
+
+    #[test]
+    fn npm_packages_have_the_locked_versions() {
+        let lock: Value = serde_json::from_str(NPM_LOCK).unwrap();
+        for name in ["binaryen", "esbuild", "rp2040js", "typescript"] {
+            let locked = &lock["packages"][format!("node_modules/{name}")]["version"];
+            assert_eq!(npm_version(name).unwrap(), format!("{name} {}", locked.as_str().unwrap()));
+        }
+        assert!(npm_version("left-pad").unwrap_err().to_string().contains("left-pad"));
     }
 
     #[test]

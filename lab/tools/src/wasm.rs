@@ -1,5 +1,6 @@
 //! Compiling a package to WebAssembly, and its bindings to JavaScript.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
@@ -89,5 +90,20 @@ impl Package {
         bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
         step.done();
         Ok(folder.join(format!("{}_bg.wasm", self.bindings)))
+    }
+
+    /// Writes the types of the bindings into `folder`, for checks of the scripts that use them.
+    pub fn declare(&self, module: &Path, folder: &Path) -> Result<()> {
+        let bound = tempfile::tempdir()?;
+        let mut bindgen = Bindgen::new();
+        let bindgen = bindgen.input_path(module).out_name(self.bindings).typescript(true);
+        let types = bindgen
+            .web(true)
+            .and_then(|bindgen| bindgen.omit_default_module_path(false).generate(bound.path()));
+        types.with_context(|| format!("wasm-bindgen cannot describe {}", module.display()))?;
+        fs::create_dir_all(folder)?;
+        let name = format!("{}.d.ts", self.bindings);
+        fs::copy(bound.path().join(&name), folder.join(&name))?;
+        Ok(())
     }
 }

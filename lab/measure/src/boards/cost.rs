@@ -68,7 +68,7 @@ pub(crate) fn measure(
     let symbols = Symbols::read(&laboratory.program(program))?;
     let kernels = kernels(&run, cycles.as_deref(), &symbols)?;
     let emulator = match clock {
-        Some(_) => format!("{}; cycles by {}", laboratory.emulator(), Rp2040::describe()),
+        Some(_) => format!("{}; cycles by {}", laboratory.emulator(), Rp2040::describe()?),
         None => laboratory.emulator(),
     };
     Ok(Costs { kernels, compiler: symbols.compiler, emulator })

@@ -46,8 +46,8 @@ impl Rp2040 {
     }
 
     /// The name and the version, as in `rp2040js 1.4.1`.
-    pub(crate) fn describe() -> String {
-        board::RP2040JS.replace('@', " ")
+    pub(crate) fn describe() -> Result<String> {
+        install::npm_version(board::RP2040JS)
     }
 
     /// Returns the cycles of each region of a program that QEMU has run. An error if it prints other

@@ -15,9 +15,6 @@ use crate::{board, install, project, wasm};
 const FIRMWARE: &str = "rp2040";
 const TARGET: &str = "thumbv6m-none-eabi";
 
-/// Bundles the worker with the emulator, so that a browser loads one small file.
-const BUNDLER: &str = "esbuild@0.28.2";
-
 /// Writes the firmware, the worker and the module into the demo's folder. Without npm, the demo is
 /// complete but for this view, so that a missing npm is reported and is no error.
 pub(super) fn write(site: &Path, progress: &Progress) -> Result<()> {
@@ -41,13 +38,11 @@ pub(super) fn write(site: &Path, progress: &Progress) -> Result<()> {
 
 /// Finds or installs what bundles the worker. Returns the emulator's folder.
 fn tools(progress: &Progress) -> Result<PathBuf> {
-    if install::npm_program("esbuild").is_none() {
-        install::npm(BUNDLER, progress)?;
-    }
+    install::npm("esbuild", progress)?;
     board::emulator(progress)
 }
 
-/// Bundles the worker with what it imports, but for the bindings of the module, whose address it
+/// Bundles the worker with what it imports, so that a browser loads one small file, but for the bindings of the module, whose address it
 /// needs.
 fn bundle(site: &Path, progress: &Progress) -> Result<()> {
     let esbuild = install::npm_program("esbuild").context("npm has not installed esbuild")?;

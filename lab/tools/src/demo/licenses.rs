@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
-use crate::{board, command, project};
+use crate::{board, command, install, project};
 
 /// The start of the names of files with licences.
 const NAMES: [&str; 4] = ["LICEN", "COPYING", "UNLICENSE", "NOTICE"];
@@ -29,7 +29,7 @@ pub(super) fn write(file: &Path, firmware: &str, target: &str, emulator: &Path) 
     let texts = licenses(emulator)?;
     ensure!(!texts.is_empty(), "{} has no licence", emulator.display());
     for text in texts {
-        names.entry(text).or_default().insert(board::RP2040JS.replace('@', " "));
+        names.entry(text).or_default().insert(install::npm_version(board::RP2040JS)?);
     }
     let line = "-".repeat(80);
     let all = names.into_iter().map(|(text, names)| {

@@ -12,9 +12,6 @@ use flate2::write::GzEncoder;
 use crate::progress::Progress;
 use crate::{command, install, project};
 
-/// The version that is known to work, then the newest.
-const NPM_PACKAGES: [&str; 2] = ["binaryen@132", "binaryen"];
-
 /// Enables every WebAssembly feature that the module uses: those that rustc enables by default, and
 /// simd, which the demo enables.
 const ARGUMENTS: [&str; 9] = [
@@ -54,10 +51,9 @@ pub(super) fn shrink(module: &Path, progress: &Progress) -> Result<()> {
 
 /// `wasm-opt` from PATH or from the project's tools, else from npm.
 fn find(progress: &Progress) -> Option<PathBuf> {
-    let present = || command::on_path(&["wasm-opt"]).or_else(|| install::npm_program("wasm-opt"));
-    present().or_else(|| {
-        NPM_PACKAGES.iter().find(|package| install::npm(package, progress).is_ok())?;
-        present()
+    command::on_path(&["wasm-opt"]).or_else(|| {
+        install::npm("binaryen", progress).ok()?;
+        install::npm_program("wasm-opt")
     })
 }
 

@@ -1,0 +1,41 @@
+import assert from "node:assert/strict";
+import { beforeEach, mock, test } from "node:test";
+import { follow, remember } from "../web/address.js";
+
+/** The addresses that were written. */
+const written = [];
+globalThis.history = { replaceState: (_state, _title, hash) => written.push(hash) };
+
+mock.timers.enable({ apis: ["setTimeout"] });
+beforeEach(() => (written.length = 0));
+
+test("the last state is written once, when the visitor pauses", () => {
+  follow("stage");
+  for (let i = 0; i < 100; i += 1) {
+    remember("stage", () => `beam=${i}`);
+    mock.timers.tick(200);
+  }
+  assert.deepEqual(written, []);
+  mock.timers.tick(50);
+  assert.deepEqual(written, ["#stage?beam=99"]);
+});
+
+test("only the current view writes", () => {
+  follow("stage");
+  remember("compare", () => "half=1");
+  remember("stage", () => "beam=1");
+  follow("compare");
+  mock.timers.tick(1000);
+  assert.deepEqual(written, []);
+});
+
+test("a browser that refuses an address is not an error", () => {
+  const info = mock.method(console, "info", () => {});
+  mock.method(history, "replaceState", () => {
+    throw new Error("more than 100 times");
+  });
+  follow("stage");
+  remember("stage", () => "beam=1");
+  mock.timers.tick(1000);
+  assert.match(info.mock.calls[0].arguments[0], /more than 100 times/);
+});

@@ -1,0 +1,21 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import * as support from "../web/support.js";
+
+test("the module with a vector instruction is valid", () => support.requireSimd());
+
+test("a browser without vector instructions is refused in words", (context) => {
+  context.mock.method(WebAssembly, "validate", () => false);
+  assert.throws(support.requireSimd, /no WebAssembly SIMD/);
+});
+
+test("the size and the workers are whole numbers, or left out", () => {
+  const found = support.requested("?width=320&height=180&workers=0&rest=0");
+  assert.deepEqual(found, { width: 320, height: 180, workers: 0, rests: false });
+  const none = { width: undefined, height: undefined, workers: undefined, rests: true };
+  assert.deepEqual(support.requested(""), none);
+  for (const text of ["", "-1", "1.5", "1e3", "wide", "1234567890"]) {
+    assert.throws(() => support.requested(`?width=${text}`), /width = ".*": expected a whole number/);
+  }
+  assert.throws(() => support.requested("?workers=17"), /expected 0 to 16 workers/);
+});

@@ -1,0 +1,85 @@
+//! The checks of the page's scripts: types, rules and unit tests.
+
+use std::fs;
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::json;
+use tools::progress::Progress;
+use tools::suite::Suite;
+use tools::tally::Tally;
+use tools::{command, install, project, wasm};
+
+/// The page, its settings for TypeScript, and its unit tests.
+const PAGE: &str = "wasm-demo/web";
+const SETTINGS: &str = "wasm-demo/tsconfig.json";
+const TESTS: &str = "wasm-demo/tests";
+
+/// Adds the steps.
+pub(crate) fn run(suite: &mut Suite) {
+    suite.step("scripts: types", types);
+    suite.step("scripts: rules", rules);
+    suite.count("scripts: unit tests", unit_tests);
+}
+
+/// Checks the types of the scripts, also at their calls of the module.
+fn types(progress: &Progress) -> Result<()> {
+    let folder = project::target().join("types");
+    for (package, bindings) in [(wasm::DEMO, "pkg"), (wasm::COMPARISON, "pkg"), (wasm::PICKER, "price")] {
+        package.declare(&package.compile(progress)?, &folder.join(bindings))?;
+    }
+    let (root, page) = (project::root(), project::root().join(PAGE));
+    let settings = json!({
+        "extends": root.join(SETTINGS),
+        // The bindings are in a folder of the page once it is built.
+        "compilerOptions": { "rootDirs": [page, folder] },
+        "include": [page],
+    });
+    fs::write(folder.join("tsconfig.json"), settings.to_string())?;
+    install::npm("typescript", progress)?;
+    let mut check = node_program("tsc")?;
+    check.args(["--pretty", "false", "--project"]).arg(&folder).current_dir(root);
+    let ended = command::capture(check)?;
+    progress.quote(&ended.output);
+    let errors = ended.output.lines().filter(|line| line.contains(": error TS")).count();
+    ensure!(ended.success, "{errors} errors of types");
+    Ok(())
+}
+
+/// Checks the scripts against the recommended rules of ESLint.
+fn rules(progress: &Progress) -> Result<()> {
+    let folder = install::npm("eslint", progress)?;
+    // Beside the packages that it imports.
+    let rules = folder.with_file_name("eslint.config.mjs");
+    fs::copy(project::root().join("lab/tools/npm/eslint.config.mjs"), &rules)?;
+    let mut check = node_program("eslint")?;
+    check.arg("--config").arg(rules).args([
+        "--max-warnings=0",
+        "wasm-demo",
+        "lab/tools/src/browser/probe.js",
+    ]);
+    progress.run({
+        check.current_dir(project::root());
+        check
+    })
+}
+
+fn unit_tests(progress: &Progress) -> Result<Tally> {
+    let node = command::on_path(&["node", "nodejs"]).context("node is not installed: install nodejs")?;
+    let mut test = Command::new(node);
+    test.arg("--test").current_dir(project::root().join(TESTS));
+    let ended = command::capture(test)?;
+    progress.quote(&ended.output);
+    let count = |word: &str| {
+        let lines = ended.output.lines().filter_map(|line| line.split_once(&format!(" {word} ")));
+        lines.filter_map(|(_, number)| number.trim().parse::<u64>().ok()).last()
+    };
+    match (count("pass"), count("fail")) {
+        (Some(passed), Some(failed)) if passed + failed > 0 => Ok(Tally { passed, failed }),
+        _ => bail!("no test was run"),
+    }
+}
+
+fn node_program(name: &str) -> Result<Command> {
+    Ok(Command::new(install::npm_program(name).with_context(|| format!("npm has not installed {name}"))?))
+}
