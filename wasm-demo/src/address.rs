@@ -106,7 +106,8 @@ fn pairs(text: &str) -> impl Iterator<Item = (&str, &str)> {
     text.split('&').filter(|pair| !pair.is_empty()).map(|pair| pair.split_once('=').unwrap_or((pair, "")))
 }
 
-fn value_of<'a>(text: &'a str, name: &str) -> Option<&'a str> {
+/// Returns the value of a parameter of an address.
+pub(crate) fn value_of<'a>(text: &'a str, name: &str) -> Option<&'a str> {
     pairs(text).find(|(other, _)| *other == name).map(|(_, value)| value)
 }
 

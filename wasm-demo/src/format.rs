@@ -4,7 +4,7 @@ use crate::refusal::Refusal;
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, Rgb, Scalar, falloff::Falloff, light::CompiledCone, projector::Fixture,
 };
-use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, SizeError, Stripes};
+use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, Stripes};
 use std::fmt;
 
 /// One of the kernel's number formats.
@@ -90,16 +90,36 @@ impl Format {
         with_scalar!(self, S => luminaire_render::stated_error::<S>())
     }
 
+    /// Returns whether this module has the renderer of the format.
+    pub(crate) fn is_drawn_here(self) -> bool {
+        match self {
+            Self::F32 => cfg!(feature = "stage"),
+            Self::Fx16 | Self::Fx32 => cfg!(feature = "fixed-point"),
+        }
+    }
+
     /// A renderer of these stripes of pictures of a width and height, which evaluates the lights in
     /// this format.
-    pub(crate) fn renderer(
-        self,
-        (width, height): (u32, u32),
-        stripes: Stripes,
-    ) -> Result<Box<dyn Draw>, SizeError> {
-        let (width, height) = (width as usize, height as usize);
-        with_scalar!(self, S => Ok(Box::new(Renderer::<S>::of_stripes(width, height, stripes)?)))
+    #[cfg(feature = "painter")]
+    pub(crate) fn renderer(self, size: (u32, u32), stripes: Stripes) -> Result<Box<dyn Draw>, Refusal> {
+        match self {
+            #[cfg(feature = "stage")]
+            Self::F32 => renderer::<f32>(size, stripes),
+            #[cfg(feature = "fixed-point")]
+            Self::Fx16 => renderer::<Fx16>(size, stripes),
+            #[cfg(feature = "fixed-point")]
+            Self::Fx32 => renderer::<Fx32>(size, stripes),
+            #[cfg(not(all(feature = "stage", feature = "fixed-point")))]
+            _ => Err(Refusal::name("number format", self.name(), "a format that this module draws")),
+        }
     }
+}
+
+fn renderer<S: luminaire_render::Format>(
+    (width, height): (u32, u32),
+    stripes: Stripes,
+) -> Result<Box<dyn Draw>, Refusal> {
+    Ok(Box::new(Renderer::<S>::of_stripes(width as usize, height as usize, stripes)?))
 }
 
 impl fmt::Display for Format {

@@ -1,6 +1,6 @@
 //! A picture to draw, as text that can be posted to a worker.
 
-use crate::{address, refusal::Refusal, rig::Rig, state::State};
+use crate::{address, format::Format, refusal::Refusal, rig::Rig, state::State};
 use luminaire_render::scenes::{Example, turntable};
 
 /// Lights above the turntable, for measuring: their number, and the side of their shadow maps in
@@ -26,6 +26,11 @@ pub(crate) fn write(size: (u32, u32), load: Option<Load>, state: &State, lights:
     let state = State { plays, other: None, is_difference: false, ..state.clone() };
     let address = address::write(&state, lights);
     format!("{}x{} {spots}x{side} {} {address}", size.0, size.1, state.scene.name())
+}
+
+/// Returns the number format of a job, without building its scene.
+pub(crate) fn format_of(text: &str) -> Result<Format, Refusal> {
+    address::value_of(text, "format").map_or(Ok(State::of(Example::Show, 0).format), Format::named)
 }
 
 /// A job and its scene.
@@ -99,6 +104,10 @@ mod tests {
         let task = Task::read(&write_opened(Example::Grid, (16, 9)), Some(task)).unwrap();
         assert_eq!(task.job.state, State::of(Example::Grid, task.rig.lights()));
         assert!(task.rig.lights() > 11);
+        for format in Format::ALL {
+            let text = write((9, 5), None, &State { format, ..task.job.state.clone() }, task.rig.lights());
+            assert_eq!(format_of(&text), Ok(format));
+        }
     }
 
     #[test]

@@ -46,15 +46,19 @@
 //! - `comparison`: the JavaScript class of the comparison
 //! - `museum`: the JavaScript class of the museum
 //!
-//! The features `stage` and `comparison` compile one of the two parts alone: the page loads the
-//! comparison and the museum as a module of their own, when one of them is first requested.
+//! The features compile parts of the crate as modules of their own, so that the first picture waits
+//! only for what it needs:
+//!
+//! - `stage`: the stage and the painters of pictures in `f32`
+//! - `fixed-point`: the painters of pictures in fixed point, loaded with the first such picture
+//! - `comparison`: the comparison and the museum, loaded when one of them is first requested
 #![forbid(unsafe_code)]
 #![cfg_attr(
-    not(all(feature = "stage", feature = "comparison")),
+    not(all(feature = "stage", feature = "fixed-point", feature = "comparison")),
     allow(dead_code, unused_imports, reason = "each part uses some of what they share")
 )]
 
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod address;
 #[cfg(feature = "stage")]
 mod aim;
@@ -67,9 +71,9 @@ mod comparison;
 mod composite;
 #[cfg(feature = "stage")]
 mod curve;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod decimal;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod design;
 #[cfg(feature = "stage")]
 mod desk;
@@ -78,25 +82,25 @@ mod difference;
 mod display;
 #[cfg(feature = "stage")]
 mod divided;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod edge;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod equality;
 mod false_colour;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod fixture;
 #[cfg(feature = "comparison")]
 mod form;
 mod format;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod job;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod light;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod map;
 #[cfg(feature = "comparison")]
 mod museum;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod painter;
 mod panic;
 #[cfg(feature = "stage")]
@@ -104,21 +108,21 @@ mod photometry;
 #[cfg(feature = "comparison")]
 mod picture;
 mod refusal;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod rig;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod scene_state;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod setting;
 #[cfg(feature = "comparison")]
 mod side;
 #[cfg(feature = "stage")]
 mod stage;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod state;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod times;
-#[cfg(feature = "stage")]
+#[cfg(feature = "painter")]
 mod viewpoint;
 #[cfg(feature = "comparison")]
 mod wall;
@@ -126,19 +130,21 @@ mod wall;
 #[cfg(feature = "comparison")]
 pub use comparison::Comparison;
 #[cfg(feature = "stage")]
+pub use composite::Composite;
+#[cfg(feature = "stage")]
 pub use divided::Divided;
 #[cfg(feature = "comparison")]
 pub use museum::{ExhibitState, Museum, PictureState};
 #[cfg(feature = "comparison")]
 pub use side::{FormState, SideState};
 #[cfg(feature = "stage")]
+pub use stage::Stage;
+#[cfg(feature = "painter")]
 pub use {
-    composite::Composite,
     equality::Equality,
     fixture::FixtureState,
     light::LightState,
     painter::Painter,
     scene_state::{AccountState, EffectState, ExampleState, SwitchState},
-    stage::Stage,
     times::Times,
 };

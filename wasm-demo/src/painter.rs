@@ -7,7 +7,7 @@ use crate::{
     clock::{self, Clock},
     equality::Equality,
     format::{Draw, Format},
-    job::Task,
+    job::{self, Task},
     map::{self, Subject},
     panic,
     refusal::Refusal,
@@ -64,6 +64,12 @@ impl Painter {
     #[wasm_bindgen(js_name = stripeRows)]
     pub fn stripe_rows() -> usize {
         Stripes::ROWS
+    }
+
+    /// Whether this module draws a job of the stage. Each number format is drawn by one of two
+    /// modules.
+    pub fn draws(job: &str) -> Result<bool, JsValue> {
+        Ok(job::format_of(job)?.is_drawn_here())
     }
 
     /// Forgets all pictures, so that the next one depends on no earlier one.
@@ -197,7 +203,7 @@ impl Painter {
         let task = Task::read(job, self.task.clone())?;
         let state = &task.job.state;
         let fixtures = task.rig.fixtures_at(state.seconds[0]).map_err(Refusal::from)?;
-        let mut draw = state.format.renderer(task.job.size, self.stripes).map_err(Refusal::from)?;
+        let mut draw = state.format.renderer(task.job.size, self.stripes)?;
         draw.set_display(task.rig.display(state));
         let of = (task.rig.scene(), &task.rig.camera_of(state), &*fixtures);
         Ok(Equality::new(draw, task.job.size, self.stripes, &self.clock, of)?)
@@ -205,7 +211,7 @@ impl Painter {
 
     /// Draws a small picture of a scene as it opens: RGBA, sRGB, eight bits.
     pub fn thumbnail(scene: &str, width: u32, height: u32) -> Result<Clamped<Vec<u8>>, JsValue> {
-        let address = crate::job::write_opened(crate::address::scene_named(scene)?, (width, height));
+        let address = job::write_opened(crate::address::scene_named(scene)?, (width, height));
         let mut painter = Self::new(0, 1)?;
         painter.take(&address)?;
         painter.draw_shadows()?;

@@ -1,5 +1,7 @@
 // Draws each picture by several workers, a share by each.
-import { words } from "./failure.js";
+import { Painter } from "./pkg/wasm_demo.js";
+import { isTrap, words } from "./failure.js";
+import { compile } from "./module.js";
 import { now, Share } from "./share.js";
 import { hire } from "./workers.js";
 
@@ -13,8 +15,16 @@ const PASSES = /** @type {const} */ (["shadows", "geometry", "lighting", "encode
 /** @typedef {Part["account"]} Account */
 /** @typedef {import("./workers.js").Helper} Helper */
 
+/**
+ * The module of the painters in fixed point, once a picture needs it: compiled once for all pools.
+ * @type {Promise<WebAssembly.Module> | undefined}
+ */
+let fixedPoint;
+
 export class Pool {
   #helpers;
+  /** Whether the workers have started that module. */
+  #isEquipped = false;
   /**
    * The only share, if there is no worker.
    * @type {Share | undefined}
@@ -55,7 +65,7 @@ export class Pool {
    * @param {string} job
    */
   async draw(job) {
-    await this.#opening;
+    await this.#equip([job]);
     const start = now();
     const isFresh = this.#isFresh;
     this.#isFresh = true;
@@ -89,7 +99,7 @@ export class Pool {
    * @param {string} job
    */
   async compare(job) {
-    await this.#opening;
+    await this.#equip([job]);
     /** @type {ReturnType<Share["compare"]>[]} */
     const shares = this.#local
       ? [this.#local.compare({ job })]
@@ -109,7 +119,7 @@ export class Pool {
    * @param {string[]} jobs
    */
   async loop(jobs) {
-    await this.#opening;
+    await this.#equip(jobs);
     if (this.#local) return this.#local.loop({ jobs });
     return Math.max(...(await all(this.#helpers.map((helper) => helper.ask("loop", { jobs })))));
   }
@@ -150,6 +160,30 @@ export class Pool {
       this.#helpers = [];
     }
     if (this.#helpers.length === 0) this.#local = new Share(0, 1);
+  }
+
+  /**
+   * Waits for the workers, and for the painters in fixed point if any of these jobs needs them.
+   * Rejects with a string if those can't be loaded; the next job tries again.
+   * @param {string[]} jobs
+   */
+  async #equip(jobs) {
+    await this.#opening;
+    if (this.#isEquipped || jobs.every((job) => Painter.draws(job))) return;
+    try {
+      fixedPoint ??= compile(new URL("pkg/fixed_point_bg.wasm", import.meta.url));
+      const order = { module: await fixedPoint };
+      await (this.#local?.equip(order) ?? all(this.#helpers.map((helper) => helper.ask("equip", order))));
+      this.#isEquipped = true;
+    } catch (error) {
+      fixedPoint = undefined;
+      if (isTrap(error)) throw error;
+      const reason = words(error instanceof Error ? (error.cause ?? error) : error);
+      throw (
+        `What draws in fixed point could not be loaded (${reason}). The picture stays as it was. ` +
+        "Choose a number format again once the connection is up."
+      );
+    }
   }
 
   /**

@@ -2,6 +2,7 @@
 // the browser has no workers.
 import { Painter } from "./pkg/wasm_demo.js";
 import { plain } from "./plain.js";
+import { load } from "./support.js";
 
 /** The time in milliseconds. The date is precise enough if the browser has no clock. */
 export const now = () => globalThis.performance?.now() ?? Date.now();
@@ -13,7 +14,19 @@ export const now = () => globalThis.performance?.now() ?? Date.now();
  */
 
 export class Share {
+  /** Which share, of how many. */
+  #place;
+  /** The painter of the last picture. */
   #painter;
+  /** The painter of pictures in `f32`. */
+  #own;
+  /**
+   * The painter of pictures in fixed point, and its memory, once `equip` has started its module.
+   * @type {{ painter: Painter, memory: WebAssembly.Memory } | undefined}
+   */
+  #fixedPoint;
+  /** How often that module was not loaded. */
+  #attempts = 0;
   #ports;
   /** For each other share the shadow maps that it has sent, one list for each picture. */
   /** @type {Letter[][]} */
@@ -32,7 +45,8 @@ export class Share {
    * @param {MessagePort[]} ports to each other share
    */
   constructor(share, count, ports = []) {
-    this.#painter = new Painter(share, count);
+    this.#place = /** @type {const} */ ([share, count]);
+    this.#own = this.#painter = new Painter(share, count);
     this.#ports = ports;
     this.#mail = ports.map(() => []);
     ports.forEach((port, from) => {
@@ -41,6 +55,34 @@ export class Share {
         this.#wake();
       };
     });
+  }
+
+  /** The memory of the painters in fixed point in bytes. */
+  get memory() {
+    return this.#fixedPoint?.memory.buffer.byteLength ?? 0;
+  }
+
+  /**
+   * Starts the module of the painters in fixed point.
+   * @param {{ module: WebAssembly.Module }} order
+   */
+  async equip({ module }) {
+    if (this.#fixedPoint) return;
+    /** @type {typeof import("./fixed-point.js")} */
+    const { start } = await load("fixed-point.js", this.#attempts++);
+    const { Painter, memory } = start(module);
+    this.#fixedPoint = { painter: new Painter(...this.#place), memory };
+  }
+
+  /**
+   * Returns the painter of a job. The other one forgets its pictures, which take memory.
+   * @param {string} job
+   */
+  #painterOf(job) {
+    const painter = Painter.draws(job) ? this.#own : this.#fixedPoint?.painter;
+    if (!painter) throw new Error(`job = "${job}": expected one in f32, or \`equip\` before it`);
+    if (painter !== this.#painter) this.#painter.forget();
+    return (this.#painter = painter);
   }
 
   /**
@@ -53,7 +95,7 @@ export class Share {
    * @param {Uint8ClampedArray} [order.spare] an array for the pixels
    */
   async draw({ job, isFresh = false, spare }) {
-    const painter = this.#painter;
+    const painter = this.#painterOf(job);
     if (isFresh) painter.forget();
     painter.take(job);
     const isShared = painter.castsShadows && this.#ports.length > 0;
@@ -84,7 +126,7 @@ export class Share {
 
   /** @param {{ job: string }} order */
   compare({ job }) {
-    return plain(this.#painter.compare(job));
+    return plain(this.#painterOf(job).compare(job));
   }
 
   /**

@@ -486,6 +486,7 @@ export class StagePage {
   /** @param {unknown} refusal */
   #refuse(refusal) {
     if (typeof refusal !== "string") throw refusal;
+    clearTimeout(this.#timer);
     this.#stage.play(false, false);
     element("stage-error").textContent = refusal;
   }

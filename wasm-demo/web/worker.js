@@ -17,11 +17,12 @@ const acts = {
     ({ memory } = initSync({ module }));
     share = new Share(number, count, ports);
   },
+  equip: (order) => share.equip(order),
   draw: (order) => share.draw(order),
   loop: (order) => share.loop(order),
   compare: (order) => share.compare(order),
-  /** The size of the module's memory in bytes. */
-  memory: () => memory.buffer.byteLength,
+  /** The size of the modules' memory in bytes. */
+  memory: () => memory.buffer.byteLength + share.memory,
   thumbnail({ module, ...order }) {
     initSync({ module });
     return thumbnail(order);

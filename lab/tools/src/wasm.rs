@@ -26,7 +26,7 @@ pub struct Package {
     simd: bool,
 }
 
-/// The demo's stage, which uses the vector instructions.
+/// The demo's stage, which uses the vector instructions, and draws pictures in `f32`.
 pub const DEMO: Package = Package {
     name: "wasm-demo",
     library: "wasm_demo",
@@ -36,6 +36,8 @@ pub const DEMO: Package = Package {
 };
 /// The demo's comparison, a module of its own: the first picture does not wait for it.
 pub const COMPARISON: Package = Package { features: Some("comparison"), bindings: "comparison", ..DEMO };
+/// What draws the demo's pictures in fixed point, a module of its own: the first picture is in `f32`.
+pub const FIXED_POINT: Package = Package { features: Some("fixed-point"), bindings: "fixed_point", ..DEMO };
 /// What the board of the demo must show. It shares the demo's standard library.
 pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip", true);
 /// The picker of evaluations. It shares the demo's standard library.

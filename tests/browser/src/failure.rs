@@ -77,6 +77,29 @@ pub(crate) fn of_the_connection(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
+/// What draws in fixed point is loaded with the first such picture. Without a connection that is told,
+/// and the picture stays.
+pub(crate) fn of_fixed_point(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    let early = page.requests()?.iter().find(|request| request.contains("fixed")).cloned();
+    ensure!(early.is_none(), "{early:?} is loaded before a picture in fixed point");
+    page.set_offline(true)?;
+    page.enter("format", "fx16")?;
+    page.ask("probe.until(() => probe.text('stage-error') !== '')")?;
+    let message = page.message("stage-error")?;
+    ensure!(message.contains("could not be loaded") && message.contains("connection"), "{message:?}");
+    works(&mut page)?;
+    page.enter("format", "f32")?;
+    page.settle()?;
+    ensure!(page.message("stage-error")?.is_empty(), "f32 does not end the message");
+    page.change("a beam, offline", |page| page.enter("light-beam-number", 15))?;
+
+    page.set_offline(false)?;
+    page.change("fixed point, with a connection", |page| page.enter("format", "fx16"))?;
+    ensure!(page.message("stage-error")?.is_empty(), "{}", page.message("stage-error")?);
+    works(&mut page)
+}
+
 fn retry(page: &mut Page) -> Result<()> {
     page.ask("document.getElementById('absent-retry').click()").map(drop)
 }

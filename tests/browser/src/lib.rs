@@ -54,7 +54,7 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 pub type Test = (&'static str, Visit);
 
 /// Every test.
-pub const ALL: [Test; 78] = [
+pub const ALL: [Test; 79] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -128,6 +128,7 @@ pub const ALL: [Test; 78] = [
     ("a page that is opened as a file says so", failure::from_a_file),
     ("every view of the navigation can be opened", failure::of_no_view),
     ("a lost connection keeps one view from opening, until it is back", failure::of_the_connection),
+    ("fixed point is loaded when it is chosen, or that is told", failure::of_fixed_point),
     ("what decorates a picture may fail", failure::of_decorations),
     ("only the module's own end stops the demo", failure::of_the_module),
     ("the address is written when the visitor pauses", address::is_written_seldom),

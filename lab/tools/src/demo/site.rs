@@ -44,8 +44,10 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         step.done();
         let pkg = new.join("pkg");
         shrink::shrink(&wasm::DEMO.bind(&module, &pkg, progress)?, progress)?;
-        let module = wasm::COMPARISON.compile(progress)?;
-        shrink::shrink(&wasm::COMPARISON.bind(&module, &pkg, progress)?, progress)?;
+        for package in [wasm::FIXED_POINT, wasm::COMPARISON] {
+            let module = package.compile(progress)?;
+            shrink::shrink(&package.bind(&module, &pkg, progress)?, progress)?;
+        }
         chip::write(new, progress)?;
         let module = wasm::PICKER.compile(progress)?;
         shrink::shrink(&wasm::PICKER.bind(&module, &new.join("price"), progress)?, progress)
