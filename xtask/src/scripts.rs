@@ -73,7 +73,7 @@ fn unit_tests(progress: &Progress) -> Result<Tally> {
     progress.quote(&ended.output);
     let count = |word: &str| {
         let lines = ended.output.lines().filter_map(|line| line.split_once(&format!(" {word} ")));
-        lines.filter_map(|(_, number)| number.trim().parse::<u64>().ok()).last()
+        lines.filter_map(|(_, number)| number.trim().parse::<u64>().ok()).next_back()
     };
     match (count("pass"), count("fail")) {
         (Some(passed), Some(failed)) if passed + failed > 0 => Ok(Tally { passed, failed }),
