@@ -19,7 +19,8 @@
 //! | `handles` | `0`: the lights are not drawn over the picture |
 //!
 //! Numbers of one value are separated by `/`. A light is its number in the scene, or a range of
-//! lights without settings, as in `3-7`. Its settings follow, each with `:`, a letter and a value:
+//! lights without settings, as in `3-7`; the number after the last one is a light that the visitor has
+//! added. Its settings follow, each with `:`, a letter and a value:
 //! `x` off, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour, `i` intensity as a
 //! multiple of full scale at 1 metre, `p` position, `t` target.
 
@@ -209,7 +210,8 @@ fn read_lights(text: &str, count: usize) -> Result<Vec<Setting>, Refusal> {
     let mut lights = Vec::new();
     // No light at all is an empty text.
     for word in text.split(';').filter(|word| !word.is_empty()) {
-        let read = read_light(word).filter(|read| read.iter().all(|setting| setting.of < count));
+        // A light that was added follows those of the scene.
+        let read = read_light(word).filter(|read| read.iter().all(|setting| setting.of <= count));
         lights.extend(
             read.ok_or_else(|| Refusal::name("lights", word, "a light of the scene and its settings"))?,
         );
@@ -319,7 +321,7 @@ mod tests {
             }
             _ => {
                 let lights = random.usize(..=LIGHTS);
-                let numbers: Vec<_> = (0..lights).map(|_| random.usize(..count)).collect();
+                let numbers: Vec<_> = (0..lights).map(|_| random.usize(..=count)).collect();
                 state.lights = numbers.into_iter().map(|of| random_setting(random, of)).collect();
             }
         }

@@ -4,7 +4,7 @@ use crate::{
     address,
     photometry::full_scale,
     refusal::Refusal,
-    rig::Rig,
+    rig::{self, Rig},
     setting::Setting,
     state::{EXPOSURES, LIGHTS, SWITCHABLE, State},
 };
@@ -15,6 +15,9 @@ use luminaire_render::{
 
 /// Largest number of states to return to.
 const PAST: usize = 200;
+
+/// Places of lights that are added, in turn: see [`rig::place_in_view`].
+const PLACES: [f32; 3] = [0.5, 0.1, 0.9];
 
 /// The state and what follows from it. A change is either taken or refused as a whole, so that the
 /// state can always be drawn.
@@ -109,20 +112,28 @@ impl Desk {
         self.change_original(light, |setting, original| setting.zoom(factor, original))
     }
 
+    /// Adds a spotlight in view that aims at the middle of the picture.
+    pub(crate) fn add_light(&mut self) -> Result<(), Refusal> {
+        let of = self.rig.lights();
+        let before = self.state.lights.iter().filter(|setting| setting.of == of).count();
+        let [position, target] =
+            rig::place_in_view(self.rig.scene(), &self.camera(), PLACES[before % PLACES.len()]);
+        let added = Setting { position: Some(position), target: Some(target), ..Setting::of(of) };
+        self.insert_light(self.state.lights.len(), added)
+    }
+
     /// Adds a copy of a light behind it.
     pub(crate) fn copy_light(&mut self, light: usize) -> Result<(), Refusal> {
-        let count = self.state.lights.len();
-        let copy = *self.setting(light)?;
-        if count == LIGHTS {
-            return Err(Refusal::outside(
-                "number of lights",
-                count as f32 + 1.0,
-                [0.0, LIGHTS as f32],
-                "lights",
-            ));
+        self.insert_light(light + 1, *self.setting(light)?)
+    }
+
+    fn insert_light(&mut self, place: usize, setting: Setting) -> Result<(), Refusal> {
+        let count = self.state.lights.len() + 1;
+        if count > LIGHTS {
+            return Err(Refusal::outside("number of lights", count as f32, [0.0, LIGHTS as f32], "lights"));
         }
         self.change(|state| {
-            state.lights.insert(light + 1, copy);
+            state.lights.insert(place, setting);
             Ok(())
         })
     }

@@ -6,13 +6,14 @@ use crate::{
     state::{SWITCHABLE, State},
 };
 use luminaire::{
-    Error,
+    Angle, Cone, Error, SpotLight, Vec3,
     dynamic::{Effect, Effects, RenderPlan},
+    falloff::Soft,
     haze::Haze,
     projector::Fixture,
 };
 use luminaire_render::{
-    Camera, Display, Scene,
+    Camera, Display, Scene, Surfaces,
     scenes::{MovingLight, Setup},
 };
 use std::rc::Rc;
@@ -24,6 +25,9 @@ const SHADOWS: usize = 16;
 
 /// Density of the haze that a visitor adds: share of the light scattered per metre.
 const HAZE: f32 = 0.05;
+
+/// The field angle of a light that a visitor adds, in degrees.
+const FIELD: f32 = 30.0;
 
 /// Times in seconds at which a scene is sampled to find out whether anything in it moves.
 const LOOKS: [f32; 4] = [0.3, 1.1, 2.7, 6.0];
@@ -39,6 +43,8 @@ pub(crate) struct Rig {
     moves: [bool; 2],
     scene: Rc<Scene>,
     fixtures: Vec<MovingLight>,
+    /// The light that a visitor adds, before its settings. Its number follows those of the scene.
+    added: MovingLight,
     /// The settings of effects and exposure that `scene` has.
     fitted: ([Option<bool>; SWITCHABLE.len()], f32),
     /// Side in texels of the shadow maps that are added to lights without shadows of their own.
@@ -52,12 +58,16 @@ impl Rig {
             moves: moves(&setup),
             scene: Rc::new(setup.scene.clone()),
             fixtures: setup.fixtures.clone(),
+            added: added(&setup)?,
             setup: Rc::new(setup),
             effects: Effects::NONE,
             fitted: ([None; SWITCHABLE.len()], 0.0),
             shadow_side: SHADOW_SIDE,
         };
         rig.effects = rig.plan(&rig.fixtures_at(0.0)?).effects();
+        if rig.effects.has(Effect::Shadow) {
+            rig.added = rig.added.with_shadow(SHADOW_SIDE);
+        }
         Ok(rig)
     }
 
@@ -132,10 +142,11 @@ impl Rig {
         self.setup.fixtures.len()
     }
 
-    /// A light of the original scene.
+    /// A light of the original scene, or the light that a visitor adds.
     pub(crate) fn original(&self, light: usize) -> Result<&MovingLight, Refusal> {
         let lights = &self.setup.fixtures;
-        lights.get(light).ok_or(Refusal::Number { value: light, count: lights.len() })
+        let added = (light == lights.len()).then_some(&self.added);
+        lights.get(light).or(added).ok_or(Refusal::Number { value: light, count: lights.len() + 1 })
     }
 
     /// Returns the scene's own camera at a time in seconds.
@@ -220,6 +231,27 @@ fn moves(setup: &Setup) -> [bool; 2] {
         LOOKS.iter().any(|&seconds| lights(seconds) != lights(0.0)),
         LOOKS.iter().any(|&seconds| setup.camera_at(seconds) != setup.camera_at(0.0)),
     ]
+}
+
+/// Returns a place in the upper part of a camera's picture, nearer than its middle, and the middle:
+/// position and target of a light that a visitor adds. The place is `x` of the width of a square
+/// picture, from the left, and no surface lies between it and the eye.
+pub(crate) fn place_in_view(scene: &Scene, camera: &Camera, x: f32) -> [Vec3<f32>; 2] {
+    let (eye, distance) = (camera.eye(), camera.distance());
+    let [middle, top, toward] = [[0.5, 0.5], [0.5, 0.0], [x, 0.15]].map(|place| camera.toward(place, 1.0));
+    let up = top.zip(middle, |top, middle| distance * (top - middle));
+    let nearer = distance - 0.7 * up.dot(up).sqrt();
+    let free = Surfaces::of(scene).first(eye, toward).map_or(nearer, |depth| 0.9 * depth);
+    [(nearer.min(free), toward), (distance, middle)]
+        .map(|(depth, toward)| eye.zip(toward, |eye, toward| eye + depth * toward))
+}
+
+/// Returns a spotlight that aims at the middle of a scene's picture and lights it to full scale.
+fn added(setup: &Setup) -> Result<MovingLight, Error> {
+    let [position, target] = place_in_view(&setup.scene, &setup.camera, 0.5);
+    let way = target.zip(position, |to, from| to - from);
+    let spot = SpotLight::new(position, way, Cone::from_field(Soft, Angle::degrees(FIELD))?)?;
+    Ok(MovingLight::new("added spot", spot.with_intensity(way.dot(way))?))
 }
 
 /// Returns whether a fixture can cast shadows: it is a spotlight that is not too wide.

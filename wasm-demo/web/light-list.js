@@ -20,6 +20,7 @@ export class LightList {
   /** @param {Stage} stage */
   constructor(stage) {
     this.#stage = stage;
+    element("light-add").addEventListener("click", () => this.onchange(() => this.#add()));
     for (const { id, on } of [{ id: "all-on", on: true }, { id: "all-off", on: false }]) {
       element(id).addEventListener("click", () => this.onchange(() => this.#switchAll(on)));
     }
@@ -64,6 +65,12 @@ export class LightList {
     item.classList.toggle("off", !on);
     item.style.setProperty("--light", color);
     find(item, ".name").textContent = `${light + 1} ${name}`;
+  }
+
+  /** Adds a light and selects it. */
+  #add() {
+    this.#stage.addLight();
+    this.selected = this.#stage.lightCount - 1;
   }
 
   /** @param {boolean} on */

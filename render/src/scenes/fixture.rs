@@ -62,7 +62,7 @@ struct Wheel {
 
 impl MovingLight {
     /// Creates a fixture that does not change.
-    pub(super) fn new(name: &'static str, light: impl Into<AnyLight>) -> Self {
+    pub fn new(name: &'static str, light: impl Into<AnyLight>) -> Self {
         Self { name, light: light.into(), motion: Motion::Still, gobo: None, shadow: None }
     }
 

@@ -54,7 +54,7 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 pub type Test = (&'static str, Visit);
 
 /// Every test.
-pub const ALL: [Test; 79] = [
+pub const ALL: [Test; 80] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -106,6 +106,7 @@ pub const ALL: [Test; 79] = [
     ("what an address cannot have is refused in words", stage::bad_addresses_are_told),
     ("changes are undone, redone and reset", stage::changes_are_undone),
     ("lights are copied and removed", stage::lights_are_copied_and_removed),
+    ("lights are added, up to a number", stage::lights_are_added),
     ("the page opens on the show, which plays unless motion is unwanted", stage::opens_on_the_show),
     ("a scene plays, and stops", stage::play),
     ("the camera is moved by mouse and keys, and reset", stage::camera_is_moved),

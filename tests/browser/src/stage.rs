@@ -180,8 +180,38 @@ pub(crate) fn lights_are_copied_and_removed(visitor: &mut Visitor) -> Result<()>
         page.settle()?;
     }
     ensure!(page.message("lights-count")? == "0 of 0 on" && !page.shows("panel")?, "a light is left");
+    must_change(&mut page, "a light in the dark", |page| press(page, "light-add"))?;
     must_change(&mut page, "reset", |page| press(page, "reset"))?;
     page.must_be_content()
+}
+
+/// A light is added, selected and kept by the address; one step undoes it. Too many lights are refused.
+pub(crate) fn lights_are_added(visitor: &mut Visitor) -> Result<()> {
+    let mut page = visitor.ready()?;
+    must_change(&mut page, "a light", |page| press(page, "light-add"))?;
+    ensure!(page.message("lights-count")? == "4 of 4 on", "{}", page.message("lights-count")?);
+    ensure!(page.message("panel-title")? == "4 added spot", "{}", page.message("panel-title")?);
+    must_change(&mut page, "its angle", |page| page.enter("light-field-number", 12))?;
+    let hash =
+        page.text("probe.until(() => /lights=0-2;3:.*f12/.test(location.hash)).then(() => location.hash)")?;
+    let before = checksum(&mut page)?;
+    let mut other = visitor.ready_at(&hash)?;
+    ensure!(checksum(&mut other)? == before, "the address {hash} has another picture");
+    ensure!(other.message("lights-count")? == "4 of 4 on", "the address {hash} has no added light");
+    for _ in 0..2 {
+        press(&mut page, "undo")?;
+        page.settle()?;
+    }
+    ensure!(page.message("lights-count")? == "3 of 3 on", "undo leaves {}", page.message("lights-count")?);
+
+    choose(&mut other, "grid")?;
+    other.ask("for (let i = 0; i < 17; i += 1) document.getElementById('light-add').click()")?;
+    other.settle()?;
+    let told = other.message("stage-error")?;
+    ensure!(told == "number of lights = 81: expected 0 to 80 lights", "{told:?}");
+    ensure!(other.message("lights-count")? == "80 of 80 on", "{}", other.message("lights-count")?);
+    page.must_be_content()?;
+    other.must_be_content()
 }
 
 /// The page opens on the show, which plays, unless the visitor wants no motion.

@@ -434,6 +434,44 @@ fn lights_are_copied_and_removed() {
     while desk.copy_light(0).is_ok() {}
     let refusal = desk.copy_light(0).unwrap_err().to_string();
     assert!(desk.state().lights.len() == LIGHTS && refusal.contains("expected 0 to 80"), "{refusal}");
+    assert_eq!(desk.add_light().unwrap_err().to_string(), refusal);
+}
+
+#[test]
+fn an_added_light_is_in_view_and_aims_at_the_middle_of_the_picture() {
+    for scene in Example::ALL {
+        let mut desk = desk(scene);
+        let count = desk.rig().lights();
+        for added in count..count + 4 {
+            desk.orbit(0.2, 0.0);
+            desk.add_light().unwrap();
+            let [place, aim] = desk.places(1.5).unwrap()[added];
+            let [[x, y], [across, down]] = [place.unwrap(), aim.unwrap()];
+            assert!((0.0..1.0).contains(&x) && (0.0..0.5).contains(&y), "{scene:?}: at {x}, {y}");
+            assert!((across - 0.5).abs() < 1e-3 && (down - 0.5).abs() < 1e-3, "{scene:?}: {across}, {down}");
+            let state = light(&desk, added);
+            assert!(
+                state.on && state.is_spot && state.throw.is_some_and(|throw| throw > 0.3),
+                "{scene:?}: {state:?}"
+            );
+        }
+        let fixtures = desk.rig().fixtures_at(0.0).unwrap();
+        assert_ne!(fixtures[count], fixtures[count + 1], "{scene:?}");
+        let address = address::write(desk.state(), count);
+        assert_eq!(address::parse(&address, scene), Ok((desk.state().clone(), Vec::new())));
+        desk.put_back(count).unwrap();
+        for format in Format::ALL {
+            desk.change(|state| {
+                state.format = format;
+                Ok(())
+            })
+            .unwrap();
+        }
+        desk.begin();
+        desk.add_light().unwrap();
+        desk.undo().unwrap();
+        assert_eq!(desk.state().lights.len(), count + 4, "{scene:?}");
+    }
 }
 
 #[test]

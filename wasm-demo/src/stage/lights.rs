@@ -119,6 +119,12 @@ impl Stage {
         })?)
     }
 
+    /// Adds a spotlight behind the others: in view, and aimed at the middle of the picture.
+    #[wasm_bindgen(js_name = addLight)]
+    pub fn add_light(&mut self) -> Result<(), JsValue> {
+        Ok(self.desk.add_light()?)
+    }
+
     /// Adds a copy of a light behind it.
     #[wasm_bindgen(js_name = copyLight)]
     pub fn copy_light(&mut self, light: usize) -> Result<(), JsValue> {
