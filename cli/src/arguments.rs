@@ -86,7 +86,7 @@ pub(crate) struct Pick {
 /// The options of `export`. Angles are full angles in degrees.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Export {
-    /// json, glsl, wgsl, c-f32, c-fx16, rust-f32, rust-fx32 or rust-fx16
+    /// json, glsl, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16
     #[arg(long, value_name = "LANGUAGE")]
     pub(crate) to: Language,
     /// The name that begins all names in the source

@@ -89,15 +89,15 @@ enum Parameters {
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Description {
     /// The law without a window.
-    law: &'static str,
+    pub(crate) law: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    coefficients: Option<[f32; 3]>,
+    pub(crate) coefficients: Option<[f32; 3]>,
     /// The window that ends the law at the range.
     #[serde(skip_serializing_if = "Option::is_none")]
     window: Option<&'static str>,
     /// The range; absent if the light has none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    range: Option<f32>,
+    pub(crate) range: Option<f32>,
 }
 
 /// An attenuation as parameters.

@@ -40,6 +40,9 @@ languages! {
     CFloat = "c-f32",
     /// C99 and C++11 in the integers of the format `Fx16`.
     CFixed = "c-fx16",
+    /// A build script of Rust that describes the light and writes its constant in the 16-bit
+    /// fixed-point format `Fx16`.
+    RustBuild = "rust-build",
     /// A constant of Rust in `f32`.
     RustFloat = "rust-f32",
     /// A constant of Rust in the 32-bit fixed-point format `Fx32`.

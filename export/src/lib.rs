@@ -20,6 +20,7 @@
 //! | [`Language::Glsl`], [`Language::Wgsl`] | `key_irradiance(point, normal)`, `key_falloff(point)`, `key_color` | no: a GPU rounds as it likes |
 //! | [`Language::CFloat`] | the same, over arrays of three `float` | yes in `f32`, without contraction (`-ffp-contract=off`), except real powers |
 //! | [`Language::CFixed`] | the same, over arrays of integers | yes in `Fx16` |
+//! | [`Language::RustBuild`] | `key()`, the light, and a `main` that writes `key.rs` | it describes the light: angles have six digits |
 //! | [`Language::RustFloat`], [`Language::RustFixed32`], [`Language::RustFixed16`] | `key::LIGHT` | it is the kernel |
 //! | [`Language::Json`] | the parameters | no code |
 //!
@@ -62,7 +63,7 @@
 //! slope]`: a line starts at `u = place / 65536` and rises by `slope / 32768` per unit of `place`.
 #![forbid(unsafe_code)]
 
-// Modules, lowest first: `error`, `language`, `trace`, `json`, `fixed`, `shader`, `models`, `rust`. The three
+// Modules, lowest first: `error`, `language`, `trace`, `json`, `fixed`, `shader`, `models`, `rust`, `script`. The three
 // before `models` take an attenuation from there, which is an object of their traits.
 
 mod error;
@@ -71,6 +72,7 @@ mod json;
 mod language;
 mod models;
 mod rust;
+mod script;
 mod shader;
 mod trace;
 
@@ -100,6 +102,7 @@ pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Res
         Language::Wgsl => shader::export(&light, name, Syntax::Wgsl),
         Language::CFloat => shader::export(&light, name, Syntax::C),
         Language::CFixed => fixed::export(&light, name),
+        Language::RustBuild => script::export(&light, name),
         Language::RustFloat => rust::export::<f32>(&light, name),
         Language::RustFixed32 => rust::export::<Fx32>(&light, name),
         Language::RustFixed16 => rust::export::<Fx16>(&light, name),

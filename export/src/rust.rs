@@ -30,13 +30,17 @@ pub(crate) fn export<S: SourceScalar>(light: &AnyLight, name: &str) -> Result<St
     let head: String = head(light, name).iter().map(|line| format!("// {line}\n")).collect();
     let imports = "#[allow(unused_imports, reason = \"not every light names a type of each module\")]\n    \
                    use luminaire::{attenuation::*, falloff::*, light::*, *};";
-    // The types of the list have spaces around their brackets.
-    let kind = kind.replace("FORMAT", format).replace(" <", "<").replace("< ", "<").replace(" >", ">");
+    let kind = spelled(&kind.replace("FORMAT", format));
     let value = value.trim_end();
     Ok(format!(
         "{head}\npub mod {name} {{\n    {imports}\n\n    /// The compiled light.\n    \
          pub const LIGHT: {kind} = {value};\n}}\n"
     ))
+}
+
+/// Returns a type as it is written: those of the list have spaces around their brackets.
+pub(crate) fn spelled(kind: &str) -> String {
+    kind.replace(" <", "<").replace("< ", "<").replace(" >", ">")
 }
 
 macro_rules! with_attenuation {
@@ -78,6 +82,21 @@ macro_rules! with_falloff {
             _ => unreachable!("the list has every falloff"),
         }
     };
+}
+
+/// Returns the name of the type of an attenuation.
+pub(crate) fn attenuation_type(attenuation: AnyAttenuation) -> String {
+    spelled(luminaire::attenuations! { with_attenuation; [attenuation, _law, name, name] })
+}
+
+/// Returns the name of the type of a falloff, and its value.
+pub(crate) fn falloff_source(falloff: AnyFalloff) -> (String, String) {
+    luminaire::falloffs! { with_falloff; [falloff, inner, name, {
+        // The block around the value only imports names.
+        let block = as_source(&inner).to_string();
+        let value = block.split_once(";\n").and_then(|(_, rest)| rest.trim_end().strip_suffix('}'));
+        (spelled(name), value.unwrap_or(&block).trim_end().to_owned())
+    }] }
 }
 
 type Spot = SpotLight<AnyFalloff, AnyAttenuation>;

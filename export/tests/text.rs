@@ -7,7 +7,7 @@ use luminaire::attenuation::{CutAt, FilamentRange, InverseSquare, Polynomial, Sm
 use luminaire::codegen::as_source;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Cubic, InvertedRealPower, Table};
-use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, SpotLight, Vec3};
+use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::{Language, export};
 use luminaire_oracle::{DVec3, versine_between};
 use serde_json::Value;
@@ -189,6 +189,61 @@ fn rust_is_the_compiled_light_of_a_concrete_type() {
     for (text, checks) in &written {
         assert_eq!(checks, &[true; 2], "{text}");
     }
+}
+
+#[allow(unreachable_pub, dead_code, reason = "the functions are those of build scripts")]
+#[rustfmt::skip]
+mod scripts {
+    #[path = "cubic.rs"]
+    pub(super) mod cubic;
+    #[path = "point.rs"]
+    pub(super) mod point;
+    #[path = "sun.rs"]
+    pub(super) mod sun;
+}
+
+/// The files are compiled with this test; `LUMINAIRE_BLESS=1` writes them.
+#[test]
+fn a_build_script_describes_the_light() -> Result<(), Box<dyn std::error::Error>> {
+    let cone = Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, Angle::degrees(40.0))?;
+    let cubic = SpotLight::new([1.0, 2.0, 3.0], [0.0, -1.0, 0.5], cone.with_inner(Angle::degrees(7.0))?)?
+        .with_attenuation(FilamentRange::new(InverseSquare, Some(9.0))?)
+        .with_color(Rgb::new(1.0, 0.5, 0.25))?
+        .with_intensity(16.0)?;
+    let point = PointLight::new([1.0, 2.0, 3.0])?.with_attenuation(SmoothRange::new(5.0)?);
+    let sun = DirectionalLight::new([0.0, -1.0, 0.5])?.with_specular_color(Rgb::new(0.5, 0.5, 1.0))?;
+    let lights: [(&str, AnyLight, &str); 3] = [
+        ("cubic", cubic.into(), include_str!("scripts/cubic.rs")),
+        ("point", point.into(), include_str!("scripts/point.rs")),
+        ("sun", sun.into(), include_str!("scripts/sun.rs")),
+    ];
+    for (name, light, expected) in lights {
+        let text = export(light, name, Language::RustBuild)?;
+        if std::env::var_os("LUMINAIRE_BLESS").is_some() {
+            std::fs::write(format!("{}/tests/scripts/{name}.rs", env!("CARGO_MANIFEST_DIR")), &text)?;
+            continue;
+        }
+        assert!(
+            text == expected,
+            "expected the text of tests/scripts/{name}.rs: write it with LUMINAIRE_BLESS=1"
+        );
+    }
+    let found = scripts::cubic::cubic()?;
+    for (found, expected) in found.cone().versines().into_iter().zip(cubic.cone().versines()) {
+        assert!((found / expected - 1.0).abs() < 1e-5, "{found} in place of {expected}");
+    }
+    // An axis is normalised again.
+    let near = |one: Vec3<f32>, other: Vec3<f32>| {
+        let off = one.zip(other, |one, other| one - other);
+        assert!(off.dot(off) < 1e-12, "{one:?} in place of {other:?}");
+    };
+    near(found.axis(), cubic.axis());
+    assert_eq!(found.with_cone(cubic.cone()).with_axis(cubic.axis())?, cubic.with_axis(cubic.axis())?);
+    assert_eq!(scripts::point::point()?, point);
+    let found = scripts::sun::sun()?;
+    near(found.direction(), sun.direction());
+    assert_eq!((found.color(), found.specular_color()), (sun.color(), sun.specular_color()));
+    Ok(())
 }
 
 #[test]

@@ -35,6 +35,7 @@
 //! - `job`: a picture to draw, as text for a worker
 //! - `equality`: comparison of the scene's picture with the one of all effects
 //! - `painter`: the JavaScript class that draws a share of a picture
+//! - `code`: the JavaScript class that writes lights as source of other languages
 //! - `composite`: the JavaScript class that puts the shares of a picture together
 //! - `stage`: the JavaScript class of the stage
 //! - `wall`: the scene of the comparison
@@ -52,28 +53,31 @@
 //! - `stage`: the stage and the painters of pictures in `f32`
 //! - `fixed-point`: the painters of pictures in fixed point, loaded with the first such picture
 //! - `comparison`: the comparison and the museum, loaded when one of them is first requested
+//! - `code`: the exporter of lights, loaded when its drawer is opened
 #![forbid(unsafe_code)]
 #![cfg_attr(
-    not(all(feature = "stage", feature = "fixed-point", feature = "comparison")),
+    not(all(feature = "stage", feature = "fixed-point", feature = "comparison", feature = "code")),
     allow(dead_code, unused_imports, reason = "each part uses some of what they share")
 )]
 
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod address;
 #[cfg(feature = "stage")]
 mod aim;
 #[cfg(feature = "comparison")]
 mod canvas;
 mod clock;
+#[cfg(feature = "code")]
+mod code;
 #[cfg(feature = "comparison")]
 mod comparison;
 #[cfg(feature = "stage")]
 mod composite;
 #[cfg(feature = "stage")]
 mod curve;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod decimal;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod design;
 #[cfg(feature = "stage")]
 mod desk;
@@ -82,21 +86,21 @@ mod difference;
 mod display;
 #[cfg(feature = "stage")]
 mod divided;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod edge;
 #[cfg(feature = "painter")]
 mod equality;
 mod false_colour;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod fixture;
 #[cfg(feature = "comparison")]
 mod form;
 mod format;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod job;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod light;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod map;
 #[cfg(feature = "comparison")]
 mod museum;
@@ -108,25 +112,27 @@ mod photometry;
 #[cfg(feature = "comparison")]
 mod picture;
 mod refusal;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod rig;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod scene_state;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod setting;
 #[cfg(feature = "comparison")]
 mod side;
 #[cfg(feature = "stage")]
 mod stage;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod state;
 #[cfg(feature = "painter")]
 mod times;
-#[cfg(feature = "painter")]
+#[cfg(feature = "state")]
 mod viewpoint;
 #[cfg(feature = "comparison")]
 mod wall;
 
+#[cfg(feature = "code")]
+pub use code::Code;
 #[cfg(feature = "comparison")]
 pub use comparison::Comparison;
 #[cfg(feature = "stage")]
@@ -140,11 +146,10 @@ pub use side::{FormState, SideState};
 #[cfg(feature = "stage")]
 pub use stage::Stage;
 #[cfg(feature = "painter")]
+pub use {equality::Equality, painter::Painter, times::Times};
+#[cfg(feature = "state")]
 pub use {
-    equality::Equality,
     fixture::FixtureState,
     light::LightState,
-    painter::Painter,
     scene_state::{AccountState, EffectState, ExampleState, SwitchState},
-    times::Times,
 };

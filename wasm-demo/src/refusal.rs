@@ -31,6 +31,9 @@ pub(crate) enum Refusal {
     Zoom { value: f32, narrow: f32, wide: f32 },
     /// A number outside its range.
     Outside { parameter: &'static str, value: f32, least: f32, most: f32, unit: &'static str },
+    /// A language that cannot express a light.
+    #[cfg(feature = "code")]
+    Export(luminaire_export::ExportError),
     /// A failed call of the browser.
     Browser { what: &'static str, reason: String },
 }
@@ -77,6 +80,8 @@ impl fmt::Display for Refusal {
             Self::Light(error) => error.fmt(f),
             Self::Size(error) => error.fmt(f),
             Self::Draw(error) => error.fmt(f),
+            #[cfg(feature = "code")]
+            Self::Export(error) => error.fmt(f),
             Self::Format { format, light, name, error } => {
                 write!(f, "{format} cannot hold light {}, {name}: {error}", light + 1)
             }
@@ -116,6 +121,13 @@ impl From<SizeError> for Refusal {
 impl From<DrawError> for Refusal {
     fn from(error: DrawError) -> Self {
         Self::Draw(error)
+    }
+}
+
+#[cfg(feature = "code")]
+impl From<luminaire_export::ExportError> for Refusal {
+    fn from(error: luminaire_export::ExportError) -> Self {
+        Self::Export(error)
     }
 }
 

@@ -3,11 +3,12 @@
 use crate::{
     refusal::Refusal,
     scene_state::SwitchState,
+    setting::Setting,
     state::{SWITCHABLE, State},
 };
 use luminaire::{
     Angle, Cone, Error, SpotLight, Vec3,
-    dynamic::{Effect, Effects, RenderPlan},
+    dynamic::{AnyLight, Effect, Effects, RenderPlan},
     falloff::Soft,
     haze::Haze,
     projector::Fixture,
@@ -84,7 +85,7 @@ impl Rig {
         let has = |effect| self.has(state, effect);
         let adds_shadows = has(Effect::Shadow) && !self.effects.has(Effect::Shadow);
         let gain = state.exposure.exp2();
-        let fit = |setting: &crate::setting::Setting| {
+        let fit = |setting: &Setting| {
             let original = self.original(setting.of)?;
             let mut fixture = setting.applied(original, gain)?;
             if !has(Effect::Gobo) {
@@ -163,6 +164,15 @@ impl Rig {
     /// as a dark one, so that the others keep their indices.
     pub(crate) fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
         self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
+    }
+
+    /// Returns a light of a state as the visitor describes it: switched on, at an exposure of 0 stops,
+    /// and where its movement begins.
+    pub(crate) fn described(&self, state: &State, light: usize) -> Result<AnyLight, Refusal> {
+        let count = state.lights.len();
+        let setting = state.lights.get(light).ok_or(Refusal::Number { value: light, count })?;
+        let on = Setting { is_on: true, ..*setting }.applied(self.original(setting.of)?, 1.0)?;
+        Ok(if on.sweeps() { *on.at(0.0)?.light() } else { *on.light() })
     }
 
     /// Returns the plan of the effects that the scene and these fixtures need.

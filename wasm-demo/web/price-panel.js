@@ -1,4 +1,5 @@
 // What the selected light costs on each chip, by each evaluation, and which one is enough.
+import { copyTextOf } from "./clipboard.js";
 import { element as find } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 import { draw } from "./price-chart.js";
@@ -140,7 +141,9 @@ export class PricePanel {
       select("chip").add(new Option(`${title} (${part}, ${megahertz} MHz)`, name));
     }
     for (const name of ["chip", "display", "most", "far"]) element(name).addEventListener("input", () => this.#ask());
-    element("copy").addEventListener("click", () => navigator.clipboard.writeText(element("code").textContent ?? ""));
+    element("copy").addEventListener("click", async () => {
+      element("told").textContent = await copyTextOf(element("code"));
+    });
   }
 
   /**

@@ -3,6 +3,7 @@ import { Stage } from "./pkg/wasm_demo.js";
 import { AccountTable } from "./account-table.js";
 import { remember } from "./address.js";
 import { CameraView } from "./camera-view.js";
+import { CodeSlot } from "./code-slot.js";
 import { DividedPicture } from "./divided.js";
 import { EffectList } from "./effect-list.js";
 import { element } from "./elements.js";
@@ -52,6 +53,7 @@ export class StagePage {
   #lights;
   #panel;
   #price = new PriceSlot();
+  #code = new CodeSlot();
   #legend;
   /**
    * The curve, once it is loaded.
@@ -388,6 +390,7 @@ export class StagePage {
     const { lightCount, format, fullScale } = this.#stage;
     const light = this.#lights.selected < lightCount ? plain(this.#stage.light(this.#lights.selected)) : undefined;
     this.#price.show(light && { ...light, intensity: light.intensity / fullScale }, format);
+    if (light) aside(() => this.#code.show({ job: this.#stage.job(), light: this.#lights.selected }));
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */

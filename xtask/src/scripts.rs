@@ -25,7 +25,7 @@ pub(crate) fn run(suite: &mut Suite) {
 /// Checks the types of the scripts, also at their calls of the module.
 fn types(progress: &Progress) -> Result<()> {
     let folder = project::target().join("types");
-    let demo = [wasm::DEMO, wasm::FIXED_POINT, wasm::COMPARISON].map(|package| (package, "pkg"));
+    let demo = [wasm::DEMO, wasm::FIXED_POINT, wasm::COMPARISON, wasm::CODE].map(|package| (package, "pkg"));
     for (package, bindings) in demo.into_iter().chain([(wasm::PICKER, "price")]) {
         package.declare(&package.compile(progress)?, &folder.join(bindings))?;
     }

@@ -38,6 +38,8 @@ pub const DEMO: Package = Package {
 pub const COMPARISON: Package = Package { features: Some("comparison"), bindings: "comparison", ..DEMO };
 /// What draws the demo's pictures in fixed point, a module of its own: the first picture is in `f32`.
 pub const FIXED_POINT: Package = Package { features: Some("fixed-point"), bindings: "fixed_point", ..DEMO };
+/// The demo's exporter of lights, a module of its own: it is loaded when its drawer is opened.
+pub const CODE: Package = Package { features: Some("code"), bindings: "code", ..DEMO };
 /// What the board of the demo must show. It shares the demo's standard library.
 pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip", true);
 /// The picker of evaluations. It shares the demo's standard library.

@@ -77,8 +77,8 @@ pub(crate) fn of_the_connection(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// What draws in fixed point is loaded with the first such picture. Without a connection that is told,
-/// and the picture stays.
+/// What draws in fixed point is loaded with the first such picture. Without a connection the page says
+/// so, and the picture stays.
 pub(crate) fn of_fixed_point(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let early = page.requests()?.iter().find(|request| request.contains("fixed")).cloned();

@@ -3,6 +3,7 @@
 mod address;
 mod angles;
 mod chip;
+mod code;
 mod comparison;
 mod contrast;
 mod divided;
@@ -54,7 +55,7 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 pub type Test = (&'static str, Visit);
 
 /// Every test.
-pub const ALL: [Test; 80] = [
+pub const ALL: [Test; 84] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -107,6 +108,10 @@ pub const ALL: [Test; 80] = [
     ("changes are undone, redone and reset", stage::changes_are_undone),
     ("lights are copied and removed", stage::lights_are_copied_and_removed),
     ("lights are added, up to a number", stage::lights_are_added),
+    ("the code of a light is what the exporter writes, in every language", code::is_what_the_exporter_writes),
+    ("the code of a light follows its settings", code::follows_the_settings),
+    ("the code of a light is copied, or selected", code::is_copied_or_selected),
+    ("the code of a light that a language cannot hold is refused in words", code::refusals_are_told),
     ("the page opens on the show, which plays unless motion is unwanted", stage::opens_on_the_show),
     ("a scene plays, and stops", stage::play),
     ("the camera is moved by mouse and keys, and reset", stage::camera_is_moved),

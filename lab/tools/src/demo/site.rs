@@ -44,7 +44,7 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         step.done();
         let pkg = new.join("pkg");
         shrink::shrink(&wasm::DEMO.bind(&module, &pkg, progress)?, progress)?;
-        for package in [wasm::FIXED_POINT, wasm::COMPARISON] {
+        for package in [wasm::FIXED_POINT, wasm::COMPARISON, wasm::CODE] {
             let module = package.compile(progress)?;
             shrink::shrink(&package.bind(&module, &pkg, progress)?, progress)?;
         }

@@ -1,0 +1,126 @@
+//! Lights as build scripts of Rust.
+
+use luminaire::attenuation::AnyAttenuation;
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::AnyFalloff;
+use luminaire::{Angle, Cone, Fx16, Rgb};
+
+use crate::error::ExportError;
+use crate::rust::{attenuation_type, falloff_source};
+use crate::{head, models};
+
+/// The parts of a script that depend on the kind of a light.
+struct Parts {
+    /// The type of the light.
+    kind: String,
+    /// The line before the light; empty without a cone.
+    cone: String,
+    /// The calls that make the light, without its colour and intensity.
+    calls: Vec<String>,
+    /// What follows the call that compiles the light.
+    checked: &'static str,
+}
+
+/// Returns a build script that writes a light as a constant of 16 bits.
+pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError> {
+    light.compile::<Fx16>()?;
+    let Parts { kind, cone, mut calls, checked } = parts(light);
+    calls.push(color("color", light.color()));
+    if light.specular_color() != light.color() {
+        calls.push(color("specular_color", light.specular_color()));
+    }
+    calls.push(format!(".with_intensity({:?})", light.intensity()));
+    let compiled = match kind.split_once('<') {
+        Some((kind, models)) => format!("{kind}<Fx16, {models}"),
+        None => format!("{kind}<Fx16>"),
+    };
+    let head: String =
+        head(light, name).iter().map(|line| format!("// {}\n", line.replace(": do not edit", ""))).collect();
+    Ok(format!(
+        r#"{head}
+// build.rs, with luminaire among the build-dependencies. The constant in the program is
+// const {constant}: luminaire::light::Compiled{compiled} =
+//     include!(concat!(env!("OUT_DIR"), "/{name}.rs"));
+
+#[allow(unused_imports, reason = "not every light names a type of each module")]
+use luminaire::{{attenuation::*, codegen::*, falloff::*, *}};
+
+pub fn {name}() -> Result<{kind}, Error> {{
+{cone}    {calls}
+}}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {{
+    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("{name}.rs");
+    let light = {name}()?.compile::<Fx16>(){checked};
+    Ok(std::fs::write(file, as_source(&light).to_string())?)
+}}
+"#,
+        constant = name.to_ascii_uppercase(),
+        calls = calls.join("\n        "),
+    ))
+}
+
+fn parts(light: &AnyLight) -> Parts {
+    match light {
+        AnyLight::Spot(spot) => {
+            let (falloff, cone) = cone(&spot.cone());
+            let (law, call) = attenuation(spot.attenuation());
+            let [position, axis] = [spot.position(), spot.axis()].map(<[f32; 3]>::from);
+            let new = format!("SpotLight::new({position:?}, {axis:?}, cone)?");
+            let calls = [new].into_iter().chain(call).collect();
+            Parts { kind: format!("SpotLight<{falloff}, {law}>"), cone, calls, checked: "?" }
+        }
+        AnyLight::Point(point) => {
+            let (law, call) = attenuation(point.attenuation());
+            let position: [f32; 3] = point.position().into();
+            let calls = [format!("PointLight::new({position:?})?")].into_iter().chain(call).collect();
+            Parts { kind: format!("PointLight<{law}>"), cone: String::new(), calls, checked: "?" }
+        }
+        AnyLight::Directional(sun) => {
+            let direction: [f32; 3] = sun.direction().into();
+            let calls = vec![format!("DirectionalLight::new({direction:?})?")];
+            Parts { kind: "DirectionalLight".to_owned(), cone: String::new(), calls, checked: "" }
+        }
+    }
+}
+
+fn color(name: &str, Rgb { red, green, blue }: Rgb<f32>) -> String {
+    format!(".with_{name}(Rgb::new({red:?}, {green:?}, {blue:?}))?")
+}
+
+/// Returns the type of the falloff, and the line that makes the cone.
+fn cone(cone: &Cone<AnyFalloff>) -> (String, String) {
+    let (kind, falloff) = falloff_source(cone.profile());
+    let [inner, outer, limit] = cone.versines().map(degrees);
+    let hotspot = if cone.has_hotspot() { format!(".with_inner({inner})?") } else { String::new() };
+    let cutoff = if cone.has_cutoff() { format!(".with_cutoff({limit})?") } else { String::new() };
+    (kind, format!("    let cone = Cone::from_outer({falloff}, {outer})?{hotspot}{cutoff};\n"))
+}
+
+/// Returns the full angle of a versine, with six digits.
+fn degrees(versine: f32) -> String {
+    let exact = Angle::from_versine(versine).to_degrees();
+    let short: f32 = format!("{exact:.5e}").parse().unwrap_or(exact);
+    format!("Angle::degrees({short:?})")
+}
+
+/// Returns the type of an attenuation, and the call that gives it to a light; `None` for the inverse
+/// square, which every light has at first.
+fn attenuation(attenuation: AnyAttenuation) -> (String, Option<String>) {
+    let kind = attenuation_type(attenuation);
+    let described = models::attenuation(&attenuation).describe();
+    let plain = match (described.law, described.coefficients) {
+        ("constant", _) => "NoAttenuation".to_owned(),
+        (_, Some([constant, linear, quadratic])) => {
+            format!("Polynomial::new({constant:?}, {linear:?}, {quadratic:?})?")
+        }
+        _ => "InverseSquare".to_owned(),
+    };
+    let value = match (kind.split('<').next(), described.range) {
+        (Some("SmoothRange"), Some(range)) => format!("SmoothRange::new({range:?})?"),
+        (Some(window), range) if !plain.starts_with(window) => format!("{window}::new({plain}, {range:?})?"),
+        _ => plain,
+    };
+    let call = (kind != "InverseSquare").then(|| format!(".with_attenuation({value})"));
+    (kind, call)
+}

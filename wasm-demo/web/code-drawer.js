@@ -1,0 +1,47 @@
+// The selected light as source of other languages, by the library's own exporter.
+import { Code, initSync } from "./pkg/code.js";
+import { copyTextOf } from "./clipboard.js";
+import { element as find } from "./elements.js";
+import { compile } from "./module.js";
+
+/** @param {string} id */
+const element = (id) => find(`code-${id}`);
+
+export class CodeDrawer {
+  #code = new Code();
+  #language = find("code-language", HTMLSelectElement);
+  #light = { job: "", light: 0 };
+
+  /** Loads the exporter. */
+  static async open() {
+    initSync({ module: await compile(new URL("pkg/code_bg.wasm", import.meta.url)) });
+    return new CodeDrawer();
+  }
+
+  constructor() {
+    this.#language.addEventListener("input", () => this.show(this.#light));
+    element("copy").addEventListener("click", async () => {
+      element("told").textContent = await copyTextOf(element("text"));
+    });
+  }
+
+  /**
+   * Shows the code of a light in the chosen language, or why there is none.
+   * @param {{ job: string, light: number }} light a job of the stage, and the number of the light in it
+   */
+  show(light) {
+    this.#light = light;
+    let [code, refusal] = ["", ""];
+    try {
+      code = this.#code.write(light.job, light.light, this.#language.value);
+    } catch (cause) {
+      // The module refuses with a string; anything else is a bug in the page.
+      if (typeof cause !== "string") throw cause;
+      refusal = cause;
+    }
+    element("error").textContent = refusal;
+    element("told").textContent = "";
+    element("text").textContent = code;
+    for (const id of ["text", "copy"]) element(id).hidden = refusal !== "";
+  }
+}

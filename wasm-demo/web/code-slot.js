@@ -1,0 +1,41 @@
+// The drawer with the code of the selected light. What writes it is loaded when the drawer is opened.
+import { element, find } from "./elements.js";
+import { words } from "./failure.js";
+import { load } from "./support.js";
+
+export class CodeSlot {
+  #place = element("code", HTMLDetailsElement);
+  /** @type {import("./code-drawer.js").CodeDrawer | undefined} */
+  #drawer;
+  /** How often it was not loaded. */
+  #attempts = 0;
+  #light = { job: "", light: 0 };
+
+  constructor() {
+    this.#place.addEventListener("toggle", () => this.#open());
+  }
+
+  /**
+   * Shows the code of a light.
+   * @param {{ job: string, light: number }} light a job of the stage, and the number of the light in it
+   */
+  show(light) {
+    this.#light = light;
+    if (this.#place.open) this.#drawer?.show(light);
+  }
+
+  /** Shows the drawer. It is loaded again after a failure when it is opened again. */
+  async #open() {
+    if (!this.#place.open) return;
+    try {
+      if (!this.#drawer) {
+        const { CodeDrawer } = await load("code-drawer.js", this.#attempts);
+        this.#drawer = await CodeDrawer.open();
+      }
+      this.#drawer?.show(this.#light);
+    } catch (error) {
+      this.#attempts += 1;
+      find(this.#place, ".error").textContent = `The code can't be shown: ${words(error)}`;
+    }
+  }
+}
