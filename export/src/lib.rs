@@ -63,8 +63,9 @@
 //! slope]`: a line starts at `u = place / 65536` and rises by `slope / 32768` per unit of `place`.
 #![forbid(unsafe_code)]
 
-// Modules, lowest first: `error`, `language`, `trace`, `json`, `fixed`, `shader`, `models`, `rust`, `script`. The three
-// before `models` take an attenuation from there, which is an object of their traits.
+// Modules, lowest first: `error`, `language`, `trace`, `json`, `fixed`, `shader`, `models`, `rust`,
+// `script`. The three before `models` take an attenuation from there, which is an object of their
+// traits.
 
 mod error;
 mod fixed;
