@@ -231,7 +231,8 @@ function photometry({ lumens, lux, throw: distance, unit }, fullScale) {
   const flux = lumens === undefined ? [] : [`${amount(lumens)} lm`];
   const arriving = lux === undefined || distance === undefined || unit !== "cd" ? [] : [`${amount(lux)} lx at ${tidy(distance)} m`];
   const shown = lux === undefined ? [] : [`${amount(lux / fullScale)} times full scale, which is ${amount(fullScale)} lx`];
-  return `${[...flux, ...arriving, ...shown].join(", ")}.`;
+  const parts = [...flux, ...arriving, ...shown];
+  return parts.length > 0 ? `${parts.join(", ")}.` : "";
 }
 
 /**
