@@ -134,7 +134,7 @@ export class LightPanel {
     for (const place of /** @type {const} */ (["position", "aim"])) {
       for (const [i, name] of PLACES[place].entries()) {
         const field = input(name);
-        if (field !== source) field.value = state[place].length > 0 ? String(tidy(state[place][i])) : "";
+        if (field !== source) field.value = state[place].length > 0 ? millimetres(state[place][i]) : "";
       }
     }
     element("way").textContent = way(state);
@@ -234,6 +234,12 @@ function photometry({ lumens, lux, throw: distance, unit }, fullScale) {
   const parts = [...flux, ...arriving, ...shown];
   return parts.length > 0 ? `${parts.join(", ")}.` : "";
 }
+
+/**
+ * Metres, rounded to millimetres.
+ * @param {number} value
+ */
+const millimetres = (value) => String(Number(value.toFixed(3)) + 0);
 
 /**
  * Three significant digits.

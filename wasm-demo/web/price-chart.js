@@ -1,7 +1,10 @@
 // Error against cost, both logarithmic: one mark for each evaluation of a light.
 import { line, shape } from "./shapes.js";
 
-const BOX = { left: 64, right: 500, top: 16, bottom: 252 };
+const HEIGHT = 300;
+const [TOP, BOTTOM] = [40, HEIGHT - 44];
+/** Margins beside the box, in pixels: for numbers of the error, and for half a number of the cost. */
+const [LEFT, RIGHT] = [60, 24];
 
 /**
  * The points that no other beats: none costs less and errs no more, or errs less and costs no more.
@@ -50,33 +53,38 @@ const power = (value) => (value >= 0.001 && value <= 10_000 ? value.toLocaleStri
  *   the names of the axes
  */
 export function draw(svg, points, { tolerance, cost, error }) {
-  const x = scale(points.map((point) => point.cost), BOX.left, BOX.right);
-  const y = scale([...points.map((point) => point.error), tolerance], BOX.bottom, BOX.top);
+  // A pixel of the page each, so that words have the page's size on every screen.
+  const width = Math.max(svg.clientWidth, 240);
+  svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
+  const end = width - RIGHT;
+  const x = scale(points.map((point) => point.cost), LEFT, end);
+  const y = scale([...points.map((point) => point.error), tolerance], BOTTOM, TOP);
   /** @type {(kind: string, x: number, y: number, text: string) => SVGElement} */
   const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
   const ahead = front(points);
   svg.replaceChildren(
     ...x.ticks.flatMap((tick) => [
-      line("level", x.place(tick), BOX.top, x.place(tick), BOX.bottom),
-      label(x.place(tick) > BOX.right - 8 ? "end" : "middle", Math.min(x.place(tick), BOX.right + 12), BOX.bottom + 18, power(tick)),
+      line("level", x.place(tick), TOP, x.place(tick), BOTTOM),
+      label("middle", x.place(tick), BOTTOM + 18, power(tick)),
     ]),
     ...y.ticks.flatMap((tick) => [
-      line("level", BOX.left, y.place(tick), BOX.right, y.place(tick)),
-      label("end", BOX.left - 8, y.place(tick) + 4, power(tick)),
+      line("level", LEFT, y.place(tick), end, y.place(tick)),
+      label("end", LEFT - 8, y.place(tick) + 4, power(tick)),
     ]),
-    label("middle", (BOX.left + BOX.right) / 2, BOX.bottom + 38, cost),
-    label("start", BOX.left + 6, BOX.top + 12, error),
-    line("tolerance", BOX.left, y.place(tolerance), BOX.right, y.place(tolerance)),
-    label("end allowed", BOX.right, y.place(tolerance) - 5, "allowed"),
+    label("middle", (LEFT + end) / 2, HEIGHT - 6, cost),
+    label("start", 0, 14, error),
+    line("tolerance", LEFT, y.place(tolerance), end, y.place(tolerance)),
+    label("end allowed", end, y.place(tolerance) - 5, "allowed"),
     shape("path", { class: "front", d: steps(ahead.map((point) => [x.place(point.cost), y.place(point.error)])) }),
     ...points.flatMap((point) => {
       const [left, top] = [x.place(point.cost), y.place(point.error)];
       const kinds = ["point", point.isStage && "current", point.isPicked && "picked", !ahead.includes(point) && "beaten"];
-      const isRight = left > BOX.right - 90;
+      const isRight = left > end - 90;
       return [
         ...(point.isPicked ? [shape("circle", { class: "ring", cx: left, cy: top, r: 11 })] : []),
         shape("circle", { class: kinds.filter(Boolean).join(" "), cx: left, cy: top, r: point.isStage ? 6.5 : 4.5 }),
-        label(isRight ? "end name" : "start name", left + (isRight ? -14 : 14), top + (point.isStage ? 5 : 4), point.name),
+        // Above the staircase, which leaves the point to the right, and comes from above or from the left.
+        label(isRight ? "end name" : "start name", left + (isRight ? -9 : 9), top - 7, point.name),
       ];
     }),
   );

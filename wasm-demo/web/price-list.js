@@ -32,6 +32,18 @@ const TARGETS = {
   "wasm-simd": "browser, SIMD",
 };
 
+/**
+ * Names of the kernels of lit points; others are named as in the list.
+ * @type {Record<string, string>}
+ */
+const KERNELS = {
+  away: "facing away",
+  outside: "outside the cone",
+  lit: "lit, no attenuation",
+  "lit-inverse-square": "lit, inverse square",
+  "lit-specular": "lit, with a highlight",
+};
+
 /** @type {Record<string, string>} */
 const STAGES = { lit: "a lit point", falloff: "the intensity alone" };
 
@@ -161,7 +173,7 @@ export class PriceList {
       `What ${stageName(stage)} costs, and its largest error in linear steps of 1/255. Counts are instructions, ` +
       "exact, under QEMU; times are of the machine that made the list.";
     const targets = this.targets;
-    const head = ["Side", "Kernel", "Format", "Largest error", "found by", ...targets.map(targetName)];
+    const head = ["Side", "Kernel", "Format", "Largest error", "error is", ...targets.map(targetName)];
     const rows = this.#rows.filter((row) => row.stage === stage).map((row) => this.#line(row, targets));
     this.#table.replaceChildren(line("th", head), ...rows);
   }
@@ -175,7 +187,7 @@ export class PriceList {
     const error = row.error?.codes;
     const cells = line("td", [
       names.join(" "),
-      row.kernel,
+      KERNELS[row.kernel] ?? row.kernel,
       row.format,
       isNumber(error) ? small(error) : "–",
       row.error?.kind ?? "–",

@@ -141,6 +141,7 @@ export class PricePanel {
       select("chip").add(new Option(`${title} (${part}, ${megahertz} MHz)`, name));
     }
     for (const name of ["chip", "display", "most", "far"]) element(name).addEventListener("input", () => this.#ask());
+    new ResizeObserver(() => requestAnimationFrame(() => this.#show())).observe(find("price-chart", SVGElement));
     element("copy").addEventListener("click", async () => {
       element("told").textContent = await copyTextOf(element("code"));
     });
@@ -245,13 +246,13 @@ export class PricePanel {
     const [strong, words, small] = ["b", "span", "small"].map((kind) => document.createElement(kind));
     if (found === undefined) {
       strong.textContent = "none";
-      words.textContent = "is exact enough for this light.";
+      words.textContent = "is within the allowed error.";
     } else {
       const { instructions, cycles, bytes } = found.prices[name];
       strong.textContent = NAMES[found.evaluation];
-      words.textContent = `is the cheapest that is exact enough: ${whole(instructions)} instructions`;
+      words.textContent = `is the cheapest within the allowed error: ${whole(instructions)} instructions a lit point`;
       small.textContent =
-        `errs by at most ${digits(found.bound.value)} ${unit} (${found.bound.label}); ` +
+        `error at most ${digits(found.bound.value)} ${unit} (${found.bound.label}); ` +
         `${cycles === null ? "" : `${whole(cycles)} cycles, `}${whole(bytes)} bytes of code`;
       words.append(small);
     }
