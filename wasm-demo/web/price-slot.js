@@ -24,6 +24,8 @@ export class PriceSlot {
    */
   #times = [];
   #live = "";
+  /** How often it could not be loaded. */
+  #failures = 0;
 
   constructor() {
     const observer = new IntersectionObserver((entries) => {
@@ -66,14 +68,18 @@ export class PriceSlot {
 
   async #open() {
     try {
-      const { PricePanel } = await load("price-panel.js");
+      const { PricePanel } = await load("price-panel.js", this.#failures);
       /** @type {import("./price-panel.js").PricePanel} */
       const panel = await PricePanel.open(this.#place);
       this.#panel = panel;
       if (this.#light) panel.show(...this.#light);
       panel.live(this.#live);
     } catch (error) {
-      this.#place.textContent = `The price can't be shown: ${words(error)}`;
+      this.#failures += 1;
+      const again = document.createElement("button");
+      again.textContent = "Try again";
+      again.addEventListener("click", () => this.#open());
+      this.#place.replaceChildren(`The price can't be shown: ${words(error)} `, again);
     }
   }
 }
