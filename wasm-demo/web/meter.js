@@ -44,6 +44,7 @@ export class Meter {
   #stage;
   #page;
   #module;
+  #memory;
 
   /**
    * The comparison view; undefined until it is opened.
@@ -67,11 +68,18 @@ export class Meter {
    * @param {Stage} stage
    * @param {import("./stage-page.js").StagePage} page
    * @param {WebAssembly.Module} module
+   * @param {WebAssembly.Memory} memory of the page's own instance
    */
-  constructor(stage, page, module) {
+  constructor(stage, page, module, memory) {
     this.#stage = stage;
     this.#page = page;
     this.#module = module;
+    this.#memory = memory;
+  }
+
+  /** The memory of the page's module and of those of its workers, in bytes. */
+  async memory() {
+    return this.#memory.buffer.byteLength + (await this.#page.memory());
   }
 
   /** Number of pictures that were drawn, in all views. */

@@ -17,11 +17,11 @@ export async function open() {
   const compiling = compile(new URL("pkg/wasm_demo_bg.wasm", import.meta.url));
   const pool = new Pool(compiling, workers);
   const module = await compiling;
-  initSync({ module });
+  const { memory } = initSync({ module });
   const stage = new Stage(width, height);
   const screen = new Screen(element("view", HTMLCanvasElement), element("map", HTMLCanvasElement));
   const page = new StagePage(stage, pool, screen, module, { rests });
-  const meter = new Meter(stage, page, module);
+  const meter = new Meter(stage, page, module, memory);
   const comparison = {
     element: element("comparison"),
     /** @param {number} attempt */

@@ -140,6 +140,11 @@ export class StagePage {
     return this.#view.isDrawing;
   }
 
+  /** The memory of the workers' modules in bytes. */
+  memory() {
+    return this.#pool.memory();
+  }
+
   /** A copy of the last picture: RGBA, sRGB, eight bits. */
   get pixels() {
     return this.#screen.pixels.slice();

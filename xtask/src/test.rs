@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use serde_json::Value;
 
 use crate::arguments::TestOptions;
-use browser_tests::{ALL, Test, Visit, Visitor, engines};
+use browser_tests::{ALL, LONG, Test, Visit, Visitor, engines};
 use measure::boards::{self, Board};
 use measure::{c, conform, device, effects, frame, pick, prices, size};
 use tools::browser::Engine;
@@ -218,7 +218,9 @@ fn prices(suite: &mut Suite, boards: &[&'static Board], full: bool) {
 /// are quick, or with `full` all that the engine can run.
 fn browser(suite: &mut Suite, full: bool) {
     let check = "browser: the demo's check";
-    let tests = ALL.map(|(name, test)| (format!("browser: {name}"), test));
+    let long = if full { &LONG[..] } else { &[] };
+    let tests: Vec<_> =
+        ALL.iter().chain(long).map(|(name, test)| (format!("browser: {name}"), *test)).collect();
     let [_, others @ ..] = Engine::ALL;
     let mut others = others.map(|engine| Elsewhere::new(engine, full)).to_vec();
     others.retain(|elsewhere| elsewhere.is_wanted(suite));

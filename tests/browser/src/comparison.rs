@@ -197,7 +197,8 @@ pub(crate) fn prices_stand_beside_the_errors(visitor: &mut Visitor) -> Result<()
     );
     let rows = cells(&mut page, "#prices tr.marked")?;
     ensure!(
-        rows.contains("A\tlit\tf32-cosine\t0.5") && rows.contains("B\tlit\tf32\t0.25"),
+        rows.contains("A\tlit, no attenuation\tf32-cosine\t0.5")
+            && rows.contains("B\tlit, no attenuation\tf32\t0.25"),
         "marked: {rows:?}"
     );
     page.enter("half-angle-number", 0.1)?;
@@ -221,20 +222,6 @@ pub(crate) fn prices_stand_beside_the_errors(visitor: &mut Visitor) -> Result<()
         ensure!(words.contains("cargo xtask measure"), "a list that is missing is told as {words:?}");
     }
     page.must_be_content()
-}
-
-pub(crate) fn fits_every_screen(visitor: &mut Visitor) -> Result<()> {
-    for view in [crate::STILL, "#stage?play=none&scene=gallery", "#compare?left=fx16&half=0.1", "#museum"] {
-        let mut page = visitor.ready_with(view, &answering(LIST))?;
-        for screen in [390, 700, 1000, 1440] {
-            page.resize(screen, 900)?;
-            page.settle()?;
-            let width = page.number("document.documentElement.scrollWidth")?;
-            ensure!(width <= f64::from(screen), "{view} is {width} pixels wide on a screen of {screen}");
-        }
-        page.must_be_content()?;
-    }
-    Ok(())
 }
 
 /// A script that answers the page's request for the price list.

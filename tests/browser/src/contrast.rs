@@ -13,20 +13,30 @@ type Colour = [u8; 3];
 
 /// The pixels of a part of the page.
 #[derive(PartialEq)]
-struct Seen {
+pub(crate) struct Seen {
     pixels: Vec<Colour>,
     width: usize,
 }
 
 impl Seen {
     fn of(page: &mut Page, selector: &str) -> Result<Self> {
-        let file = page.screenshot_of(selector)?;
+        Self::around(page, selector, 0)
+    }
+
+    /// The pixels of an element and of a margin around it.
+    pub(crate) fn around(page: &mut Page, selector: &str, margin: u32) -> Result<Self> {
+        let file = page.screenshot_of(selector, margin)?;
         let mut reader = png::Decoder::new(Cursor::new(file)).read_info()?;
         let mut bytes = vec![0; reader.output_buffer_size().context("the picture is too large")?];
         let info = reader.next_frame(&mut bytes)?;
         let samples = info.color_type.samples();
         let pixels = bytes.chunks_exact(samples).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
         Ok(Self { pixels, width: info.width as usize })
+    }
+
+    /// Number of pixels that differ.
+    pub(crate) fn differing(&self, other: &Self) -> usize {
+        self.pixels.iter().zip(&other.pixels).filter(|(one, other)| one != other).count()
     }
 
     /// The middle row.
@@ -49,30 +59,23 @@ impl Seen {
     }
 }
 
+/// Forced colours, with every control of each kind.
 pub(crate) fn forced_colours_hide_nothing(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     page.force_colours()?;
-    for slider in ["#light-beam", "#light-intensity"] {
-        let share = Seen::of(&mut page, slider)?.share_of_row();
-        ensure!(share > 0.9, "of {slider} a share of {share} is seen");
+    for slider in ["#light-beam", "#light-intensity", "#exposure"] {
+        slider_is_seen(&mut page, slider)?;
     }
-    let off = Seen::of(&mut page, "#light-2-on")?;
-    ensure!(off.share_of_row() > 0.2, "a switch that is off cannot be seen");
-    page.ask("document.getElementById('light-2-on').click()")?;
-    // Waits until the thumb has moved.
-    page.settle()?;
-    let on = Seen::of(&mut page, "#light-2-on")?;
-    ensure!(on.share_of_row() > 0.2 && on.ground() == off.ground(), "a switch that is on cannot be seen");
-    let differing = on.pixels.iter().zip(&off.pixels).filter(|(on, off)| on != off).count();
-    ensure!(10 * differing > on.pixels.len(), "on and off differ in {differing} pixels");
+    for switch in ["light-2-on", "handles-shown", "effect-keep-hue"] {
+        switch_is_seen(&mut page, switch)?;
+    }
     for (chosen, other) in [
         ("#lights li:nth-child(1)", "#lights li:nth-child(2)"),
         (".views [aria-current]", ".views a:not([aria-current])"),
     ] {
-        let [chosen_ground, other_ground] =
-            [chosen, other].map(|selector| Ok::<_, anyhow::Error>(Seen::of(&mut page, selector)?.ground()));
-        ensure!(chosen_ground? != other_ground?, "{chosen} looks like {other}");
+        chosen_is_seen(&mut page, chosen, other)?;
     }
+    frame_is_seen(&mut page, ".picker label:has(:checked)", ".picker label:not(:has(:checked))")?;
     let label = "getComputedStyle(document.querySelector('#curve .angle')).fill";
     let ground = "getComputedStyle(document.querySelector('.desk')).backgroundColor";
     ensure!(page.text(label)? != page.text(ground)?, "the labels of the curve cannot be seen");
@@ -83,5 +86,68 @@ pub(crate) fn forced_colours_hide_nothing(visitor: &mut Visitor) -> Result<()> {
     let parts: BTreeSet<_> = Seen::of(&mut page, ".bar")?.row().iter().copied().collect();
     // At least four colours: the frame, what was evaluated, and two kinds of what was left out.
     ensure!(parts.len() > 3, "the bar of what was evaluated has the colours {parts:?}");
+    page.must_be_content()?;
+
+    let mut page = visitor.ready_at("#compare")?;
+    page.force_colours()?;
+    slider_is_seen(&mut page, "#half-angle")?;
+    page.must_be_content()?;
+
+    let mut page = visitor.ready_at("#museum")?;
+    page.force_colours()?;
+    slider_is_seen(&mut page, "#exhibit-value")?;
+    frame_is_seen(&mut page, ".exhibits label:has(:checked)", ".exhibits label:not(:has(:checked))")?;
+    page.must_be_content()?;
+
+    let mut page = visitor.ready_at("#chip")?;
+    page.force_colours()?;
+    page.ask("probe.until(() => luminaire.chip?.drawn > 0)")?;
+    switch_is_seen(&mut page, "chip-run")?;
+    let bar: BTreeSet<_> = Seen::of(&mut page, "#chip-stages td")?.row().iter().copied().collect();
+    ensure!(bar.len() > 1, "the bar of a stage has one colour, {bar:?}");
     page.must_be_content()
+}
+
+fn slider_is_seen(page: &mut Page, selector: &str) -> Result<()> {
+    let share = Seen::of(page, selector)?.share_of_row();
+    ensure!(share > 0.9, "of {selector} a share of {share} is seen");
+    Ok(())
+}
+
+/// On and off are seen, and differ.
+fn switch_is_seen(page: &mut Page, id: &str) -> Result<()> {
+    let state = |page: &mut Page| {
+        // Waits until the thumb has moved.
+        page.settle()?;
+        Seen::of(page, &format!("#{id}"))
+    };
+    let before = state(page)?;
+    page.ask(&format!("document.getElementById('{id}').click()"))?;
+    let after = state(page)?;
+    for one in [&before, &after] {
+        let share = one.share_of_row();
+        ensure!(share > 0.2, "of the switch {id} a share of {share} is seen");
+    }
+    ensure!(before.ground() == after.ground(), "the ground of the switch {id} changes");
+    let differing = before.differing(&after);
+    ensure!(10 * differing > before.pixels.len(), "on and off of {id} differ in {differing} pixels");
+    Ok(())
+}
+
+/// The ground of what is chosen differs from that of another.
+fn chosen_is_seen(page: &mut Page, chosen: &str, other: &str) -> Result<()> {
+    let [chosen_ground, other_ground] = [Seen::of(page, chosen)?.ground(), Seen::of(page, other)?.ground()];
+    ensure!(chosen_ground != other_ground, "{chosen} looks like {other}");
+    Ok(())
+}
+
+/// The frame of what is chosen differs from that of another, which has none.
+fn frame_is_seen(page: &mut Page, chosen: &str, other: &str) -> Result<()> {
+    let mut top = |selector: &str| {
+        let seen = Seen::of(page, selector)?;
+        let ground = seen.ground();
+        Ok::<_, anyhow::Error>(seen.pixels[..3 * seen.width].iter().any(|pixel| *pixel != ground))
+    };
+    ensure!(top(chosen)? && !top(other)?, "{chosen} looks like {other}");
+    Ok(())
 }

@@ -21,12 +21,12 @@ const LIMITED: [(Engine, &str, &str); 9] = [
         "forced colours hide nothing",
         "WebDriver BiDi's command for forced colours is not in Firefox yet",
     ),
-    (Engine::Firefox, "no task of the page takes longer than 50 ms", "Firefox reports no long tasks"),
-    (Engine::WebKit, "no task of the page takes longer than 50 ms", "WebKit reports no long tasks"),
+    (Engine::Firefox, "no task of the page takes longer than 50 ms", "only Chromium records tasks"),
+    (Engine::WebKit, "no task of the page takes longer than 50 ms", "only Chromium records tasks"),
     (Engine::WebKit, "forced colours hide nothing", "WebKit forces no colours"),
     (
         Engine::WebKit,
-        "a lost connection keeps one view from opening, until it is back",
+        "a lost connection keeps views from opening, until it is back",
         "WebDriver has no command to disconnect a page",
     ),
     (

@@ -47,33 +47,41 @@ pub(crate) fn of_no_view(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// The connection is lost after the page has loaded, and later returns.
+/// The connection is lost after the page has loaded, and later returns. What was not loaded says so
+/// in its place, the stage lives on, and a retry succeeds as soon as there is a connection.
 pub(crate) fn of_the_connection(visitor: &mut Visitor) -> Result<()> {
-    let (view, id) = ("compare", "comparison");
+    const VIEWS: [(&str, &str); 3] = [("compare", "comparison"), ("museum", "museum"), ("chip", "chip")];
     let mut page = visitor.ready()?;
     page.set_offline(true)?;
-    page.ask(&format!("document.querySelector('.views a[href=\"#{view}\"]').click()"))?;
-    page.ask("probe.until(() => probe.visible('absent'))")?;
-    let message = page.message("absent-reason")?;
-    ensure!(message.contains("could not be loaded") && message.contains("connection"), "{message:?}");
-    ensure!(!page.shows(id)?, "{view} is shown although it was not loaded");
-    // A retry without a connection fails again.
-    retry(&mut page)?;
-    page.ask("probe.until(() => probe.visible('absent'))")?;
-
-    page.ask("document.querySelector('.views a[href=\"#stage\"]').click()")?;
+    for (view, id) in VIEWS {
+        open(&mut page, view)?;
+        page.ask("probe.until(() => probe.visible('absent'))")?;
+        let message = page.message("absent-reason")?;
+        ensure!(message.contains("could not be loaded") && message.contains("connection"), "{message:?}");
+        ensure!(!page.shows(id)?, "{view} is shown although it was not loaded");
+        // A retry without a connection fails again.
+        press(&mut page, "absent-retry")?;
+        page.ask("probe.until(() => probe.visible('absent'))")?;
+    }
+    open(&mut page, "stage")?;
     page.settle()?;
     ensure!(page.shows("view")? && !page.shows("absent")?, "the stage is gone, too");
     page.change("a beam, offline", |page| page.enter("light-beam-number", 15))?;
     works(&mut page)?;
+    page.ask("document.getElementById('price').scrollIntoView()")?;
+    page.ask("probe.until(() => document.querySelector('#price > button'))")?;
+    let message = page.message("price")?;
+    ensure!(message.contains("could not be loaded") && page.shows("price")?, "the price says {message:?}");
 
-    page.ask(&format!("document.querySelector('.views a[href=\"#{view}\"]').click()"))?;
-    page.ask("probe.until(() => probe.visible('absent'))")?;
     page.set_offline(false)?;
-    let drawn = page.number("luminaire.drawn")?;
-    retry(&mut page)?;
-    page.ask(&format!("probe.redrawn({drawn})"))?;
-    ensure!(page.shows(id)? && !page.shows("absent")?, "{view} does not come back");
+    page.ask("document.querySelector('#price > button').click()")?;
+    page.ask("probe.until(() => document.querySelector('#price-picked b'))").context("the price is lost")?;
+    for (view, id) in VIEWS {
+        open(&mut page, view)?;
+        page.ask(&format!("probe.until(() => luminaire.{id} && probe.visible('{id}'))"))
+            .with_context(|| format!("{view} does not come back"))?;
+        ensure!(!page.shows("absent")?, "{view} is there, and is told to be absent");
+    }
     Ok(())
 }
 
@@ -100,8 +108,12 @@ pub(crate) fn of_fixed_point(visitor: &mut Visitor) -> Result<()> {
     works(&mut page)
 }
 
-fn retry(page: &mut Page) -> Result<()> {
-    page.ask("document.getElementById('absent-retry').click()").map(drop)
+fn open(page: &mut Page, view: &str) -> Result<()> {
+    page.ask(&format!("document.querySelector('.views a[href=\"#{view}\"]').click()")).map(drop)
+}
+
+fn press(page: &mut Page, id: &str) -> Result<()> {
+    page.ask(&format!("document.getElementById('{id}').click()")).map(drop)
 }
 
 /// Failures of parts that no picture depends on.

@@ -2,6 +2,7 @@
 
 mod address;
 mod angles;
+mod axe;
 mod chip;
 mod code;
 mod comparison;
@@ -9,10 +10,14 @@ mod contrast;
 mod divided;
 pub mod engines;
 mod failure;
+mod fit;
 mod fixtures;
 mod formats;
+mod hidden;
 mod hosting;
+mod keyboard;
 mod lights;
+mod memory;
 mod museum;
 mod network;
 mod picture;
@@ -22,6 +27,7 @@ mod refusal;
 mod rest;
 pub mod shaders;
 mod stage;
+mod states;
 mod workers;
 
 use std::path::Path;
@@ -54,8 +60,8 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 /// The name of a test and its function.
 pub type Test = (&'static str, Visit);
 
-/// Every test.
-pub const ALL: [Test; 84] = [
+/// The tests of every run.
+pub const ALL: [Test; 87] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
@@ -128,12 +134,15 @@ pub const ALL: [Test; 84] = [
     ("a bad number of workers is told", workers::are_counted),
     ("no task of the page takes longer than 50 ms", workers::leave_the_page_free),
     ("drawing takes no more memory from picture to picture", workers::keep_to_their_memory),
-    ("all views fit screens from 390 to 1440 pixels", comparison::fits_every_screen),
+    ("all views fit screens from 390 to 1440 pixels", fit::every_screen),
+    ("axe-core finds no fault in the views", axe::finds_nothing_in_the_views),
+    ("keys do what the mouse does in the picture", keyboard::does_every_gesture),
+    ("a hidden page draws nothing, and goes on when it is seen", hidden::draws_nothing),
     ("a browser without simd is told so", failure::without_simd),
     ("a browser that refuses the canvas is told so", failure::without_canvas),
     ("a page that is opened as a file says so", failure::from_a_file),
     ("every view of the navigation can be opened", failure::of_no_view),
-    ("a lost connection keeps one view from opening, until it is back", failure::of_the_connection),
+    ("a lost connection keeps views from opening, until it is back", failure::of_the_connection),
     ("fixed point is loaded when it is chosen, or that is told", failure::of_fixed_point),
     ("what decorates a picture may fail", failure::of_decorations),
     ("only the module's own end stops the demo", failure::of_the_module),
@@ -146,6 +155,14 @@ pub const ALL: [Test; 84] = [
     ("the chip in the page shows the right pixels, and is loaded when opened", chip::shows_the_right_pixels),
     ("the price of a light follows the format and the tolerance", price::follows_the_format),
     ("the folder for static hosts works under a path", hosting::works_under_a_path),
+];
+
+/// The long tests, which only `cargo xtask full` runs, and only in the first engine.
+pub const LONG: [Test; 4] = [
+    ("axe-core finds no fault in any state, on a laptop and on a telephone", axe::finds_nothing_anywhere),
+    ("no text is cut or covered, on four screens and at 200 %", fit::nothing_is_cut),
+    ("the keyboard reaches every control, and shows where it is", keyboard::reaches_every_control),
+    ("five minutes of the show take no more memory", memory::stays_for_five_minutes),
 ];
 
 impl Visitor {

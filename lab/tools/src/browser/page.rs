@@ -117,11 +117,6 @@ impl Page {
         self.tab.type_text(text)
     }
 
-    /// Brings the page before all others, which are then hidden.
-    pub fn activate(&mut self) -> Result<()> {
-        self.tab.activate()
-    }
-
     /// Disconnects the page from the network, or connects it again.
     pub fn set_offline(&mut self, offline: bool) -> Result<()> {
         self.tab.set_offline(offline)
@@ -137,12 +132,26 @@ impl Page {
         self.tab.capture(None)
     }
 
-    /// A part of the page as a PNG: the first element that a selector finds.
-    pub fn screenshot_of(&mut self, selector: &str) -> Result<Vec<u8>> {
-        let place = self.ask(&format!("probe.place({})", json!(selector)))?;
+    /// A part of the page as a PNG: the first element that a selector finds, and a margin around it
+    /// in pixels.
+    pub fn screenshot_of(&mut self, selector: &str, margin: u32) -> Result<Vec<u8>> {
+        let place = self.ask(&format!("probe.place({}, {margin})", json!(selector)))?;
         let side = |name: &str| place[name].as_f64().with_context(|| format!("{selector} has no {name}"));
         let clip = Clip { x: side("x")?, y: side("y")?, width: side("width")?, height: side("height")? };
         self.tab.capture(Some(clip))
+    }
+
+    /// Calls a method of the DevTools protocol, which only Chromium has.
+    pub fn devtools(&mut self, method: &str, params: Value) -> Result<Value> {
+        self.tab.devtools(method, params)
+    }
+
+    /// Runs `act`. Returns the processor time in milliseconds of each task of the page's main thread
+    /// in the meantime, which other work of the machine does not lengthen. Only Chromium records it.
+    pub fn tasks(&mut self, act: impl FnOnce(&mut Self) -> Result<()>) -> Result<Vec<f64>> {
+        self.tab.record_tasks()?;
+        act(self)?;
+        self.tab.recorded_tasks()
     }
 
     /// Returns the addresses of all requests that the page has made.

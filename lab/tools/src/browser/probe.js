@@ -42,6 +42,24 @@ window.probe = (() => {
     }
   }
 
+  // The lines of an element's own text, without those that a box around it cuts off.
+  function lines(node) {
+    return [...node.childNodes].flatMap((child) => {
+      if (child.nodeType !== Node.TEXT_NODE || !child.data.trim()) return [];
+      const range = document.createRange();
+      range.selectNode(child);
+      return Array.from(range.getClientRects(), (box) => ({ node, box }));
+    });
+  }
+
+  // The width that the chosen option of a select needs, with its padding.
+  function labelWidth(select) {
+    const { font, paddingLeft, paddingRight } = getComputedStyle(select);
+    const context = document.createElement("canvas").getContext("2d");
+    context.font = font;
+    return context.measureText(select.selectedOptions[0]?.label ?? "").width + parseFloat(paddingLeft) + parseFloat(paddingRight);
+  }
+
   return {
     settle,
     redrawn,
@@ -73,13 +91,44 @@ window.probe = (() => {
       return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
     },
 
-    // Where an element is on the page, in whole pixels.
-    place(selector) {
+    // Where an element with a margin is on the page, in whole pixels.
+    place(selector, margin = 0) {
       const found = document.querySelector(selector) ?? raise(`the page has no element ${selector}`);
       found.scrollIntoView({ block: "center" });
       const { x, y, width, height } = found.getBoundingClientRect();
-      const [left, top] = [Math.round(x + scrollX), Math.round(y + scrollY)];
-      return { x: left, y: top, width: Math.round(width), height: Math.round(height) };
+      const [left, top] = [x + scrollX, y + scrollY].map((side) => Math.max(0, Math.round(side) - margin));
+      return { x: left, y: top, width: Math.round(width) + 2 * margin, height: Math.round(height) + 2 * margin };
+    },
+
+    // What of the page is cut, covered or beside the window, in words.
+    misplaced() {
+      // Above the place from which on the picture stays over what is scrolled.
+      scrollTo(0, 0);
+      const faults = [];
+      const shown = (node) => node.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && !node.closest(".unseen");
+      const named = (node) => `${node.localName}${node.id && `#${node.id}`} "${node.textContent.trim().slice(0, 40)}"`;
+      const style = (node) => getComputedStyle(node);
+      const scrolls = (node) => node && node !== document.body && (/auto|scroll/.test(style(node).overflow) || scrolls(node.parentElement));
+      if (document.documentElement.scrollWidth > innerWidth) faults.push(`the page is ${document.documentElement.scrollWidth} pixels wide`);
+      const texts = [];
+      for (const node of document.querySelectorAll("body *")) {
+        if (!shown(node) || scrolls(node)) continue;
+        const isText = [...node.childNodes].some((child) => child.nodeType === Node.TEXT_NODE && child.data.trim());
+        if (!isText && !node.matches("input, select, button, canvas, svg")) continue;
+        const { left, right } = node.getBoundingClientRect();
+        if (left < -0.5 || right > innerWidth + 0.5) faults.push(`${named(node)} is beside the window`);
+        if (isText && style(node).overflow !== "visible" && node.scrollWidth > node.clientWidth + 1) faults.push(`${named(node)} is cut`);
+        if (node.localName === "select" && labelWidth(node) > node.clientWidth) faults.push(`${named(node.selectedOptions[0])} is cut in #${node.id}`);
+        if (isText && !node.closest("svg, select, datalist")) texts.push(...lines(node));
+      }
+      for (const [i, one] of texts.entries()) {
+        for (const other of texts.slice(i + 1)) {
+          const width = Math.min(one.box.right, other.box.right) - Math.max(one.box.left, other.box.left);
+          const height = Math.min(one.box.bottom, other.box.bottom) - Math.max(one.box.top, other.box.top);
+          if (width > 2 && height > 4) faults.push(`${named(one.node)} is over ${named(other.node)}`);
+        }
+      }
+      return faults;
     },
 
     keep(name) {

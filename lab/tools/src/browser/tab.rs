@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use serde_json::Value;
 
 /// A rectangle of a page, in whole pixels.
@@ -37,14 +37,26 @@ pub(super) trait Tab: fmt::Debug {
     /// The page, or a part of it, as a PNG.
     fn capture(&mut self, clip: Option<Clip>) -> Result<Vec<u8>>;
 
-    /// Brings the page before all others, which are then hidden.
-    fn activate(&mut self) -> Result<()>;
-
     /// Disconnects the page from the network, or connects it again.
     fn set_offline(&mut self, offline: bool) -> Result<()>;
 
     /// Shows the page as to a visitor whose system forces its colours on every page.
     fn force_colours(&mut self) -> Result<()>;
+
+    /// Calls a method of the DevTools protocol, which only Chromium has.
+    fn devtools(&mut self, method: &str, _params: Value) -> Result<Value> {
+        bail!("{method}: only Chromium has the DevTools protocol")
+    }
+
+    /// Starts to record the tasks of the page's main thread. Only Chromium does.
+    fn record_tasks(&mut self) -> Result<()> {
+        bail!("only Chromium records tasks")
+    }
+
+    /// Ends the recording. Returns the processor time of each task, in milliseconds.
+    fn recorded_tasks(&mut self) -> Result<Vec<f64>> {
+        bail!("only Chromium records tasks")
+    }
 
     /// What has happened since the last call.
     fn happened(&mut self) -> Result<Vec<Happened>>;

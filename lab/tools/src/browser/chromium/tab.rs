@@ -1,5 +1,9 @@
 //! One page of Chromium.
 
+use std::collections::BTreeSet;
+use std::thread;
+use std::time::Duration;
+
 use anyhow::{Context, Result, bail};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -8,6 +12,9 @@ use serde_json::{Value, json};
 use crate::browser::page::PROBE;
 use crate::browser::socket::{Event, Socket};
 use crate::browser::tab::{Clip, Happened, Tab};
+
+/// What a trace calls a task.
+const TASK: &str = "ThreadControllerImpl::RunTask";
 
 /// A page with a connection of its own.
 #[derive(Debug)]
@@ -96,10 +103,6 @@ impl Tab for ChromiumTab {
         BASE64_STANDARD.decode(data).context("Chromium's screenshot is not base64")
     }
 
-    fn activate(&mut self) -> Result<()> {
-        self.devtools.call("Page.bringToFront", json!({})).map(drop)
-    }
-
     fn set_offline(&mut self, offline: bool) -> Result<()> {
         let unlimited = json!({
             "offline": offline, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1,
@@ -110,6 +113,36 @@ impl Tab for ChromiumTab {
     fn force_colours(&mut self) -> Result<()> {
         let features = json!({ "features": [{ "name": "forced-colors", "value": "active" }] });
         self.devtools.call("Emulation.setEmulatedMedia", features).map(drop)
+    }
+
+    fn devtools(&mut self, method: &str, params: Value) -> Result<Value> {
+        self.devtools.call(method, params)
+    }
+
+    fn record_tasks(&mut self) -> Result<()> {
+        let config = json!({ "traceConfig": { "includedCategories": ["toplevel"] } });
+        self.devtools.call("Tracing.start", config).map(drop)
+    }
+
+    fn recorded_tasks(&mut self) -> Result<Vec<f64>> {
+        self.devtools.call("Tracing.end", json!({}))?;
+        let mut trace = Vec::new();
+        loop {
+            // The answer comes after the events before it.
+            self.evaluate("0")?;
+            let (traced, others) = self
+                .devtools
+                .take_events()
+                .into_iter()
+                .partition(|event| event.method.starts_with("Tracing."));
+            self.devtools.keep_events(others);
+            let traced: Vec<Event> = traced;
+            trace.extend(traced.iter().flat_map(|event| event.params["value"].as_array()).flatten().cloned());
+            if traced.iter().any(|event| event.method == "Tracing.tracingComplete") {
+                return Ok(tasks(&trace));
+            }
+            thread::sleep(Duration::from_millis(20));
+        }
     }
 
     fn happened(&mut self) -> Result<Vec<Happened>> {
@@ -148,6 +181,16 @@ fn happened(event: &Event) -> Option<Happened> {
     }
 }
 
+/// The processor time in milliseconds of each task on the main threads of pages, in a trace.
+fn tasks(trace: &[Value]) -> Vec<f64> {
+    let thread = |event: &Value| (event["pid"].as_u64(), event["tid"].as_u64());
+    let names = trace.iter().filter(|event| event["name"] == "thread_name");
+    let main = names.filter(|event| event["args"]["name"] == "CrRendererMain").map(thread);
+    let main: BTreeSet<_> = main.collect();
+    let tasks = trace.iter().filter(|event| event["name"] == TASK && main.contains(&thread(event)));
+    tasks.filter_map(|task| Some(task["tdur"].as_f64()? / 1000.0)).collect()
+}
+
 fn thrown(exception: &Value) -> String {
     let description = exception["exception"]["description"].as_str();
     description.or(exception["text"].as_str()).unwrap_or("an exception without a text").to_owned()
@@ -174,6 +217,15 @@ mod tests {
         let missing = json!({ "entry": { "level": "error", "text": "404", "url": "http://127.0.0.1/a.js" } });
         assert_eq!(complaint("Log.entryAdded", missing).as_deref(), Some("404 http://127.0.0.1/a.js"));
         assert_eq!(complaint("Page.loadEventFired", json!({})), None);
+    }
+
+    #[test]
+    fn tasks_of_main_threads_are_counted_by_processor_time() {
+        let thread = |tid: u32, name: &str| json!({ "name": "thread_name", "pid": 1, "tid": tid, "args": { "name": name } });
+        let task =
+            |tid: u32, tdur: u32| json!({ "name": TASK, "pid": 1, "tid": tid, "dur": 90_000, "tdur": tdur });
+        let trace = [task(2, 1500), task(3, 7000), thread(2, "CrRendererMain"), thread(3, "Compositor")];
+        assert_eq!(tasks(&trace), [1.5]);
     }
 
     #[test]

@@ -101,10 +101,6 @@ impl Tab for FirefoxTab {
         BASE64_STANDARD.decode(data).context("Firefox's screenshot is not base64")
     }
 
-    fn activate(&mut self) -> Result<()> {
-        self.call("browsingContext.activate", json!({})).map(drop)
-    }
-
     fn set_offline(&mut self, offline: bool) -> Result<()> {
         let conditions = if offline { json!({ "type": "offline" }) } else { Value::Null };
         let call = json!({ "networkConditions": conditions, "contexts": [self.context] });

@@ -106,10 +106,6 @@ impl Tab for WebKitTab {
         BASE64_STANDARD.decode(data).context("WebKit's screenshot is not base64")
     }
 
-    fn activate(&mut self) -> Result<()> {
-        bail!("WebKit's windows on a virtual display are never hidden")
-    }
-
     fn set_offline(&mut self, _offline: bool) -> Result<()> {
         bail!("WebKit's driver has no command to disconnect a page")
     }
