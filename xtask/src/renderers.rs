@@ -30,11 +30,13 @@ pub(crate) fn run() -> Result<()> {
     Ok(())
 }
 
-/// Adds the steps: the format, and the spotlights.
+/// Adds the steps: format and lints, and the spotlights.
 pub(crate) fn steps(suite: &mut Suite) {
-    suite.step("renderers: cargo fmt", |progress| {
-        spotlights::format(progress)?;
-        progress.run(cargo("fmt", &project::root().join(FOLDER), &["--all", "--check"]))
+    suite.step("renderers: cargo fmt and clippy", |progress| {
+        spotlights::lint(progress)?;
+        let folder = project::root().join(FOLDER);
+        progress.run(cargo("fmt", &folder, &["--all", "--check"]))?;
+        progress.run(cargo("clippy", &folder, &["--workspace", "--all-targets", "--", "-Dwarnings"]))
     });
     suite.step("renderers: the spotlight of embedded-3dgfx has the errors of the page", |progress| {
         are_on_the_page(&spotlights::errors(progress)?)

@@ -16,7 +16,7 @@ const FOLDER: &str = "lab/spotlights";
 const PROGRAM: &str = "luminaire-spotlights";
 
 /// The processors, as the columns of the table.
-const BOARDS: [&str; 1] = ["cortex-m0"];
+const BOARDS: [&str; 2] = ["cortex-m0", "cortex-m4f"];
 
 /// What is counted: its words in the table, and its name in the program.
 const KERNELS: [(&str, &str); 6] = [
@@ -60,12 +60,15 @@ pub fn instructions(progress: &Progress) -> Result<(String, Vec<String>)> {
     Ok((counted[0].compiler.clone(), rows?))
 }
 
-/// Checks the format of the source.
+/// Checks the source: its format, and Clippy's rules.
 ///
 /// # Errors
-/// If the source is not as `cargo fmt` writes it.
-pub fn format(progress: &Progress) -> Result<()> {
-    let mut format = command::cargo("fmt");
-    format.arg("--check").current_dir(project::root().join(FOLDER));
-    progress.run(format)
+/// If the source is not as `cargo fmt` writes it, or Clippy warns.
+pub fn lint(progress: &Progress) -> Result<()> {
+    for words in [&["fmt", "--check"][..], &["clippy", "--all-targets", "--", "-Dwarnings"]] {
+        let mut cargo = command::cargo(words[0]);
+        cargo.args(&words[1..]).current_dir(project::root().join(FOLDER));
+        progress.run(cargo)?;
+    }
+    Ok(())
 }
