@@ -158,7 +158,9 @@ pub const ALL: [Test; 87] = [
 ];
 
 /// The long tests, which only `cargo xtask full` runs, and only in the first engine.
-pub const LONG: [Test; 4] = [
+pub const LONG: [Test; 6] = [
+    ("no task of the other views takes longer than 50 ms", workers::leave_every_view_free),
+    ("forced colours hide nothing in the other views", contrast::forced_colours_hide_nothing_elsewhere),
     ("axe-core finds no fault in any state, on a laptop and on a telephone", axe::finds_nothing_anywhere),
     ("no text is cut or covered, on four screens and at 200 %", fit::nothing_is_cut),
     ("the keyboard reaches every control, and shows where it is", keyboard::reaches_every_control),

@@ -363,10 +363,15 @@ pub(crate) fn map_is_shown(visitor: &mut Visitor) -> Result<()> {
 pub(crate) fn map_of_costs_adds_up(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#stage?play=none&scene=show")?;
     redraw(&mut page, "the map", |page| page.enter("map-subject", "cost"))?;
-    let costs = page.ask("luminaire.costs")?;
-    let time = |of: &str| costs[of].as_f64().context("no time");
-    let (mapped, lighting) = (time("mapped")?, time("lighting")?);
-    ensure!((mapped / lighting - 1.0).abs() < 0.01, "the map has {mapped} ms of {lighting}");
+    let mut differences = Vec::new();
+    // Other work of the machine may interrupt a worker between two tiles.
+    while differences.iter().all(|difference: &f64| *difference >= 0.01) {
+        ensure!(differences.len() < 10, "the map differs from the time by {differences:?} of it");
+        redraw(&mut page, "a light", |page| press(page, "light-0-on"))?;
+        let costs = page.ask("luminaire.costs")?;
+        let time = |of: &str| costs[of].as_f64().context("no time");
+        differences.push((time("mapped")? / time("lighting")? - 1.0).abs());
+    }
     let [total, end] = [page.message("map-total")?, page.message("map-end")?];
     ensure!(total.ends_with(" ms of a core in all") && end.ends_with(" ns a pixel"), "{total:?}, {end:?}");
     page.must_be_content()

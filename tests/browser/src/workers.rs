@@ -26,13 +26,6 @@ const LONGEST: f64 = 50.0;
 /// Attempts to see no longer task: a processor that others share, too, loses some of its speed.
 const ATTEMPTS: usize = 3;
 
-/// The views, and the slider of each: where it is dragged from, and by how much at once.
-const SLIDERS: [(&str, &str, f64, f64); 3] = [
-    ("", "light-beam", 0.3, 0.02),
-    ("#compare?left=fx16&half=10", "half-angle", 0.8, 0.02),
-    ("#museum", "exhibit-value", 0.1, 0.02),
-];
-
 /// Sums of the picture, of its map and of its account.
 const SUMS: &str = "(() => {
     const sum = (codes) => codes.reduce((sum, code) => (31 * sum + code) % 4294967291, 7);
@@ -95,28 +88,35 @@ pub(crate) fn are_counted(visitor: &mut Visitor) -> Result<()> {
 }
 
 /// No task of the page takes longer than 50 ms after it has loaded: not while the show plays, nor
-/// while a slider is dragged, nor while the chip runs.
+/// while a slider is dragged.
 pub(crate) fn leave_the_page_free(visitor: &mut Visitor) -> Result<()> {
-    for (view, slider, from, by) in SLIDERS {
-        is_free(visitor, view, |page| {
-            let drawn = page.number("luminaire.drawn")?;
-            page.ask(&format!(
-                "(async () => {{
-                    for (let i = 0; i < 20; i += 1) {{
-                        probe.enter('{slider}', {from} + {by} * i);
-                        await new Promise((resolve) => setTimeout(resolve, 20));
-                    }}
-                    await probe.until(() => luminaire.drawn > {drawn} + 3);
-                }})()"
-            ))
-            .map(drop)
-        })?;
-    }
     is_free(visitor, "", |page| {
         let drawn = page.number("luminaire.drawn")?;
-        page.ask(&format!("probe.until(() => luminaire.drawn > {drawn} + 20)")).map(drop)
-    })?;
+        page.ask(&format!("probe.until(() => luminaire.drawn > {drawn} + 20)"))?;
+        drag(page, "light-beam", 0.3)
+    })
+}
+
+/// The same in the other views.
+pub(crate) fn leave_every_view_free(visitor: &mut Visitor) -> Result<()> {
+    is_free(visitor, "#compare?left=fx16&half=10", |page| drag(page, "half-angle", 0.8))?;
+    is_free(visitor, "#museum", |page| drag(page, "exhibit-value", 0.1))?;
     is_free(visitor, "#chip", |page| page.ask("probe.until(() => luminaire.chip?.drawn > 1)").map(drop))
+}
+
+/// Drags a slider from a value on.
+fn drag(page: &mut Page, slider: &str, from: f64) -> Result<()> {
+    let drawn = page.number("luminaire.drawn")?;
+    page.ask(&format!(
+        "(async () => {{
+            for (let i = 0; i < 20; i += 1) {{
+                probe.enter('{slider}', {from} + 0.02 * i);
+                await new Promise((resolve) => setTimeout(resolve, 20));
+            }}
+            await probe.until(() => luminaire.drawn > {drawn} + 3);
+        }})()"
+    ))
+    .map(drop)
 }
 
 /// Fails if a task of a view takes too long while a visitor acts.
