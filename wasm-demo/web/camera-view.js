@@ -65,11 +65,15 @@ export class CameraView {
     // Not passive: the wheel over the stage moves the camera, not the page.
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.#key(event));
+    document.addEventListener("visibilitychange", () => this.request());
   }
 
-  /** Draws with the next frame of the browser. Without a request no frame is scheduled. */
+  /**
+   * Draws with the next frame of the browser. Without a request no frame is scheduled, and none while
+   * nobody sees the page: Firefox has a frame a second for it.
+   */
   request() {
-    if (this.#frame === 0 && !this.#paused && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    if (this.#frame === 0 && !this.#paused && !document.hidden && !hasFailed()) this.#frame = requestAnimationFrame((now) => this.#tick(now));
   }
 
   /**

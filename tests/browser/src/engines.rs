@@ -15,7 +15,7 @@ pub const SMOKE: [Test; 5] = [
 ];
 
 /// Tests that an engine cannot run, and why.
-const LIMITED: [(Engine, &str, &str); 9] = [
+const LIMITED: [(Engine, &str, &str); 10] = [
     (
         Engine::Firefox,
         "forced colours hide nothing",
@@ -24,6 +24,11 @@ const LIMITED: [(Engine, &str, &str); 9] = [
     (Engine::Firefox, "no task of the page takes longer than 50 ms", "only Chromium records tasks"),
     (Engine::WebKit, "no task of the page takes longer than 50 ms", "only Chromium records tasks"),
     (Engine::WebKit, "forced colours hide nothing", "WebKit forces no colours"),
+    (
+        Engine::WebKit,
+        "a hidden page draws nothing, and goes on when it is seen",
+        "windows of a virtual display are never hidden",
+    ),
     (
         Engine::WebKit,
         "a lost connection keeps views from opening, until it is back",

@@ -13,6 +13,7 @@ const OPEN_ALL: &str = "(async () => {
     document.getElementById('price').scrollIntoView();
     await probe.until(() => document.querySelector('#price-picked b'));
     for (const details of document.querySelectorAll('details')) details.open = true;
+    await probe.until(() => [...document.querySelectorAll('details pre')].every((pre) => pre.textContent));
 })()";
 
 /// Runs the board until it has shown a picture, and stops it.
