@@ -162,14 +162,14 @@ impl Fragments {
             .zip(&mut nz[span.clone()])
             .zip(&mut self.material[span]);
         for (i, ((((old, nx), ny), nz), old_material)) in planes.enumerate() {
+            // All pixels are written, so that compilers vectorise the loop.
             let new = nearness.at(i);
-            if new > *old {
-                *old = new;
-                *nx = normal[0].at(i);
-                *ny = normal[1].at(i);
-                *nz = normal[2].at(i);
-                *old_material = material;
-            }
+            let is_nearer = new > *old;
+            *old = if is_nearer { new } else { *old };
+            *nx = if is_nearer { normal[0].at(i) } else { *nx };
+            *ny = if is_nearer { normal[1].at(i) } else { *ny };
+            *nz = if is_nearer { normal[2].at(i) } else { *nz };
+            *old_material = if is_nearer { material } else { *old_material };
         }
     }
 }

@@ -193,7 +193,7 @@ impl<S: Format> Renderer<S> {
             }
         }
         self.geometry.resolve(&self.fragments, view);
-        self.tiles.enclose(&self.geometry.blocks);
+        self.tiles.enclose(&self.geometry.bounds);
         self.eye = Vec3::from(view.eye()).map(S::length);
         self.view = Some(*view);
         self.tiles.tiles.iter_mut().for_each(|tile| tile.sight = None);

@@ -49,8 +49,8 @@ pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
 
 /// Returns the sRGB codes of linear values: for each value the code of [`encode_srgb`].
 ///
-/// In f32 the polynomials of all values are computed before the first look-up in the table of
-/// thresholds, so that compilers use vector instructions for the polynomials.
+/// In f32 the polynomials of all values come first, then the look-ups in the table of thresholds,
+/// then the comparisons, so that compilers use vector instructions for all but the look-ups.
 #[inline]
 pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
     let mut near = [0; N];
@@ -61,16 +61,28 @@ pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
             _ => 0,
         };
     }
+    let thresholds = near.map(|code| EIGHT_BIT_THRESHOLDS[code as u8 as usize]);
     let mut codes = [0; N];
     for i in 0..N {
         codes[i] = match linear[i].word() {
-            Word::Single(linear) => settled::<255>(clamp(linear), near[i] as usize),
+            Word::Single(linear) => (near[i] + u32::from(clamp(linear) >= thresholds[i])) as u8,
             #[cfg(feature = "fixed")]
             _ => encode_srgb(linear[i]),
         };
     }
     codes
 }
+
+/// The thresholds of all codes of eight bits. No light reaches the one after the last code.
+static EIGHT_BIT_THRESHOLDS: [f32; 256] = {
+    let mut table = [f32::INFINITY; 256];
+    let mut code = 0;
+    while code < 255 {
+        table[code] = Thresholds::<255>::FLOAT[code];
+        code += 1;
+    }
+    table
+};
 
 /// Returns the integer nearest to a value up to 255; 0 for values below 0.
 #[inline(always)]

@@ -114,6 +114,31 @@ impl<'a> Gobo<'a> {
         S::weighted_byte(between(top, bottom, down))
     }
 
+    /// Returns the transmissions at positions with these columns and rows: for each position that
+    /// of [`transmission`](Self::transmission).
+    ///
+    /// The look-ups have a loop of their own, so that compilers use vector instructions for the
+    /// rest.
+    #[inline]
+    pub fn transmission_each<S: Scalar, const N: usize>(self, columns: &[i32; N], rows: &[i32; N]) -> [S; N] {
+        let (mut first, mut right, mut down) = ([0; N], [0; N], [0; N]);
+        for i in 0..N {
+            let (column, row);
+            (column, right[i]) = self.part(columns[i]);
+            (row, down[i]) = self.part(rows[i]);
+            first[i] = row * self.side + column;
+        }
+        let [mut top, mut bottom] = [[(0, 0); N]; 2];
+        for i in 0..N {
+            top[i] = (self.nth(first[i]), self.nth(first[i] + 1));
+            bottom[i] = (self.nth(first[i] + self.side), self.nth(first[i] + self.side + 1));
+        }
+        core::array::from_fn(|i| {
+            let [top, bottom] = [top[i], bottom[i]].map(|(left, next)| between(left, next, right[i]));
+            S::weighted_byte(between(top, bottom, down[i]))
+        })
+    }
+
     /// Returns the index of the transmission before a coordinate, and the weight of the next
     /// transmission.
     ///

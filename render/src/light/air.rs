@@ -97,8 +97,8 @@ impl<S: Scalar> Way<'_, S> {
         let points = points.map(|column| column.map(S::length));
         if let Some(gobo) = self.gobo {
             places.find(gobo.projection(), &points);
-            for (i, light) in lights.iter_mut().enumerate() {
-                *light *= gobo.gobo().transmission(&places.at(i)).to_f32();
+            for (light, part) in lights.iter_mut().zip(places.transmissions(gobo.gobo())) {
+                *light *= part.to_f32();
             }
         }
         if let Some(shadow) = &self.shadow {

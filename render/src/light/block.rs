@@ -3,7 +3,6 @@
 use crate::{
     buffer::LANES,
     light::{part::Part, reach::Reach},
-    space::bounds::Bounds,
 };
 use luminaire::{Scalar, Vec3};
 
@@ -17,8 +16,6 @@ pub struct Block<S: Scalar> {
     pub(crate) material: [u32; LANES],
     /// Whether all pixels have the same material.
     pub(crate) is_uniform: bool,
-    /// Bounding sphere of the points; `None` if nothing was drawn.
-    pub(crate) bounds: Option<Bounds>,
     /// Bounds of the surface at the pixels that have the first pixel's material, and at all other
     /// pixels. At the outline of an object, the two parts separate the near surface from the far
     /// surface.
@@ -33,7 +30,6 @@ impl<S: Scalar> Block<S> {
             normal: Vec3::default().map(|()| [S::ZERO; LANES]),
             material: [0; LANES],
             is_uniform: true,
-            bounds: None,
             parts: [None; 2],
         }
     }

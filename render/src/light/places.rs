@@ -2,7 +2,7 @@
 
 use luminaire::{
     Scalar, Vec3,
-    projector::{CompiledProjection, ProjectedPoint},
+    projector::{CompiledProjection, Gobo, ProjectedPoint},
 };
 
 /// Projected points, each quantity in its own array.
@@ -30,6 +30,11 @@ impl<S: Scalar, const N: usize> Places<S, N> {
             row[i] = place.row;
             depth[i] = place.depth;
         }
+    }
+
+    /// Returns the transmissions of a gobo on the square.
+    pub(crate) fn transmissions(&self, gobo: Gobo<'_>) -> [S; N] {
+        gobo.transmission_each(&self.column, &self.row)
     }
 
     /// Returns the projected point at an index.

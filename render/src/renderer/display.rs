@@ -52,7 +52,7 @@ impl Display {
 
     /// Writes the codes of a block whose first pixel is at `(x, y)`, until `pixels` is full.
     pub(crate) fn encode(self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
-        let kept = if self.keeps_hue() { Some(keep_hue(radiance)) } else { None };
+        let kept = (self.keeps_hue() && is_overexposed(radiance)).then(|| keep_hue(radiance));
         let radiance = kept.as_ref().unwrap_or(radiance);
         match self {
             // Encodes one channel of the whole block at a time, so that compilers use vector
@@ -77,6 +77,14 @@ impl Display {
 
 fn linear(radiance: &Radiance, lane: usize) -> Rgb<f32> {
     Rgb::new(radiance.red[lane], radiance.green[lane], radiance.blue[lane])
+}
+
+/// Returns whether any channel exceeds full scale. In most blocks none does.
+fn is_overexposed(Rgb { red, green, blue }: &Radiance) -> bool {
+    // The fold has no early exit, so that compilers vectorise it.
+    let channels = red.iter().zip(green).zip(blue);
+    channels
+        .fold(false, |is_over, ((red, green), blue)| is_over | (*red > 1.0) | (*green > 1.0) | (*blue > 1.0))
 }
 
 fn keep_hue(radiance: &Radiance) -> Radiance {

@@ -7,6 +7,7 @@ use crate::{
         part::{Fan, Part},
     },
     raster::{Fragments, view::View},
+    space::bounds::Bounds,
 };
 use alloc::{collections::TryReserveError, vec::Vec};
 use luminaire::{Scalar, Vec3};
@@ -15,6 +16,9 @@ use luminaire::{Scalar, Vec3};
 #[derive(Clone, Debug)]
 pub(crate) struct GBuffer<S: Scalar> {
     pub(crate) blocks: Vec<Block<S>>,
+    /// The bounding sphere of each block's points; `None` if nothing was drawn. They are apart from
+    /// the blocks, because all of them are read together.
+    pub(crate) bounds: Vec<Option<Bounds>>,
     /// Blocks per row.
     pub(crate) columns: usize,
 }
@@ -22,7 +26,8 @@ pub(crate) struct GBuffer<S: Scalar> {
 impl<S: Scalar> GBuffer<S> {
     pub(crate) fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
         let columns = width.div_ceil(LANES);
-        Ok(Self { blocks: filled(columns * height, Block::empty())?, columns })
+        let count = columns * height;
+        Ok(Self { blocks: filled(count, Block::empty())?, bounds: filled(count, None)?, columns })
     }
 
     /// Computes the position and the unit normal of each fragment.
@@ -31,8 +36,9 @@ impl<S: Scalar> GBuffer<S> {
         let [nx, ny, nz] = fragments.normal.each_ref().map(|plane| blocks(plane));
         let material = blocks(&fragments.material);
         let lanes = nearness.zip(nx.zip(ny).zip(nz)).zip(material);
-        for (number, (block, ((nearness, ((nx, ny), nz)), material))) in
-            self.blocks.iter_mut().zip(lanes).enumerate()
+        let blocks = self.blocks.iter_mut().zip(&mut self.bounds);
+        for (number, ((block, bounds), ((nearness, ((nx, ny), nz)), material))) in
+            blocks.zip(lanes).enumerate()
         {
             let (row, column) = (number / self.columns, number % self.columns);
             let (first, step) = view.ray(row);
@@ -48,7 +54,7 @@ impl<S: Scalar> GBuffer<S> {
             let last = first + step * (LANES - 1) as f32;
             let fan = Fan { eye: view.eye(), edges: [first, last] };
             let whole = Part::new(&fan, nearness, &normals);
-            block.bounds = whole.map(|part| part.bounds);
+            *bounds = whole.map(|part| part.bounds);
             block.parts = if block.is_uniform {
                 [whole, None]
             } else {

@@ -233,7 +233,8 @@ fn most_blocks_outside_a_narrow_beam_are_left_out() {
     let spot = stage::lights().unwrap()[0];
     let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(8.0)).unwrap();
     let reach = crate::light::reach::Reach::new(&spot.with_cone(cone).into());
-    let drawn: Vec<_> = renderer.geometry.blocks.iter().filter(|block| block.bounds.is_some()).collect();
+    let blocks = renderer.geometry.blocks.iter().zip(&renderer.geometry.bounds);
+    let drawn: Vec<_> = blocks.filter(|(_, bounds)| bounds.is_some()).map(|(block, _)| block).collect();
     let missed = drawn.iter().filter(|block| block.is_missed(&reach)).count();
     let share = missed as f32 / drawn.len() as f32;
     assert!((0.8..0.97).contains(&share), "{share} of the blocks are left out");

@@ -1,9 +1,9 @@
 //! Tiles: rectangles of blocks that are re-lit or kept as a whole. Regions: squares of tiles.
 
-use crate::{buffer::filled, light::block::Block, space::bounds::Bounds, stripes::Stripes};
+use crate::{buffer::filled, space::bounds::Bounds, stripes::Stripes};
 use alloc::{collections::TryReserveError, vec::Vec};
 use core::ops::Range;
-use luminaire::{Scalar, haze::RayBundle};
+use luminaire::haze::RayBundle;
 
 /// Rows per tile. A tile is one block wide.
 const ROWS: usize = Stripes::ROWS;
@@ -82,10 +82,10 @@ impl Tiles {
         block / self.columns / ROWS * self.columns + block % self.columns
     }
 
-    /// Computes the bounding spheres of all tiles and regions.
-    pub(crate) fn enclose<S: Scalar>(&mut self, blocks: &[Block<S>]) {
+    /// Computes the bounding spheres of all tiles and regions from those of all blocks.
+    pub(crate) fn enclose(&mut self, blocks: &[Option<Bounds>]) {
         for number in 0..self.tiles.len() {
-            let spheres = self.blocks(number).filter_map(|block| blocks[block].bounds);
+            let spheres = self.blocks(number).filter_map(|block| blocks[block]);
             self.tiles[number].bounds = Bounds::enclosing(spheres);
         }
         for number in 0..self.regions.len() {
