@@ -15,14 +15,14 @@ const TURN = 2 * Math.PI;
 
 /**
  * What is drawn: `orbit` turns by angles in radians, `zoom` returns whether the camera has moved,
- * `draw` resolves when the picture can be shown, and `show` returns whether there was something to
- * show.
+ * `draw` calls `onfree` when the next picture may be begun, and resolves when the picture can be
+ * shown; `show` returns whether there was something to show.
  * @typedef {{ goesOn: boolean, show: () => boolean }} Picture
  * @typedef {object} Camera
  * @property {(yaw: number, pitch: number) => void} orbit
  * @property {(factor: number) => boolean} zoom
  * @property {() => void} reset
- * @property {(now: number) => Promise<Picture>} draw
+ * @property {(now: number, onfree: () => void) => Promise<Picture>} draw
  */
 
 export class CameraView {
@@ -30,10 +30,12 @@ export class CameraView {
   #camera;
   #frame = 0;
   #paused = true;
-  /** Whether a picture is being drawn. */
+  /** How many pictures are being drawn. */
+  #begun = 0;
+  /** Whether the next picture must wait. */
   #isBusy = false;
   /**
-   * The time of a frame of the browser that began while a picture was being drawn.
+   * The time of a frame of the browser that began while the next picture had to wait.
    * @type {number | undefined}
    */
   #due;
@@ -87,7 +89,7 @@ export class CameraView {
 
   /** Whether a picture is being drawn or will be. */
   get isDrawing() {
-    return this.#isBusy || this.#frame !== 0;
+    return this.#begun > 0 || this.#frame !== 0;
   }
 
   /**
@@ -102,7 +104,7 @@ export class CameraView {
   }
 
   /**
-   * A frame of the browser. One picture is drawn at a time, and the newest state next.
+   * A frame of the browser. The newest state is drawn next, when a worker is free.
    * @param {number} now
    */
   #tick(now) {
@@ -114,25 +116,33 @@ export class CameraView {
   /** @param {number} now */
   #start(now) {
     this.#isBusy = true;
+    this.#begun += 1;
     this.#due = undefined;
-    this.#drawing = this.#finish(this.#camera.draw(now));
+    let isFree = false;
+    const onfree = () => {
+      if (isFree) return;
+      isFree = true;
+      this.#isBusy = false;
+      // If the browser has begun a frame in the meantime, the workers begin the next picture before
+      // this one is shown, so that they need not wait.
+      if (this.#due !== undefined && !hasFailed()) this.#start(this.#due);
+    };
+    this.#drawing = this.#finish(this.#camera.draw(now, onfree), onfree);
     return this.#drawing;
   }
 
   /**
    * @param {Promise<Picture>} picture
+   * @param {() => void} onfree
    * @returns {Promise<void>}
    */
-  async #finish(picture) {
+  async #finish(picture, onfree) {
     let drawn;
     try {
       drawn = await picture;
     } finally {
-      this.#isBusy = false;
-      // If the browser has begun a frame in the meantime, the workers begin the next picture before
-      // this one is shown, so that they need not wait.
-      const due = this.#due;
-      if (due !== undefined && !hasFailed()) this.#start(due);
+      this.#begun -= 1;
+      onfree();
       if (drawn?.goesOn) this.request();
     }
     if (drawn?.show()) this.drawn += 1;

@@ -268,8 +268,8 @@ function opened(name, options) {
 const hidden = () => new Screen(document.createElement("canvas"), document.createElement("canvas"));
 
 /**
- * Draws pictures as an animation does: the next one is begun before the last one is shown. Returns
- * the time in milliseconds, without that of the first pictures.
+ * Draws pictures as an animation does: the next one is begun when a worker is free. Returns the time
+ * in milliseconds, without that of the first pictures.
  * @param {Stage} stage
  * @param {Pool} pool
  * @param {string[]} jobs
@@ -277,12 +277,22 @@ const hidden = () => new Screen(document.createElement("canvas"), document.creat
 async function inTurn(stage, pool, jobs) {
   const { width, height } = stage;
   const screen = hidden();
+  /** @type {(job: string) => { drawing: ReturnType<Pool["draw"]>, free: Promise<void> }} */
+  const begin = (job) => {
+    /** @type {() => void} */
+    let onfree = () => {};
+    const free = /** @type {Promise<void>} */ (new Promise((resolve) => (onfree = resolve)));
+    return { drawing: pool.draw(job, onfree), free };
+  };
   let start = now();
-  let drawing = pool.draw(jobs[0]);
+  let picture = begin(jobs[0]);
   for (let next = 1; next <= jobs.length; next += 1) {
+    const { drawing, free } = picture;
+    // A refused picture does not call `onfree`.
+    await Promise.race([free, drawing]);
+    if (next < jobs.length) picture = begin(jobs[next]);
     const { parts } = await drawing;
     if (next === WARM_UP) start = now();
-    if (next < jobs.length) drawing = pool.draw(jobs[next]);
     screen.gather(parts, { width, height });
     pool.recycle(parts);
     screen.show();

@@ -14,6 +14,10 @@ const PASSES = /** @type {const} */ (["shadows", "geometry", "lighting", "encode
 /** @typedef {Awaited<ReturnType<Share["draw"]>>} Part a share of a picture */
 /** @typedef {Part["account"]} Account */
 /** @typedef {import("./workers.js").Helper} Helper */
+/**
+ * A picture in parts: see `Pool.draw`.
+ * @typedef {{ isDrawn: boolean, parts: Part[], account: Account, times: Part["times"] & { transfer: number } }} Drawn
+ */
 
 /**
  * The module of the painters in fixed point, once a picture needs it: compiled once for all pools.
@@ -36,7 +40,10 @@ export class Pool {
    * @type {Uint8ClampedArray[][]}
    */
   #spares;
+  /** Whether the last picture was refused: then the shares may differ in what they have drawn. */
   #isFresh = false;
+  /** Resolves with the time when the last picture was drawn or refused, and whether it was refused. */
+  #last = Promise.resolve({ end: 0, isRefused: false });
 
   /**
    * Starts workers.
@@ -60,21 +67,37 @@ export class Pool {
   /**
    * Draws a picture. The result has the `parts` of the picture, in the order of the shares, the
    * `account` of the whole, and `times` in milliseconds: the passes of the share that took longest,
-   * of those that drew shadow maps if any did, and all the rest as `transfer`. Only one picture may
-   * be asked for at a time.
+   * of those that drew shadow maps if any did, and all the rest as `transfer`.
+   *
+   * The next picture may be asked for when `onfree` is called: a worker has then drawn its share,
+   * and all workers have drawn theirs of the picture before. So a worker need not wait for the
+   * others, and at most two pictures are being drawn.
    * @param {string} job
+   * @param {() => void} [onfree]
+   * @returns {Promise<Drawn>}
    */
-  async draw(job) {
+  async draw(job, onfree = () => {}) {
     await this.#equip([job]);
     const start = now();
     const isFresh = this.#isFresh;
-    this.#isFresh = true;
-    /** @type {Part[]} */
-    const parts = this.#local
-      ? [await this.#local.draw({ job, isFresh })]
-      : await all(this.#helpers.map((helper, share) => this.#ask(helper, share, { job, isFresh })));
     this.#isFresh = false;
-    const span = now() - start;
+    const before = this.#last;
+    const shares = this.#local
+      ? [this.#local.draw({ job, isFresh })]
+      : this.#helpers.map((helper, share) => this.#ask(helper, share, { job, isFresh }));
+    const whole = all(shares);
+    this.#last = whole.then(
+      () => ({ end: now(), isRefused: false }),
+      () => {
+        this.#isFresh = true;
+        return { end: now(), isRefused: true };
+      },
+    );
+    Promise.all([before, Promise.race(shares).catch(() => {})]).then(onfree);
+    const parts = await whole;
+    const { end, isRefused } = await before;
+    if (isRefused && !isFresh) return this.draw(job);
+    const span = now() - Math.max(start, end);
     /** @type {(part: Part) => number} */
     const busy = ({ times }) => PASSES.reduce((sum, pass) => sum + (times[pass] ?? 0), 0);
     const casting = parts.filter(({ times }) => times.shadows !== undefined);

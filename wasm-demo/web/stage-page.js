@@ -78,6 +78,8 @@ export class StagePage {
    * @type {string | undefined}
    */
   #drawnJob;
+  /** How many jobs the pool was asked to draw. */
+  #number = 0;
   /** Whether the canvas shows its picture. */
   #isShown = true;
   /** What lighting the last picture took, in milliseconds of a core. */
@@ -110,7 +112,7 @@ export class StagePage {
       orbit: (yaw, pitch) => this.#move(() => stage.orbit(yaw, pitch)),
       zoom: (factor) => this.#move(() => stage.zoom(factor)),
       reset: () => this.#move(() => stage.resetCamera()),
-      draw: (now) => this.#draw(now),
+      draw: (now, onfree) => this.#draw(now, onfree),
     });
     this.#effects = new EffectList(stage);
     this.#lights = new LightList(stage);
@@ -417,9 +419,10 @@ export class StagePage {
   /**
    * Draws what has changed: see `CameraView`.
    * @param {number} now
+   * @param {() => void} onfree
    * @returns {Promise<Shown>}
    */
-  async #draw(now) {
+  async #draw(now, onfree) {
     const stage = this.#stage;
     const step = Math.min((now - (this.#last ?? now)) / 1000, LONGEST_STEP);
     const isPlaying = stage.advance(step);
@@ -430,10 +433,12 @@ export class StagePage {
     if (job === this.#drawnJob && this.#divided.hasDrawn(other)) return { goesOn: isPlaying, show: () => this.#show() };
     const { width, height } = stage;
     this.#drawnJob = undefined;
+    const number = (this.#number += 1);
     try {
-      const picture = await this.#pool.draw(job);
+      // The other half of a divided picture comes before the next picture.
+      const picture = await this.#pool.draw(job, other === undefined ? onfree : undefined);
       await this.#divided.draw(other, { width, height });
-      this.#drawnJob = job;
+      if (number === this.#number) this.#drawnJob = job;
       return { goesOn: isPlaying, show: () => this.#take({ ...picture, width, height, isPlaying, isAtRest }) };
     } catch (refusal) {
       // A picture of so many pixels may not fit into memory.

@@ -52,4 +52,8 @@ async function answer({ data: { number, act, ...order } }) {
 
 // The message of a panic precedes its trap and is more specific.
 addEventListener("luminaire-panic", (event) => tell({ panic: /** @type {CustomEvent} */ (event).detail }));
-addEventListener("message", answer);
+// One question at a time: a share that waits for shadow maps must not take the next picture.
+let last = Promise.resolve();
+addEventListener("message", (event) => {
+  last = last.then(() => answer(event));
+});
