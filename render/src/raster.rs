@@ -146,31 +146,35 @@ impl Fragments {
         let grid = self.grid;
         grid.cover(&corners, |span| {
             let nearness = span.line(|corner| corner.nearness);
-            let normal = [0, 1, 2].map(|i| span.line(|corner| corner.normal[i]));
-            self.fill(span.pixels, nearness, normal, material);
+            let [x, y, z] = [0, 1, 2].map(|i| span.line(|corner| corner.normal[i]));
+            let [nx, ny, nz] = self.normal.each_mut().map(|plane| &mut plane[span.pixels.clone()]);
+            let old = &mut self.nearness[span.pixels.clone()];
+            fill(old, nx, ny, nz, &mut self.material[span.pixels], [nearness, x, y, z], material);
         });
     }
+}
 
-    /// Writes the fragments of a span at each pixel where the new fragment is nearer than the
-    /// previous one.
-    fn fill(&mut self, span: core::ops::Range<usize>, nearness: Line, normal: [Line; 3], material: u32) {
-        let [nx, ny, nz] = &mut self.normal;
-        let planes = self.nearness[span.clone()]
-            .iter_mut()
-            .zip(&mut nx[span.clone()])
-            .zip(&mut ny[span.clone()])
-            .zip(&mut nz[span.clone()])
-            .zip(&mut self.material[span]);
-        for (i, ((((old, nx), ny), nz), old_material)) in planes.enumerate() {
-            // All pixels are written, so that compilers vectorise the loop.
-            let new = nearness.at(i);
-            let is_nearer = new > *old;
-            *old = if is_nearer { new } else { *old };
-            *nx = if is_nearer { normal[0].at(i) } else { *nx };
-            *ny = if is_nearer { normal[1].at(i) } else { *ny };
-            *nz = if is_nearer { normal[2].at(i) } else { *nz };
-            *old_material = if is_nearer { material } else { *old_material };
-        }
+/// Writes the fragments of a span at each pixel where the new fragment is nearer than the previous
+/// one. `lines` are the nearness and the normal.
+///
+/// The planes are arguments of a function that is not inlined, so that compilers know that they do
+/// not overlap. Each pixel is written as a whole, drawn or kept: with a condition for each plane,
+/// compilers write only the drawn pixels, one after the other.
+#[inline(never)]
+fn fill(
+    old: &mut [f32],
+    nx: &mut [f32],
+    ny: &mut [f32],
+    nz: &mut [f32],
+    materials: &mut [u32],
+    lines: [Line; 4],
+    material: u32,
+) {
+    let planes = old.iter_mut().zip(nx).zip(ny).zip(nz).zip(materials);
+    for (i, ((((old, nx), ny), nz), old_material)) in planes.enumerate() {
+        let [new, x, y, z] = lines.map(|line| line.at(i));
+        let (drawn, kept) = ((new, x, y, z, material), (*old, *nx, *ny, *nz, *old_material));
+        (*old, *nx, *ny, *nz, *old_material) = if new > *old { drawn } else { kept };
     }
 }
 
