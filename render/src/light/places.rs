@@ -43,3 +43,25 @@ impl<S: Scalar, const N: usize> Places<S, N> {
         ProjectedPoint { column: self.column[i], row: self.row[i], depth: self.depth[i] }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::array;
+
+    /// On the square, at its corners and off it, for gobos of one transmission and of many.
+    #[test]
+    fn transmissions_equal_those_of_single_places() {
+        let mut random = fastrand::Rng::with_seed(3);
+        for side in [1, 2, 5, 64] {
+            let transmissions: alloc::vec::Vec<u8> = (0..side * side).map(|_| random.u8(..)).collect();
+            let gobo = Gobo::new(side, &transmissions).unwrap();
+            for _ in 0..2_000 {
+                let mut steps = || array::from_fn(|_| random.i32(-70_000..140_000));
+                let places = Places::<f32, 8> { column: steps(), row: steps(), depth: [1.0; 8] };
+                let each: [f32; 8] = array::from_fn(|i| gobo.transmission(&places.at(i)));
+                assert_eq!(places.transmissions(gobo), each, "{side} {places:?}");
+            }
+        }
+    }
+}
