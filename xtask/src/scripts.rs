@@ -66,8 +66,7 @@ fn rules(progress: &Progress) -> Result<()> {
 }
 
 fn unit_tests(progress: &Progress) -> Result<Tally> {
-    let node = command::on_path(&["node", "nodejs"]).context("node is not installed: install nodejs")?;
-    let mut test = Command::new(node);
+    let mut test = Command::new(install::node(progress)?);
     test.arg("--test").current_dir(project::root().join(TESTS));
     let ended = command::capture(test)?;
     progress.quote(&ended.output);

@@ -8,6 +8,7 @@
 
 mod actions;
 mod chromium;
+mod display;
 mod firefox;
 mod page;
 mod probe;
@@ -20,7 +21,7 @@ use std::fmt;
 
 use anyhow::Result;
 
-pub use chromium::Chromium;
+pub use chromium::{Chromium, WebGl};
 pub use firefox::Firefox;
 pub use page::Page;
 pub use webkit::WebKit;

@@ -30,6 +30,26 @@ fn is_debian(os_release: &str) -> bool {
     os_release.lines().any(|line| line == "ID=debian" || line == "ID=\"debian\"")
 }
 
+/// The first of these programs on PATH. As root on Debian, installs the packages if there is none.
+pub fn program(names: &[&str], packages: &[&str], progress: &Progress) -> Result<PathBuf> {
+    if let Some(program) = command::on_path(names) {
+        return Ok(program);
+    }
+    if debian_root() {
+        apt(packages, progress)?;
+    }
+    command::on_path(names).with_context(|| {
+        format!("none of {} is on PATH: install the Debian packages {}", names.join(", "), packages.join(" "))
+    })
+}
+
+/// Node.js, which runs scripts. As root on Debian, installs it and npm if there is none.
+pub fn node(progress: &Progress) -> Result<PathBuf> {
+    program(&["node", "nodejs"], &NODE_PACKAGES, progress)
+}
+
+const NODE_PACKAGES: [&str; 2] = ["nodejs", "npm"];
+
 /// Installs Debian packages. Call it only if [`debian_root`] returns true.
 pub fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
     let step = progress.begin("Installing", format_args!("Debian packages: {}", packages.join(" ")));
@@ -121,7 +141,7 @@ pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
     if is_recorded && folder.is_dir() {
         return Ok(folder);
     }
-    let npm = command::on_path(&["npm"]).context("npm is not installed: install nodejs and npm")?;
+    let npm = program(&["npm"], &NODE_PACKAGES, progress)?;
     let step = progress.begin("Installing", "the npm packages of lab/tools/npm into target/tools");
     fs::write(tools().join("package.json"), NPM_PACKAGES)?;
     fs::write(&lock, NPM_LOCK)?;

@@ -29,13 +29,7 @@ impl Rp2040 {
 
     /// Finds the emulator, or installs it below `target`.
     pub(crate) fn find(progress: &Progress) -> Result<Self> {
-        const PROGRAMS: [&str; 2] = ["nodejs", "npm"];
-        let node = || command::on_path(&["node", "nodejs"]);
-        if install::debian_root() && (node().is_none() || command::on_path(&["npm"]).is_none()) {
-            install::apt(&PROGRAMS, progress)?;
-        }
-        let node = node().context("node is not installed, which counts cycles: install nodejs and npm")?;
-        Ok(Self { node, library: board::emulator(progress)? })
+        Ok(Self { node: install::node(progress)?, library: board::emulator(progress)? })
     }
 
     /// A call of a script that takes the emulator's folder as its first argument.

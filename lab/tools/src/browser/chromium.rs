@@ -9,6 +9,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 use serde_json::json;
 
+use super::display::Display;
 use super::page::Page;
 use super::process::{self, Process};
 use super::socket::Socket;
@@ -18,10 +19,9 @@ use tab::ChromiumTab;
 
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
-const FLAGS: [&str; 14] = [
+const FLAGS: [&str; 13] = [
     "--headless",
     "--no-sandbox",
-    "--disable-gpu",
     "--disable-quic",
     "--disable-background-networking",
     "--disable-component-update",
@@ -37,25 +37,63 @@ const FLAGS: [&str; 14] = [
     "about:blank",
 ];
 
+/// What draws the WebGL of pages on a machine without a GPU.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum WebGl {
+    /// SwiftShader, which is a part of Chromium.
+    SwiftShader,
+    /// llvmpipe, which is a part of Mesa.
+    Llvmpipe,
+}
+
+/// Lets Chromium draw by Mesa's OpenGL, on an X display.
+const MESA: [&str; 4] =
+    ["--ozone-platform=x11", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist"];
+
 /// A running Chromium with a folder of its own. Dropping it ends the browser and removes the folder.
 #[derive(Debug)]
 pub struct Chromium {
     process: Process,
     devtools: Socket,
     port: u16,
+    _display: Option<Display>,
 }
 
 impl Chromium {
     /// Starts the installed browser. As root on Debian, installs one if there is none.
     pub fn start(progress: &Progress) -> Result<Self> {
+        Self::start_with(&[], None, progress)
+    }
+
+    /// Like [`start`](Self::start), with WebGL by this renderer, which is installed too.
+    pub fn start_with_web_gl(web_gl: WebGl, progress: &Progress) -> Result<Self> {
+        match web_gl {
+            WebGl::SwiftShader => {
+                Self::start_with(&["--disable-gpu", "--enable-unsafe-swiftshader"], None, progress)
+            }
+            WebGl::Llvmpipe => {
+                let display = Display::start(&["xvfb", "libgl1-mesa-dri"], progress)?;
+                Self::start_with(&MESA, Some(display), progress)
+            }
+        }
+    }
+
+    fn start_with(flags: &[&str], display: Option<Display>, progress: &Progress) -> Result<Self> {
         let program = process::find("CHROME", &NAMES, &["chromium"], progress)?;
         let profile = Process::folder("chromium")?;
         let mut command = Command::new(&program);
-        command.arg(format!("--user-data-dir={}", profile.path().display())).args(FLAGS);
+        command.arg(format!("--user-data-dir={}", profile.path().display())).args(FLAGS).args(flags);
+        if let Some(display) = &display {
+            command.envs([
+                ("DISPLAY", display.name().as_str()),
+                ("LIBGL_ALWAYS_SOFTWARE", "1"),
+                ("GALLIUM_DRIVER", "llvmpipe"),
+            ]);
+        }
         let mut process = Process::start(command, profile)?;
         let connected = process.wait(|profile, _| connect(profile));
         let (port, devtools) = connected.with_context(|| format!("{} does not work", program.display()))?;
-        Ok(Self { process, devtools, port })
+        Ok(Self { process, devtools, port, _display: display })
     }
 }
 

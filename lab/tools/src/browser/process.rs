@@ -113,18 +113,6 @@ pub(super) fn find(
         ensure!(named.is_file(), "{variable} = {}: expected a program", named.display());
         return Ok(named);
     }
-    if let Some(program) = command::on_path(names) {
-        return Ok(program);
-    }
-    if install::debian_root() {
-        install::apt(packages, progress)?;
-    }
-    command::on_path(names).with_context(|| {
-        format!(
-            "none of {} is on PATH: install the Debian packages {}, or let the environment variable {variable} \
-             name the program",
-            names.join(", "),
-            packages.join(" ")
-        )
-    })
+    install::program(names, packages, progress)
+        .with_context(|| format!("the environment variable {variable} may name the program"))
 }

@@ -11,6 +11,7 @@ use std::rc::Rc;
 use anyhow::{Context, Result, ensure};
 use serde_json::json;
 
+use super::display::Display;
 use super::page::{PROBE, Page};
 use super::process::{self, Process};
 use super::{Browser, Engine};
@@ -38,7 +39,7 @@ pub struct WebKit {
     windows: usize,
     // Dropped in this order, the display last.
     process: Process,
-    _display: Process,
+    _display: Display,
 }
 
 impl WebKit {
@@ -53,22 +54,14 @@ impl WebKit {
             "{PYTHON} has no WebKitGTK: install the Debian packages {}",
             PACKAGES.join(" ")
         );
-        let mut display = Command::new(process::find("XVFB", &["Xvfb"], &PACKAGES, progress)?);
-        display.args(["-displayfd", "1", "-screen", "0", "2560x1600x24", "-nolisten", "tcp"]);
-        let mut display = Process::start(display, Process::folder("xvfb")?)?;
-        let number = display.wait(|_, output| Ok(display_number(output))).context("Xvfb does not work")?;
-
+        let display = Display::start(&PACKAGES, progress)?;
         let program = process::find("WEBKIT_DRIVER", &["WebKitWebDriver"], &PACKAGES, progress)?;
         let folder = Process::folder("webkit")?;
         fs::write(folder.path().join(PRELUDE), "")?;
         let port = process::free_port()?;
         let mut command = Command::new(&program);
         command.arg(format!("--port={port}"));
-        command.envs([
-            ("DISPLAY", format!(":{number}").as_str()),
-            ("GDK_BACKEND", "x11"),
-            ("NO_AT_BRIDGE", "1"),
-        ]);
+        command.envs([("DISPLAY", display.name().as_str()), ("GDK_BACKEND", "x11"), ("NO_AT_BRIDGE", "1")]);
         let mut process = Process::start(command, folder)?;
         let session = json!({
             "pageLoadStrategy": "eager",
@@ -111,24 +104,5 @@ impl Drop for WebKit {
     fn drop(&mut self) {
         // An error does not matter: a browser without a driver and a display ends.
         let _ = self.driver.borrow_mut().quit();
-    }
-}
-
-/// The number of the display that Xvfb writes, or `None` while it has not written it.
-fn display_number(output: &str) -> Option<u32> {
-    output.strip_suffix('\n')?.lines().last()?.trim().parse().ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_display_is_read_once_it_is_fully_written() {
-        assert_eq!(display_number("12\n"), Some(12));
-        assert_eq!(display_number("a warning\n7\n"), Some(7));
-        for part in ["", "1", "warning\n"] {
-            assert_eq!(display_number(part), None, "{part:?}");
-        }
     }
 }

@@ -12,15 +12,17 @@ pub const SCENE: &str = "turntable";
 pub struct Load {
     /// Its name in tables.
     pub name: &'static str,
-    /// Arguments of the page's meter for this load.
-    options: &'static str,
+    /// The number of spotlights.
+    pub spots: usize,
+    /// The side of their shadow maps in texels; 0 for none.
+    pub shadows: u16,
 }
 
 /// The loads, from the least to the largest.
 pub static LOADS: [Load; 3] = [
-    Load { name: "8 spots", options: "{}" },
-    Load { name: "4 spots, shadow maps of 512", options: "{ spots: 4, shadows: 512 }" },
-    Load { name: "32 spots", options: "{ spots: 32 }" },
+    Load { name: "8 spots", spots: 8, shadows: 0 },
+    Load { name: "4 spots, shadow maps of 512", spots: 4, shadows: 512 },
+    Load { name: "32 spots", spots: 32, shadows: 0 },
 ];
 
 /// Median frame times in milliseconds; `None` where nothing was drawn.
@@ -49,12 +51,18 @@ const ROUNDS: u32 = 3;
 impl Load {
     /// Counts pictures of the turntable under the load, with a moving camera.
     pub fn cores(&self, page: &mut Page, frames: u32) -> Result<Cores> {
-        cores(page, SCENE, frames, self.options)
+        cores(page, SCENE, frames, &self.options())
     }
 
     /// Times frames of the turntable under the load.
     pub fn time(&self, page: &mut Page, frames: u32) -> Result<Frame> {
-        frame(page, SCENE, frames, self.options)
+        frame(page, SCENE, frames, &self.options())
+    }
+
+    /// Arguments of the page's meter for this load.
+    fn options(&self) -> String {
+        let shadows = if self.shadows > 0 { self.shadows.to_string() } else { "undefined".to_owned() };
+        format!("{{ spots: {}, shadows: {shadows} }}", self.spots)
     }
 }
 
