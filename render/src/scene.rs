@@ -202,6 +202,11 @@ impl Scene {
         self.objects.iter().map(|object| object.mesh.triangle_count()).sum()
     }
 
+    /// Returns the meshes with their materials, in the order in which they were added.
+    pub fn meshes(&self) -> impl Iterator<Item = (&Mesh, &Material)> {
+        self.objects.iter().map(|object| (&object.mesh, &object.material))
+    }
+
     pub(crate) fn objects(&self) -> &[Object] {
         &self.objects
     }

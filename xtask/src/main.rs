@@ -18,7 +18,7 @@ mod test;
 use std::process::ExitCode;
 
 use clap::Parser;
-use measure::{boards, conform, device, effects, frame, pick, prices, size};
+use measure::{boards, conform, device, effects, frame, pick, prices, rivals, size};
 
 use arguments::Request;
 
@@ -33,6 +33,7 @@ fn main() -> ExitCode {
         Request::Firmware(options) => boards::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Frame(options) => frame::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Pick(options) => pick::run(&options).map(|()| ExitCode::SUCCESS),
+        Request::Rivals(options) => rivals::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Size(options) => size::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Measure(options) => prices::run(&options).map(|()| ExitCode::SUCCESS),
         Request::Mutants(options) => mutants::run(options),

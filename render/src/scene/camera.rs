@@ -121,8 +121,13 @@ impl Camera {
         half_angle.y / half_angle.x
     }
 
+    /// Returns the target, in metres.
+    pub fn target(&self) -> luminaire::Vec3<f32> {
+        self.target.into()
+    }
+
     /// Returns the vertical field of view, in radians.
-    pub(crate) fn field_of_view(&self) -> f32 {
+    pub fn field_of_view(&self) -> f32 {
         self.field_of_view
     }
 

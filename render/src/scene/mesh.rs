@@ -136,6 +136,16 @@ impl Mesh {
         self.triangles.len()
     }
 
+    /// Returns the positions, in metres, and the unit normals of the corners of each triangle,
+    /// counter-clockwise as seen from the front.
+    pub fn corners(&self) -> impl Iterator<Item = [[luminaire::Vec3<f32>; 2]; 3]> {
+        let corner = |&number: &u32| {
+            let Vertex { position, normal } = self.vertices[number as usize];
+            [position.into(), normal.into()]
+        };
+        self.triangles.iter().map(move |triangle| triangle.each_ref().map(corner))
+    }
+
     /// Returns an error if a number of the mesh is out of range.
     pub(crate) fn check(&self) -> Result<(), Error> {
         if let Some(error) = self.refused {
