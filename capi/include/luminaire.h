@@ -78,7 +78,9 @@ typedef struct {
   float intensity;
   // The linear colour, from 0 to 1.
   float color[3];
-  // Whether the edge is hard, as of a profile, instead of soft, as of a Fresnel.
+  // Whether the edge is hard, as of a profile, instead of soft, as of a Fresnel. The beam angle
+  // is about 0.86 of the field angle with a hard edge and 0.65 with a soft one;
+  // `luminaire export` takes both angles.
   bool is_hard;
 } luminaire_spot_description;
 
