@@ -2,6 +2,14 @@
 //! characters.
 //!
 //! `draw` runs with every driver that implements `DrawTarget`. Here the driver is an array.
+//!
+//! ```toml
+//! [dependencies]
+//! luminaire = { version = "0.1", features = ["embedded-graphics-core"] }
+//! embedded-graphics-core = "0.4" # or embedded-graphics 0.8, which re-exports its types
+//! ```
+//!
+//! In the crate's folder: `cargo run --example embedded_graphics --features embedded-graphics-core`.
 
 use std::convert::Infallible;
 
@@ -15,7 +23,7 @@ use embedded_graphics_core::{
 use luminaire::{
     Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3,
     display::{self, clip},
-    falloff::Soft,
+    falloff::Falloff,
     light::CompiledSpotLight,
 };
 
@@ -23,9 +31,9 @@ const WIDTH: usize = 80;
 const HEIGHT: usize = 32;
 
 /// Draws a wall that faces the light, 16 pixels to the metre.
-fn draw<D: DrawTarget<Color = Rgb565>>(
+fn draw<D: DrawTarget<Color = Rgb565>, F: Falloff>(
     display: &mut D,
-    light: &CompiledSpotLight<Fx16, Soft>,
+    light: &CompiledSpotLight<Fx16, F>,
 ) -> Result<(), D::Error> {
     const NORMAL: Vec3<Fx16> = Fx16::normal([0.0, 0.0, 1.0]);
     let metres = |pixels: i32| Length::from_bits(pixels << (16 - 4)); // 16 fraction bits
@@ -60,7 +68,9 @@ impl DrawTarget for Panel {
 }
 
 fn main() -> Result<(), luminaire::Error> {
-    let light = SpotLight::new([2.5, 1.0, 3.0], [0.0, 0.0, -1.0], Cone::soft(Angle::degrees(40.0))?)?;
+    // The angles of a data sheet, three metres before the wall. An intensity of 3 x 3 is full scale there.
+    let cone = Cone::from_beam_and_field(Angle::degrees(22.0), Angle::degrees(40.0))?;
+    let light = SpotLight::new([2.5, 1.0, 3.0], [0.0, 0.0, -1.0], cone)?;
     let light = light.with_intensity(9.0)?.with_color(Rgb::new(1.0, 0.8, 0.5))?.compile()?;
     let mut panel = Panel([[Rgb565::BLACK; WIDTH]; HEIGHT]);
     let Ok(()) = draw(&mut panel, &light);

@@ -13,10 +13,12 @@
 //! | move, aim, zoom and dim lights | [moving] |
 //! | port a spotlight of another system | [porting]: [OpenGL](porting::opengl), [Direct3D 9](porting::direct3d), [glTF](porting::gltf), [three.js](porting::three), [Godot](porting::godot), [Bevy](porting::bevy) |
 //! | light the spans of a scanline renderer | [scanline] |
+//! | use vectors and colours of other crates | the features of [interop](crate::interop) |
 //! | test a kernel of your own | [oracle] |
 //! | know when to use something else | [not_for] |
 //!
-//! Commands are run in a clone of the repository; files such as `docs/EFFECTS.md` are in it.
+//! Commands are run in a clone of the repository; files such as `docs/EFFECTS.md` and folders such as
+//! `boards/` are in it, not in the crate.
 //!
 //! This module has no items: it is in the documentation alone.
 
