@@ -1,31 +1,13 @@
-//! A lit wall on a display of `embedded-graphics`, in 16-bit integers: prints the picture as
-//! characters.
-//!
-//! `draw` runs with every driver that implements `DrawTarget`. Here the driver is an array.
-//!
-//! ```toml
-//! [dependencies]
-//! luminaire = { version = "0.1", features = ["embedded-graphics-core"] }
-//! embedded-graphics-core = "0.4" # or embedded-graphics 0.8, which re-exports its types
-//! ```
-//!
-//! In the crate's folder: `cargo run --example embedded_graphics --features embedded-graphics-core`.
+//! A lit wall in 16-bit integers on a display of `embedded-graphics` 0.8 or its core 0.4, which the
+//! feature `embedded-graphics-core` connects. `draw` runs with every driver that implements
+//! `DrawTarget`; here the driver is an array, printed as characters.
 
 use std::convert::Infallible;
 
-use embedded_graphics_core::{
-    Pixel,
-    draw_target::DrawTarget,
-    geometry::{OriginDimensions, Size},
-    pixelcolor::{Rgb565, RgbColor},
-    primitives::PointsIter,
-};
-use luminaire::{
-    Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3,
-    display::{self, clip},
-    falloff::Falloff,
-    light::CompiledSpotLight,
-};
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::prelude::{DrawTarget, OriginDimensions, Pixel, PointsIter, Size};
+use luminaire::display::{self, clip};
+use luminaire::{Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3, falloff::Falloff, light::CompiledSpotLight};
 
 const WIDTH: usize = 80;
 const HEIGHT: usize = 32;

@@ -2,7 +2,7 @@
 //! as characters.
 //!
 //! The light is compiled once, on a microcontroller by a build script. Each frame then aims, zooms
-//! and dims it, without floating point and without a division.
+//! and dims it: calls without floating point and without a division.
 
 use luminaire::{
     Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3,

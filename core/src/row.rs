@@ -17,9 +17,9 @@ const LEAST: usize = 16;
 
 /// A row of points on a straight line of a flat matte surface: a row of pixels on a wall or a floor.
 ///
-/// A row finds which of its points a light can reach, and evaluates the light there alone. On a
-/// Cortex-M0 this takes 12 instructions a point and light in a row of 160 points. With four lights
-/// that reach 0.6 of a row each, a pixel takes 992 instructions in place of 1,127 (measured).
+/// A row finds which of its points a light can reach, in blocks of 16 to 64 points, and evaluates the
+/// light there alone. `docs/EFFECTS.md` has the instructions of the test of a block, *bounding sphere*
+/// (`cargo xtask effects`).
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3, light::Row};

@@ -203,6 +203,15 @@ mod tests {
     }
 
     #[test]
+    fn examples_are_short() {
+        for example in EXAMPLES {
+            let text = fs::read_to_string(project::root().join(format!("core/examples/{example}.rs"))).unwrap();
+            let lines = text.lines().count();
+            assert!(lines < 80, "{example}: expected fewer than 80 lines, found {lines}");
+        }
+    }
+
+    #[test]
     fn a_block_of_the_readme_is_the_file_that_it_names() {
         let text = |file: &str| fs::read_to_string(project::root().join(file)).unwrap();
         let readme = text("README.md");
