@@ -7,7 +7,9 @@ use std::convert::Infallible;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_core::prelude::{DrawTarget, OriginDimensions, Pixel, PointsIter, Size};
 use luminaire::display::{self, clip};
-use luminaire::{Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3, falloff::Falloff, light::CompiledSpotLight};
+use luminaire::{
+    Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3, falloff::Falloff, light::CompiledSpotLight,
+};
 
 const WIDTH: usize = 80;
 const HEIGHT: usize = 32;

@@ -36,6 +36,12 @@ const NO_ADDRESS: &str = "manifest has no documentation, homepage or repository"
 /// The firmware to copy, whose parts the README shows.
 const TEMPLATE: &str = "boards/template";
 
+/// Changes the files of the template to the quick evaluation.
+const QUICK: [(&str, &str, &str); 2] = [
+    ("build.rs", "compile::<Fx16>()", "compile_quick::<Fx16>()"),
+    ("src/lib.rs", "CompiledSpotLight", "QuickSpotLight"),
+];
+
 /// Where the template has the kernel.
 const KERNEL: &str = "path = \"../../core\"";
 
@@ -60,7 +66,8 @@ pub(crate) fn run(suite: &mut Suite) {
     let unpacked = suite.require(NAMES[0], Unpacked::new);
     let unpacked = || unpacked.as_ref().context("the crates were not packed");
     suite.remarked(NAMES[1], |progress| {
-        Ok(vec![format!("{} bytes of flash", unpacked()?.firmware(progress)?)])
+        let [exact, quick] = unpacked()?.firmware(progress)?;
+        Ok(vec![format!("{exact} bytes of flash, by the quick evaluation {quick}")])
     });
     suite.count(NAMES[2], |progress| unpacked()?.tests(progress));
     suite.remarked(NAMES[3], |progress| unpacked()?.renderers(progress));
@@ -92,7 +99,8 @@ impl Unpacked {
             progress.run(tar)?;
             // A link that was not followed has only the path of its file.
             let is_whole = |file: &&&str| {
-                fs::metadata(unpacked.of(name).join(file)).is_ok_and(|file| file.is_file() && file.len() > 100)
+                fs::metadata(unpacked.of(name).join(file))
+                    .is_ok_and(|file| file.is_file() && file.len() > 100)
             };
             let missing: Vec<_> = files.iter().filter(|file| !is_whole(file)).collect();
             ensure!(missing.is_empty(), "the crate {name} lacks {missing:?}");
@@ -174,20 +182,33 @@ impl Unpacked {
         Ok(copies)
     }
 
-    /// Builds a copy of the template with the unpacked kernel. Returns its bytes of flash.
-    fn firmware(&self, progress: &Progress) -> Result<u64> {
+    /// Builds a copy of the template with the unpacked kernel, and again with the quick evaluation.
+    /// Returns their bytes of flash.
+    fn firmware(&self, progress: &Progress) -> Result<[u64; 2]> {
         let folder = self.copied(TEMPLATE, &["target", "Cargo.lock"])?;
-        let toolchain = Toolchain::find(TARGET, progress)?;
-        let mut build = toolchain.cargo_build("core", &[]);
-        build.arg("--release").current_dir(&folder);
-        progress.run(build)?;
-        let program = Program::read(&toolchain.artifacts("release").join("scanline"))?;
-        program.has_no_float()?;
-        let panics = program.names_of(|name| name.starts_with("core::panicking"));
-        ensure!(panics.is_empty(), "there are panics: {}", panics.join(", "));
-        ensure!(program.bytes > 500, "expected a scanline, found {} bytes", program.bytes);
-        Ok(program.bytes)
+        let exact = scanline(&folder, progress)?;
+        for (file, exact, quick) in QUICK {
+            let file = folder.join(file);
+            fs::write(&file, fs::read_to_string(&file)?.replace(exact, quick))?;
+        }
+        let quick = scanline(&folder, progress)?;
+        ensure!(quick < exact, "expected fewer than {exact} bytes by the quick evaluation, found {quick}");
+        Ok([exact, quick])
     }
+}
+
+/// Builds the template in a folder. Returns its bytes of flash.
+fn scanline(folder: &Path, progress: &Progress) -> Result<u64> {
+    let toolchain = Toolchain::find(TARGET, progress)?;
+    let mut build = toolchain.cargo_build("core", &[]);
+    build.arg("--release").current_dir(folder);
+    progress.run(build)?;
+    let program = Program::read(&toolchain.artifacts("release").join("scanline"))?;
+    program.has_no_float()?;
+    let panics = program.names_of(|name| name.starts_with("core::panicking"));
+    ensure!(panics.is_empty(), "there are panics: {}", panics.join(", "));
+    ensure!(program.bytes > 500, "expected a scanline, found {} bytes", program.bytes);
+    Ok(program.bytes)
 }
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -205,7 +226,8 @@ mod tests {
     #[test]
     fn examples_are_short() {
         for example in EXAMPLES {
-            let text = fs::read_to_string(project::root().join(format!("core/examples/{example}.rs"))).unwrap();
+            let text =
+                fs::read_to_string(project::root().join(format!("core/examples/{example}.rs"))).unwrap();
             let lines = text.lines().count();
             assert!(lines < 80, "{example}: expected fewer than 80 lines, found {lines}");
         }
