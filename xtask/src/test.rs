@@ -71,8 +71,8 @@ fn host(suite: &mut Suite, full: bool) {
     suite.count(&format!("host: luminaire with {name}"), |progress| {
         cargo_test(&[&["--package", "luminaire"], features].concat(), false, progress)
     });
-    contributing::run(suite, full);
     if full {
+        contributing::run(suite);
         dependencies(suite);
         fuzz(suite);
         msrv::run(suite);
