@@ -46,6 +46,9 @@ pub enum WebGl {
     Llvmpipe,
 }
 
+/// Lets Chromium draw without a GPU, as on a machine that has none.
+const NO_GPU: &str = "--disable-gpu";
+
 /// Lets Chromium draw by Mesa's OpenGL, on an X display.
 const MESA: [&str; 4] =
     ["--ozone-platform=x11", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist"];
@@ -62,15 +65,13 @@ pub struct Chromium {
 impl Chromium {
     /// Starts the installed browser. As root on Debian, installs one if there is none.
     pub fn start(progress: &Progress) -> Result<Self> {
-        Self::start_with(&[], None, progress)
+        Self::start_with(&[NO_GPU], None, progress)
     }
 
     /// Like [`start`](Self::start), with WebGL by this renderer, which is installed too.
     pub fn start_with_web_gl(web_gl: WebGl, progress: &Progress) -> Result<Self> {
         match web_gl {
-            WebGl::SwiftShader => {
-                Self::start_with(&["--disable-gpu", "--enable-unsafe-swiftshader"], None, progress)
-            }
+            WebGl::SwiftShader => Self::start_with(&[NO_GPU, "--enable-unsafe-swiftshader"], None, progress),
             WebGl::Llvmpipe => {
                 let display = Display::start(&["xvfb", "libgl1-mesa-dri"], progress)?;
                 Self::start_with(&MESA, Some(display), progress)
