@@ -132,19 +132,20 @@ pub fn npm_version(name: &str) -> Result<String> {
 /// needs one.
 pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
     npm_version(name)?;
-    let (folder, lock) = (npm_modules().join(name), tools().join("package-lock.json"));
+    // Written last, so that an interrupted installation is done again.
+    let (folder, installed) = (npm_modules().join(name), tools().join("npm-installed.json"));
     fs::create_dir_all(tools()).with_context(|| format!("cannot create {}", tools().display()))?;
     // Steps that run side by side wait for each other.
     let one_at_a_time = fs::File::create(tools().join("npm.lock")).context("cannot write npm.lock")?;
     one_at_a_time.lock().context("cannot wait for another npm")?;
-    let is_recorded = fs::read_to_string(&lock).is_ok_and(|installed| installed == NPM_LOCK);
+    let is_recorded = fs::read_to_string(&installed).is_ok_and(|lock| lock == NPM_LOCK);
     if is_recorded && folder.is_dir() {
         return Ok(folder);
     }
     let npm = program(&["npm"], &NODE_PACKAGES, progress)?;
     let step = progress.begin("Installing", "the npm packages of lab/tools/npm into target/tools");
     fs::write(tools().join("package.json"), NPM_PACKAGES)?;
-    fs::write(&lock, NPM_LOCK)?;
+    fs::write(tools().join("package-lock.json"), NPM_LOCK)?;
     let mut install = Command::new(npm);
     // Without a network the default retries would hold up the build for minutes.
     install.args(["install", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=60000"]);
@@ -157,7 +158,7 @@ pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
     progress.run(install)?;
     step.done();
     ensure!(folder.is_dir(), "npm has not installed {name} into {}", folder.display());
-    fs::write(&lock, NPM_LOCK)?;
+    fs::write(&installed, NPM_LOCK)?;
     Ok(folder)
 }
 
