@@ -25,8 +25,7 @@ pub(crate) fn run(suite: &mut Suite) {
 /// Checks the types of the scripts, also at their calls of the module.
 fn types(progress: &Progress) -> Result<()> {
     let folder = project::target().join("types");
-    let demo = [wasm::DEMO, wasm::FIXED_POINT, wasm::COMPARISON, wasm::CODE].map(|package| (package, "pkg"));
-    for (package, bindings) in demo.into_iter().chain([(wasm::PICKER, "price")]) {
+    for (package, bindings) in wasm::PAGE {
         package.declare(&package.compile(progress)?, &folder.join(bindings))?;
     }
     let (root, page) = (project::root(), project::root().join(PAGE));
@@ -54,15 +53,9 @@ fn rules(progress: &Progress) -> Result<()> {
     let rules = folder.with_file_name("eslint.config.mjs");
     fs::copy(project::root().join("lab/tools/npm/eslint.config.mjs"), &rules)?;
     let mut check = node_program("eslint")?;
-    check.arg("--config").arg(rules).args([
-        "--max-warnings=0",
-        "wasm-demo",
-        "lab/tools/src/browser/probe.js",
-    ]);
-    progress.run({
-        check.current_dir(project::root());
-        check
-    })
+    check.current_dir(project::root()).arg("--config").arg(rules);
+    check.args(["--max-warnings=0", "wasm-demo", "lab/tools/src/browser/probe.js"]);
+    progress.run(check)
 }
 
 fn unit_tests(progress: &Progress) -> Result<Tally> {

@@ -44,6 +44,10 @@ pub const CODE: Package = Package { features: Some("code"), bindings: "code", ..
 pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip", true);
 /// The picker of evaluations. It shares the demo's standard library.
 pub const PICKER: Package = Package::new("luminaire-price", "luminaire_price", true);
+/// The modules of the demo's page, and the folders of their bindings on it. The chip's is apart: it
+/// has the firmware beside it.
+pub const PAGE: [(Package, &str); 5] =
+    [(DEMO, "pkg"), (FIXED_POINT, "pkg"), (COMPARISON, "pkg"), (CODE, "pkg"), (PICKER, "price")];
 /// The program that times the kernels.
 pub const PRICES: Package = Package::new("luminaire-prices", "luminaire_prices", false);
 /// The program that times the kernels, with vector instructions.
@@ -84,14 +88,7 @@ impl Package {
     /// the bound module.
     pub fn bind(&self, module: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
         let step = progress.begin("Binding", format_args!("{}.wasm to JavaScript", self.library));
-        let bound = Bindgen::new()
-            .input_path(module)
-            .out_name(self.bindings)
-            .web(true)
-            // The page calls `init()` without a path, so the bindings must know where their module
-            // is.
-            .and_then(|bindgen| bindgen.omit_default_module_path(false).typescript(false).generate(folder));
-        bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
+        self.generate(module, folder, false)?;
         step.done();
         Ok(folder.join(format!("{}_bg.wasm", self.bindings)))
     }
@@ -99,15 +96,19 @@ impl Package {
     /// Writes the types of the bindings into `folder`, for checks of the scripts that use them.
     pub fn declare(&self, module: &Path, folder: &Path) -> Result<()> {
         let bound = tempfile::tempdir()?;
-        let mut bindgen = Bindgen::new();
-        let bindgen = bindgen.input_path(module).out_name(self.bindings).typescript(true);
-        let types = bindgen
-            .web(true)
-            .and_then(|bindgen| bindgen.omit_default_module_path(false).generate(bound.path()));
-        types.with_context(|| format!("wasm-bindgen cannot describe {}", module.display()))?;
+        self.generate(module, bound.path(), true)?;
         fs::create_dir_all(folder)?;
         let name = format!("{}.d.ts", self.bindings);
         fs::copy(bound.path().join(&name), folder.join(&name))?;
         Ok(())
+    }
+
+    fn generate(&self, module: &Path, folder: &Path, with_types: bool) -> Result<()> {
+        let mut bindgen = Bindgen::new();
+        bindgen.input_path(module).out_name(self.bindings).typescript(with_types);
+        // Pages that call `init()` without a path rely on bindings that know where their module is.
+        let bound =
+            bindgen.web(true).and_then(|bindgen| bindgen.omit_default_module_path(false).generate(folder));
+        bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))
     }
 }

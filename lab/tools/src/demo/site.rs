@@ -29,7 +29,6 @@ pub fn views() -> impl Iterator<Item = &'static str> {
 /// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the picture for
 /// link previews, the bindings in `pkg`, and what the board in the page needs.
 pub fn build(progress: &Progress) -> Result<PathBuf> {
-    let module = wasm::DEMO.compile(progress)?;
     let site = project::target().join("demo");
     renew(&site, |new| {
         let step = progress.begin("Gathering", project::shown(&site));
@@ -42,15 +41,11 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         fs::write(&page, with_figures(&fs::read_to_string(&page)?, &fs::read_to_string(list)?)?)?;
         preview::write(new)?;
         step.done();
-        let pkg = new.join("pkg");
-        shrink::shrink(&wasm::DEMO.bind(&module, &pkg, progress)?, progress)?;
-        for package in [wasm::FIXED_POINT, wasm::COMPARISON, wasm::CODE] {
+        for (package, folder) in wasm::PAGE {
             let module = package.compile(progress)?;
-            shrink::shrink(&package.bind(&module, &pkg, progress)?, progress)?;
+            shrink::shrink(&package.bind(&module, &new.join(folder), progress)?, progress)?;
         }
-        chip::write(new, progress)?;
-        let module = wasm::PICKER.compile(progress)?;
-        shrink::shrink(&wasm::PICKER.bind(&module, &new.join("price"), progress)?, progress)
+        chip::write(new, progress)
     })?;
     Ok(site)
 }
