@@ -7,8 +7,6 @@ export class CodeSlot {
   #place = element("code", HTMLDetailsElement);
   /** @type {import("./code-drawer.js").CodeDrawer | undefined} */
   #drawer;
-  /** How often it was not loaded. */
-  #attempts = 0;
   #light = { job: "", light: 0 };
 
   constructor() {
@@ -29,12 +27,11 @@ export class CodeSlot {
     if (!this.#place.open) return;
     try {
       if (!this.#drawer) {
-        const { CodeDrawer } = await load("code-drawer.js", this.#attempts);
+        const { CodeDrawer } = await load("code-drawer.js");
         this.#drawer = await CodeDrawer.open();
       }
       this.#drawer?.show(this.#light);
     } catch (error) {
-      this.#attempts += 1;
       find(this.#place, ".error").textContent = `The code can't be shown: ${words(error)}`;
     }
   }

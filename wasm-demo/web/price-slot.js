@@ -24,8 +24,6 @@ export class PriceSlot {
    */
   #times = [];
   #live = "";
-  /** How often it could not be loaded. */
-  #failures = 0;
 
   constructor() {
     const observer = new IntersectionObserver((entries) => {
@@ -68,14 +66,13 @@ export class PriceSlot {
 
   async #open() {
     try {
-      const { PricePanel } = await load("price-panel.js", this.#failures);
+      const { PricePanel } = await load("price-panel.js");
       /** @type {import("./price-panel.js").PricePanel} */
       const panel = await PricePanel.open(this.#place);
       this.#panel = panel;
       if (this.#light) panel.show(...this.#light);
       panel.live(this.#live);
     } catch (error) {
-      this.#failures += 1;
       const again = document.createElement("button");
       again.textContent = "Try again";
       again.addEventListener("click", () => this.#open());

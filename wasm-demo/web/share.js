@@ -25,8 +25,6 @@ export class Share {
    * @type {{ painter: Painter, memory: WebAssembly.Memory } | undefined}
    */
   #fixedPoint;
-  /** How often that module was not loaded. */
-  #attempts = 0;
   #ports;
   /** For each other share the shadow maps that it has sent, one list for each picture. */
   /** @type {Letter[][]} */
@@ -69,7 +67,7 @@ export class Share {
   async equip({ module }) {
     if (this.#fixedPoint) return;
     /** @type {typeof import("./fixed-point.js")} */
-    const { start } = await load("fixed-point.js", this.#attempts++);
+    const { start } = await load("fixed-point.js");
     const { Painter, memory } = start(module);
     this.#fixedPoint = { painter: new Painter(...this.#place), memory };
   }

@@ -24,25 +24,22 @@ export async function open() {
   const meter = new Meter(stage, page, module, memory);
   const comparison = {
     element: element("comparison"),
-    /** @param {number} attempt */
-    async open(attempt) {
-      const { ComparisonView } = await load("comparison-view.js", attempt);
+    async open() {
+      const { ComparisonView } = await load("comparison-view.js");
       return (meter.comparison = await ComparisonView.open());
     },
   };
   const museum = {
     element: element("museum"),
-    /** @param {number} attempt */
-    async open(attempt) {
-      const { MuseumView } = await load("museum-view.js", attempt);
+    async open() {
+      const { MuseumView } = await load("museum-view.js");
       return (meter.museum = await MuseumView.open());
     },
   };
   const chip = {
     element: element("chip"),
-    /** @param {number} attempt */
-    async open(attempt) {
-      const { ChipView } = await load("chip-view.js", attempt);
+    async open() {
+      const { ChipView } = await load("chip-view.js");
       return (meter.chip = await ChipView.open());
     },
   };

@@ -20,15 +20,22 @@ export function requireSimd() {
 }
 
 /**
+ * The number of failed imports of each file.
+ * @type {Map<string, number>}
+ */
+const failures = new Map();
+
+/**
  * Imports a file of the page. The browser caches a failed import by its address, so that every
  * retry uses a new address.
  * @param {string} file
- * @param {number} attempt the number of failed imports
  */
-export async function load(file, attempt = 0) {
+export async function load(file) {
+  const failed = failures.get(file) ?? 0;
   try {
-    return await import(`./${file}${attempt === 0 ? "" : `?attempt=${attempt}`}`);
+    return await import(`./${file}${failed === 0 ? "" : `?attempt=${failed}`}`);
   } catch (error) {
+    failures.set(file, failed + 1);
     throw new Error(
       `${file}, or a file that it needs, could not be loaded (${words(error)}). ` +
         "Is the connection up, and the whole folder served?",

@@ -4,7 +4,7 @@ import { element } from "./elements.js";
 import { isTrap, words } from "./failure.js";
 
 /** @typedef {{ show: (query: string) => void, hide: () => void }} Shown an opened view */
-/** @typedef {{ element: HTMLElement, open: (attempt: number) => Promise<Shown> }} Source */
+/** @typedef {{ element: HTMLElement, open: () => Promise<Shown> }} Source */
 
 /**
  * Splits the part of the address after the #: the name of a view and, after a question mark, the
@@ -19,7 +19,6 @@ function requestedView(hash) {
 /** A view that is opened when it is first requested. A failed opening can be retried. */
 class View {
   #open;
-  #attempts = 0;
   /** @type {Promise<Shown> | undefined} */
   #opening;
   /** @type {Shown | undefined} */
@@ -36,12 +35,11 @@ class View {
    * @param {() => boolean} isWanted
    */
   async show(query, isWanted) {
-    this.#opening ??= this.#open(this.#attempts);
+    this.#opening ??= this.#open();
     try {
       this.#opened = await this.#opening;
     } catch (error) {
       this.#opening = undefined;
-      this.#attempts += 1;
       throw error;
     }
     // The visitor may have left the view in the meantime.
@@ -63,7 +61,7 @@ export class Views {
 
   /**
    * @param {Map<string, Source>} views by name; the first is shown if the address names none of them. `show` gets the
-   *   state of the address, and `open` the number of its failures
+   *   state of the address
    */
   constructor(views) {
     this.#views = new Map([...views].map(([name, view]) => [name, new View(view)]));
