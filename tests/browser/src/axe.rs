@@ -24,8 +24,7 @@ const WIDTHS: [u32; 2] = [1280, 390];
 
 /// Every view once, with all panels open.
 pub(crate) fn finds_nothing_in_the_views(visitor: &mut Visitor) -> Result<()> {
-    let [_, open, ..] = states::ALL;
-    let mut page = states::open(visitor, open)?;
+    let mut page = states::open(visitor, states::EVERY_PANEL)?;
     load(&mut page)?;
     page.resize(WIDTHS[0], 900)?;
     for view in ["stage", "compare", "museum", "chip"] {

@@ -23,10 +23,14 @@ const RUN_BOARD: &str = "(async () => {
     await probe.until(() => probe.text('chip-state') === 'The chip waits.');
 })()";
 
+/// The stage with all panels open.
+pub(crate) const EVERY_PANEL: State =
+    ("every panel open", "#stage?scene=three-point&play=none&format=fx16", OPEN_ALL);
+
 /// Every view, the stage and the comparison in each of their modes.
 pub(crate) const ALL: [State; 12] = [
     ("the show", "#stage?scene=show&play=none", ""),
-    ("every panel open", "#stage?scene=three-point&play=none&format=fx16", OPEN_ALL),
+    EVERY_PANEL,
     ("a refused address", "#stage?scene=three-point&play=none&lights=0:b0.1&format=fx16", ""),
     ("a refused angle", "#stage?scene=three-point&play=none", "probe.enter('light-beam-number', 1000)"),
     ("a divided picture", "#stage?scene=pocket&play=none", "probe.enter('divided-format', 'fx16')"),
