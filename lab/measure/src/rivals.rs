@@ -3,8 +3,8 @@
 //!
 //! three.js draws by WebGL, which a browser without a GPU runs on the processor: Chromium by
 //! SwiftShader, or by Mesa's llvmpipe. Both renderers draw the same triangles under the same lights, at
-//! the same size, with one sample a pixel; three.js with Phong's model and its default filter of
-//! shadows. The times depend on the machine, so only ratios of one run are worth quoting.
+//! the same size, with one sample a pixel. The demo also anti-aliases the edges of meshes; three.js has
+//! Phong's model and its default filter of shadows. The times depend on the machine, so only ratios of one run are worth quoting.
 
 mod scene;
 
@@ -26,8 +26,9 @@ const LIBRARY: [&str; 2] = ["three.module.js", "three.core.js"];
 const PAGE: [(&str, &str); 2] =
     [("index.html", include_str!("rivals/page.html")), ("rival.js", include_str!("rivals/rival.js"))];
 
-/// Number of frames of the demo that are timed.
+/// Number of frames that are timed, and of those before them, in which three.js compiles its shaders.
 const FRAMES: u32 = 25;
+const WARM_UP: u32 = 8;
 
 /// The options of `rivals`.
 #[derive(Debug, Default, PartialEq, clap::Args)]
@@ -37,21 +38,15 @@ pub struct RivalsOptions {
     screenshots: bool,
 }
 
-/// The answer of the page of three.js.
+/// The answer of the page of three.js. Times are medians in milliseconds.
 #[derive(Deserialize)]
 struct Answer {
     renderer: String,
     triangles: f64,
     lit: f64,
     #[serde(rename = "atRest")]
-    at_rest: Times,
-    moving: Times,
-}
-
-/// Times of frames in milliseconds.
-#[derive(Deserialize)]
-struct Times {
-    median: f64,
+    at_rest: f64,
+    moving: f64,
 }
 
 /// Times each load in three renderers, and prints a table.
@@ -74,8 +69,8 @@ pub fn run(options: &RivalsOptions) -> Result<()> {
     for (number, (load, ours)) in LOADS.iter().zip(&ours).enumerate() {
         let theirs = columns.iter().map(|answers| {
             let Answer { at_rest, moving, .. } = &answers[number];
-            let [still, turning] = [at_rest.median / ours.0, moving.median / ours.1];
-            format!("{:.1} / {:.1} ({still:.1} / {turning:.1})", at_rest.median, moving.median)
+            let [still, turning] = [at_rest / ours.0, moving / ours.1];
+            format!("{at_rest:.1} / {moving:.1} ({still:.1} / {turning:.1})")
         });
         let theirs = theirs.collect::<Vec<_>>().join(" | ");
         println!("| {} | {:.1} / {:.1} | {theirs} |", load.name, ours.0, ours.1);

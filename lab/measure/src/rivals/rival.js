@@ -2,9 +2,6 @@
 // and size of the picture, one sample a pixel.
 import * as three from "three";
 
-/** Frames before the measured ones: shaders are compiled in the first. */
-const WARM_UP = 8;
-
 const middle = (times) => times.toSorted((a, b) => a - b)[times.length >> 1];
 
 /** The linear colour of a light or a material. */
@@ -26,9 +23,10 @@ class Rival {
   #camera;
   #lights;
   #frames;
+  #warmUp;
   #size;
 
-  constructor({ size, fieldOfView, ambient, meshes, spots, shadows, frames }) {
+  constructor({ size, fieldOfView, ambient, meshes, spots, shadows, warmUp, frames }) {
     const [width, height] = (this.#size = size);
     this.#renderer = new three.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
     this.#renderer.setPixelRatio(1);
@@ -46,7 +44,7 @@ class Rival {
       this.#scene.add(light, light.target);
       return light;
     });
-    this.#frames = frames;
+    [this.#frames, this.#warmUp] = [frames, warmUp];
   }
 
   /** The name of what draws. */
@@ -73,17 +71,17 @@ class Rival {
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
-  /** Times frames in which the lights move, and the camera if `isTurning`. In milliseconds. */
+  /** The median time of frames in which the lights move, and the camera if `isTurning`. In milliseconds. */
   async time(isTurning) {
     const times = [];
     for (const [number, frame] of this.#frames.entries()) {
       const camera = isTurning ? frame.camera : this.#frames[0].camera;
       const start = performance.now();
       this.#draw(frame, camera);
-      if (number >= WARM_UP) times.push(performance.now() - start);
+      if (number >= this.#warmUp) times.push(performance.now() - start);
       await new Promise((resolve) => setTimeout(resolve));
     }
-    return { median: middle(times), least: Math.min(...times) };
+    return middle(times);
   }
 
   /** The share of pixels that are not black. */

@@ -5,8 +5,7 @@ use luminaire::dynamic::AnyLight;
 use luminaire_render::scenes::{Setup, turntable};
 use serde_json::{Value, json};
 
-/// Number of frames: those that warm up, and those that are timed.
-const FRAMES: u16 = 8 + 25;
+use super::{FRAMES, WARM_UP};
 
 /// Scene time between frames in seconds, and yaw of a turning camera between frames in radians, as
 /// in the demo's own measurement.
@@ -20,7 +19,8 @@ const SIZE: [u32; 2] = [960, 540];
 /// without any if `shadows` is 0.
 pub(super) fn of(spots: usize, shadows: u16) -> Result<Value> {
     let setup = turntable(spots)?;
-    let frames = (0..FRAMES).map(|number| frame(&setup, f32::from(number))).collect::<Result<Vec<_>>>()?;
+    let frames =
+        (0..WARM_UP + FRAMES).map(|number| frame(&setup, number as f32)).collect::<Result<Vec<_>>>()?;
     let lights = setup.fixtures.iter().map(|fixture| spot(fixture.light())).collect::<Result<Vec<_>>>()?;
     Ok(json!({
         "size": SIZE,
@@ -29,6 +29,7 @@ pub(super) fn of(spots: usize, shadows: u16) -> Result<Value> {
         "meshes": meshes(&setup),
         "spots": lights,
         "shadows": shadows,
+        "warmUp": WARM_UP,
         "frames": frames,
     }))
 }
