@@ -20,12 +20,12 @@ typedef struct {
   uint32_t blue;
 } luminaire_light;
 
-// A spotlight with a soft or a hard edge and the inverse square of the distance.
+// A spotlight with the inverse square of the distance.
 //
 // With all words zero it is dark. What the words mean may change in any version.
 typedef struct {
   // The words.
-  uint32_t words[22];
+  uint32_t words[23];
 } luminaire_spot;
 
 // A point, in steps of 2^-16.
@@ -72,15 +72,19 @@ typedef struct {
   float position[3];
   // The direction in which the light points, of any length.
   float axis[3];
-  // The full angle at which 10 % of the intensity is left, in degrees.
+  // The full beam angle, at which 50 % of the intensity is left, in degrees. 0 if the data sheet
+  // does not name it: it then follows from the field angle and `is_hard`.
+  float beam_degrees;
+  // The full field angle, at which 10 % of the intensity is left, in degrees. 0 if the data sheet
+  // does not name it: it then follows from the beam angle and `is_hard`.
   float field_degrees;
   // The intensity on the axis: 1 lights a surface at distance 1 to full scale.
   float intensity;
   // The linear colour, from 0 to 1.
   float color[3];
-  // Whether the edge is hard, as of a profile, instead of soft, as of a Fresnel. The beam angle
-  // is about 0.86 of the field angle with a hard edge and 0.65 with a soft one;
-  // `luminaire export` takes both angles.
+  // Whether the edge is hard, as of a profile, instead of soft, as of a Fresnel. Not read if both
+  // angles are given, which determine the edge. With one angle, the beam angle is about 0.86 of
+  // the field angle with a hard edge and 0.65 with a soft one.
   bool is_hard;
 } luminaire_spot_description;
 
@@ -180,7 +184,8 @@ void luminaire_spot_dim(luminaire_spot *spot, int16_t part);
 // Gives the light a linear colour, in steps of 2^-14 from 0 to 2^14.
 void luminaire_spot_tint(luminaire_spot *spot, int16_t red, int16_t green, int16_t blue);
 
-// Gives the light a cone between its own (`part` 0) and that of another light (`part` 2^14).
+// Gives the light a cone between its own (`part` 0) and that of another light (`part` 2^14). The
+// edge of the light keeps its shape.
 void luminaire_spot_zoom(luminaire_spot *spot, const luminaire_spot *other, int16_t part);
 
 #ifdef __cplusplus

@@ -14,6 +14,7 @@
 #![allow(non_camel_case_types, reason = "the names of C")]
 
 mod display;
+mod edge;
 mod many;
 mod setup;
 mod spot;

@@ -4,8 +4,9 @@ use core::ffi::c_char;
 use core::fmt::{self, Write};
 use core::slice;
 
-use luminaire::{Angle, Cone, Error, Fx16, Rgb, SpotLight, falloff::SoftOrHard};
+use luminaire::{Angle, Cone, Error, Rgb, SpotLight, falloff::SoftOrHard};
 
+use crate::edge::{CompiledEdge, Edge};
 use crate::luminaire_spot;
 
 /// A spotlight in metres, degrees and linear colour.
@@ -16,26 +17,42 @@ pub struct luminaire_spot_description {
     pub position: [f32; 3],
     /// The direction in which the light points, of any length.
     pub axis: [f32; 3],
-    /// The full angle at which 10 % of the intensity is left, in degrees.
+    /// The full beam angle, at which 50 % of the intensity is left, in degrees. 0 if the data sheet
+    /// does not name it: it then follows from the field angle and `is_hard`.
+    pub beam_degrees: f32,
+    /// The full field angle, at which 10 % of the intensity is left, in degrees. 0 if the data sheet
+    /// does not name it: it then follows from the beam angle and `is_hard`.
     pub field_degrees: f32,
     /// The intensity on the axis: 1 lights a surface at distance 1 to full scale.
     pub intensity: f32,
     /// The linear colour, from 0 to 1.
     pub color: [f32; 3],
-    /// Whether the edge is hard, as of a profile, instead of soft, as of a Fresnel. The beam angle
-    /// is about 0.86 of the field angle with a hard edge and 0.65 with a soft one;
-    /// `luminaire export` takes both angles.
+    /// Whether the edge is hard, as of a profile, instead of soft, as of a Fresnel. Not read if both
+    /// angles are given, which determine the edge. With one angle, the beam angle is about 0.86 of
+    /// the field angle with a hard edge and 0.65 with a soft one.
     pub is_hard: bool,
 }
 
 impl luminaire_spot_description {
+    fn cone(&self) -> Result<Cone<Edge>, Error> {
+        let edge = Edge::Given(if self.is_hard { SoftOrHard::Hard } else { SoftOrHard::Soft });
+        let [beam, field] = [self.beam_degrees, self.field_degrees].map(Angle::degrees);
+        if self.beam_degrees == 0.0 {
+            return Cone::from_field(edge, field);
+        }
+        if self.field_degrees == 0.0 {
+            return Cone::from_beam(edge, beam);
+        }
+        let fitted = Cone::from_beam_and_field(beam, field)?;
+        Ok(fitted.with_profile(Edge::Fitted(fitted.profile())))
+    }
+
     fn compile(&self) -> Result<luminaire_spot, Error> {
-        let edge = if self.is_hard { SoftOrHard::Hard } else { SoftOrHard::Soft };
-        let cone = Cone::from_field(edge, Angle::degrees(self.field_degrees))?;
-        let spot = SpotLight::new(self.position, self.axis, cone)?
+        let spot = SpotLight::new(self.position, self.axis, self.cone()?)?
             .with_intensity(self.intensity)?
             .with_color(Rgb::from(self.color))?;
-        Ok(luminaire_spot::of(spot.compile::<Fx16>()?))
+        let edge = CompiledEdge::from(spot.cone().profile());
+        Ok(luminaire_spot::of(spot.compile()?, edge.words()))
     }
 }
 

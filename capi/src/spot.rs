@@ -8,8 +8,10 @@ use luminaire::{
     number::Light16,
 };
 
+use crate::edge::{CompiledEdge, Edge};
+
 /// The light as the kernel holds it.
-pub(crate) type Light = CompiledSpotLight<Fx16>;
+pub(crate) type Light = CompiledSpotLight<Fx16, Edge>;
 
 /// A point, in steps of 2^-16.
 #[repr(C)]
@@ -47,14 +49,14 @@ pub struct luminaire_light {
     pub blue: u32,
 }
 
-/// A spotlight with a soft or a hard edge and the inverse square of the distance.
+/// A spotlight with the inverse square of the distance.
 ///
 /// With all words zero it is dark. What the words mean may change in any version.
 #[repr(C)]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct luminaire_spot {
     /// The words.
-    pub words: [u32; 22],
+    pub words: [u32; 23],
 }
 
 impl luminaire_point {
@@ -84,6 +86,8 @@ impl luminaire_spot {
     /// The light with these words. They have a meaning whatever their bits are.
     #[inline]
     pub(crate) fn light(&self) -> Light {
+        // No function reads the falloff of which the edge was compiled, so the words lack it.
+        const NOT_READ: Edge = Edge::Given(SoftOrHard::Soft);
         let [
             x,
             y,
@@ -92,24 +96,25 @@ impl luminaire_spot {
             along_y,
             along_z,
             ramp @ ..,
-            edge,
-            outside,
+            kind,
+            g,
+            h,
             mantissa,
             shift,
             near,
             red_green,
-            blue,
+            blue_outside,
         ] = self.words;
-        let profile = if edge == 0 { SoftOrHard::Soft } else { SoftOrHard::Hard };
         let length = |word: u32| Length::from_bits(word.cast_signed());
         let unit = |word: u32| Fx32::from_bits(word.cast_signed());
         let channel = |word: u32| Fx16::from_bits(word as u16 as i16);
-        let color = Rgb::new(channel(red_green), channel(red_green >> 16), channel(blue));
+        let color = Rgb::new(channel(red_green), channel(red_green >> 16), channel(blue_outside));
+        let edge = CompiledEdge::of_words([kind, g, h]);
         Light::from_parts(
             Vec3::new(x, y, z).map(length),
             Vec3::new(along_x, along_y, along_z).map(unit),
-            CompiledCone::from_parts(Ramp16::from_bits(ramp), profile, profile),
-            channel(outside),
+            CompiledCone::from_parts(Ramp16::from_bits(ramp), NOT_READ, edge),
+            channel(blue_outside >> 16),
             (),
             Gain16::from_bits([mantissa, shift].map(u32::cast_signed)),
             near,
@@ -117,8 +122,8 @@ impl luminaire_spot {
         )
     }
 
-    /// The words of a light.
-    pub(crate) fn of(light: Light) -> Self {
+    /// The words of a light and of its edge.
+    pub(crate) fn of(light: Light, edge: [u32; 3]) -> Self {
         let parts = light.parts();
         let position = parts.position.map(|c| c.to_bits().cast_unsigned());
         let word = |scalar: Fx16| u32::from(scalar.to_bits().cast_unsigned());
@@ -127,31 +132,33 @@ impl luminaire_spot {
         let axis = axis.map(|c| c.to_bits().cast_unsigned());
         let [mantissa, shift] = parts.intensity.to_bits().map(i32::cast_unsigned);
         let color = light.color();
-        let mut words = [0; 22];
-        let values =
-            <[u32; 3]>::from(position).into_iter().chain(<[u32; 3]>::from(axis)).chain(ramp.to_bits()).chain(
-                [
-                    u32::from(light.profile() == SoftOrHard::Hard),
-                    word(outside),
-                    mantissa,
-                    shift,
-                    parts.fine_below,
-                    word(color.red) | word(color.green) << 16,
-                    word(color.blue),
-                ],
-            );
+        let rest = [
+            mantissa,
+            shift,
+            parts.fine_below,
+            word(color.red) | word(color.green) << 16,
+            word(color.blue) | word(outside) << 16,
+        ];
+        let place = <[u32; 3]>::from(position).into_iter().chain(<[u32; 3]>::from(axis));
+        let values = place.chain(ramp.to_bits()).chain(edge).chain(rest);
+        let mut words = [0; 23];
         words.iter_mut().zip(values).for_each(|(word, value)| *word = value);
         Self { words }
     }
 
+    fn edge(&self) -> [u32; 3] {
+        let [.., kind, g, h, _, _, _, _, _] = self.words;
+        [kind, g, h]
+    }
+
     fn change(&mut self, change: impl FnOnce(Light) -> Light) {
-        *self = Self::of(change(self.light()));
+        *self = Self::of(change(self.light()), self.edge());
     }
 
     fn try_to(&mut self, change: impl FnOnce(Light) -> Option<Light>) -> bool {
         let changed = change(self.light());
         changed.is_some_and(|light| {
-            *self = Self::of(light);
+            *self = Self::of(light, self.edge());
             true
         })
     }
@@ -227,7 +234,8 @@ pub extern "C" fn luminaire_spot_tint(spot: &mut luminaire_spot, red: i16, green
     spot.change(|light| light.with_color(Rgb::new(red, green, blue).map(Fx16::from_bits)));
 }
 
-/// Gives the light a cone between its own (`part` 0) and that of another light (`part` 2^14).
+/// Gives the light a cone between its own (`part` 0) and that of another light (`part` 2^14). The
+/// edge of the light keeps its shape.
 #[unsafe(no_mangle)]
 pub extern "C" fn luminaire_spot_zoom(spot: &mut luminaire_spot, other: &luminaire_spot, part: i16) {
     spot.change(|light| light.zoomed(&other.light(), Fx16::from_bits(part)));

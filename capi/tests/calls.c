@@ -20,8 +20,13 @@ static luminaire_point somewhere(void) {
 }
 
 int main(void) {
+    /* Beam angle, field angle and whether the edge is hard: one angle, and two that need a quadratic, a
+     * hotspot and a cubic. */
+    static const float sheets[5][3] = {
+        { 24.0f, 0.0f, 1.0f }, { 24.0f, 0.0f, 0.0f }, { 22.0f, 40.0f, 0.0f }, { 28.0f, 30.0f, 1.0f }, { 12.0f, 26.0f, 0.0f }
+    };
     luminaire_spot_description description;
-    luminaire_spot spot, wide, changed;
+    luminaire_spot spot, wide, changed, printed[5];
     char message[96];
     int i;
     memset(&description, 0, sizeof description);
@@ -40,6 +45,19 @@ int main(void) {
     printf("%s\n", message);
     if (luminaire_spot_set_up(&changed, &description, message, 12)) { return 1; }
     printf("%s\n", message);
+    description.beam_degrees = 30.0f;
+    description.field_degrees = 20.0f;
+    if (luminaire_spot_set_up(&changed, &description, message, sizeof message)) { return 1; }
+    printf("%s\n", message);
+    description.beam_degrees = description.field_degrees = 0.0f;
+    if (luminaire_spot_set_up(&changed, &description, message, sizeof message)) { return 1; }
+    printf("%s\n", message);
+    for (i = 0; i < 5; ++i) {
+        description.beam_degrees = sheets[i][0];
+        description.field_degrees = sheets[i][1];
+        description.is_hard = sheets[i][2] > 0.0f;
+        if (!luminaire_spot_set_up(&printed[i], &description, message, sizeof message)) { return 1; }
+    }
     for (i = 0; i < 1000; ++i) {
         luminaire_point point = somewhere(), target = somewhere();
         luminaire_normal up = { 0, 1 << 14, 0 };
@@ -57,6 +75,20 @@ int main(void) {
                luminaire_spot_falloff(&wide, point), luminaire_spot_can_reach(&spot, point, 1 << 14),
                (unsigned)light.red, (unsigned)light.green, (unsigned)light.blue, luminaire_rgb565(light),
                luminaire_rgb565_dithered(light, (uint32_t)i, 3), (unsigned)luminaire_srgb(light));
+    }
+    for (i = 0; i < 1000; ++i) {
+        luminaire_point point = somewhere(), target = somewhere(), beside = target;
+        luminaire_normal up = { 0, 1 << 14, 0 };
+        luminaire_spot moved = printed[i % 5];
+        point.x >>= 2;
+        point.z >>= 2;
+        beside.x += point.x >> 1;
+        luminaire_spot_zoom(&moved, &wide, (int16_t)(i << 3));
+        luminaire_spot_move(&moved, somewhere());
+        if (!luminaire_spot_aim(&moved, target)) { return 1; }
+        printf("%u %d %d %u\n", (unsigned)luminaire_spot_irradiance(&printed[i % 5], point, up),
+               luminaire_spot_falloff(&printed[i % 5], point), luminaire_spot_falloff(&moved, beside),
+               (unsigned)luminaire_spot_irradiance(&moved, beside, up));
     }
     if (luminaire_spot_aim_along(&changed, 0, 0, 0) || !luminaire_spot_aim_along(&changed, 1, -9, 0)) { return 1; }
     {

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use luminaire::{
-    Angle, Cone, Fx16, Fx32, Length, Rgb, SpotLight, Vec3,
+    Angle, Cone, Error, Fx16, Fx32, Length, Rgb, SpotLight, Vec3,
     display::{Rgb565, clip, encode_srgb},
-    falloff::Soft,
+    falloff::{Falloff, Hard, Soft},
     light::CompiledSpotLight,
     number::Light16,
 };
@@ -30,21 +30,46 @@ impl Random {
     }
 }
 
-fn spot(field: f32) -> Result<Light, luminaire::Error> {
-    let cone = Cone::soft(Angle::degrees(field))?;
-    SpotLight::new([0.0, 3.0, 0.0], [0.0, -1.0, 0.0], cone)?
+const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
+
+fn compiled<P: Falloff>(cone: Result<Cone<P>, Error>) -> Result<CompiledSpotLight<Fx16, P>, Error> {
+    SpotLight::new([0.0, 3.0, 0.0], [0.0, -1.0, 0.0], cone?)?
         .with_intensity(9.0)?
         .with_color(Rgb::new(1.0, 0.75, 0.5))?
         .compile()
 }
 
+fn spot(field: f32) -> Result<Light, Error> {
+    compiled(Cone::soft(Angle::degrees(field)))
+}
+
+/// The line that `calls.c` prints of a light with the angles of a data sheet, and of the light zoomed and
+/// moved.
+fn line<P: Falloff>(cone: Result<Cone<P>, Error>, wide: &Light, part: Fx16, random: &mut Random) -> String {
+    let light = compiled(cone).expect("a light");
+    let (point, target) = (random.point(), random.point());
+    let shifted = |c: Length, by: u32| Length::from_bits(c.to_bits() >> by);
+    let point = Vec3::new(shifted(point.x, 2), point.y, shifted(point.z, 2));
+    let beside = Vec3 { x: Length::from_bits(target.x.to_bits() + shifted(point.x, 1).to_bits()), ..target };
+    let zoomed = light.zoomed(&wide.with_profile(light.profile()), part).moved_to(random.point());
+    let moved = zoomed.aimed_at(target).expect("another point");
+    let bits = |light: &CompiledSpotLight<Fx16, P>, point| {
+        (light.irradiance(point, UP).to_bits(), light.falloff(point).to_bits())
+    };
+    let ((irradiance, falloff), (others, other)) = (bits(&light, point), bits(&moved, beside));
+    format!("{irradiance} {falloff} {other} {others}\n")
+}
+
 /// What `calls.c` prints, computed by the kernel.
 fn expected() -> String {
-    const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
     let part = |bits: i32| Fx16::from_bits(bits as i16);
     let (narrow, wide) = (spot(30.0).expect("a light"), spot(70.0).expect("a light"));
     let message = spot(400.0).expect_err("too wide").to_string();
     let mut text = format!("{}\n{}\n", cut(&message, 95), cut(&message, 11));
+    let both = |beam, field| Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field));
+    let refused = both(30.0, 20.0).expect_err("less than the beam angle").to_string();
+    let none = spot(0.0).expect_err("no angle").to_string();
+    let _ = writeln!(text, "{}\n{}", cut(&refused, 95), cut(&none, 95));
     let mut random = Random(1);
     let mut changed = narrow;
     for i in 0..1000 {
@@ -70,6 +95,17 @@ fn expected() -> String {
             Rgb565::from_linear_dithered(shown, i.cast_unsigned(), 3).0,
             codes.red << 16 | codes.green << 8 | codes.blue
         );
+    }
+    for i in 0..1000 {
+        let part = part(i << 3);
+        let beam = Angle::degrees(24.0);
+        text += &match i % 5 {
+            0 => line(Cone::from_beam(Hard, beam), &wide, part, &mut random),
+            1 => line(Cone::from_beam(Soft, beam), &wide, part, &mut random),
+            2 => line(both(22.0, 40.0), &wide, part, &mut random),
+            3 => line(both(28.0, 30.0), &wide, part, &mut random),
+            _ => line(both(12.0, 26.0), &wide, part, &mut random),
+        };
     }
     let aimed = changed.aimed_along(Vec3::new(1, -9, 0).map(Fx32::from_bits)).expect("not zero");
     for i in 0..64 {

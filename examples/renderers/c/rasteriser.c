@@ -115,10 +115,10 @@ static void set_ball(int column, int row) {
 
 int main(void) {
     const luminaire_spot_description warm = {
-        { -2.6f, 3.2f, 2.6f }, { 2.2f, -2.9f, -2.2f }, 46.0f, 20.0f, { 1.0f, 0.65f, 0.3f }, false
+        { -2.6f, 3.2f, 2.6f }, { 2.2f, -2.9f, -2.2f }, 0.0f, 46.0f, 20.0f, { 1.0f, 0.65f, 0.3f }, false
     };
     const luminaire_spot_description cool = {
-        { 2.8f, 2.6f, -0.6f }, { -2.5f, -2.2f, 0.7f }, 46.0f, 14.0f, { 0.3f, 0.55f, 1.0f }, false
+        { 2.8f, 2.6f, -0.6f }, { -2.5f, -2.2f, 0.7f }, 0.0f, 46.0f, 14.0f, { 0.3f, 0.55f, 1.0f }, false
     };
     const luminaire_light ambient = { 229, 262, 328 }; /* 0.014, 0.016 and 0.02 of full scale */
     luminaire_spot spots[2];
