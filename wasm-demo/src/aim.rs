@@ -19,8 +19,11 @@ const FARTHEST: f32 = 30.0;
 /// Number of rays around the field angle that draw the pool of light.
 const RAYS: usize = 96;
 
-/// Ratio of the distances of neighbouring rays over which the outline of the pool has a gap.
+/// Ratio of the distances of neighbouring rays over which they are taken to meet different surfaces.
 const GAP: f32 = 1.15;
+
+/// Number of neighbouring rays below which a surface that they meet is left out of the outline.
+const FEWEST: usize = 10;
 
 fn plus(point: Vec3<f32>, factor: f32, direction: Vec3<f32>) -> Vec3<f32> {
     point.zip(direction, |point, along| point + factor * along)
@@ -137,35 +140,34 @@ impl Desk {
     }
 
     /// Returns the pool of a light: where its field angle meets the surfaces. The first two places are
-    /// the ends of the lines from the light that enclose the pool, and the others its outline: `None`
-    /// ends a piece that is on one surface. Empty unless the light is a spotlight before the camera.
+    /// the ends of the lines from the light that enclose the pool, and the others the corners of its
+    /// outline, a closed line that leaves out small objects. Empty unless the light is a spotlight.
     pub(crate) fn pool(&self, light: usize, aspect: f32) -> Result<Vec<Option<[f32; 2]>>, Refusal> {
         let AnyLight::Spot(spot) = self.lit(light)? else { return Ok(Vec::new()) };
         let (camera, surfaces) = (self.camera(), Surfaces::of(self.rig().scene()));
         let (axis, position) = (spot.axis(), spot.position());
         let place = |point: Vec3<f32>| camera.project(point, aspect).map(|[x, y, _]| [x, y]);
         let half = f64::from(spot.cone().field().to_degrees() / 2.0).min(85.0).to_radians();
-        let (across, turns) = (perpendicular(axis), std::f64::consts::TAU / RAYS as f64);
+        let across = perpendicular(axis);
         let beside = axis.cross(across);
-        let (mut outline, mut last) = (Vec::with_capacity(2 * RAYS), 0.0_f32);
-        for i in 0..=RAYS {
-            // The last ray is the first one.
-            let around = turns * (i % RAYS) as f64;
-            let radius = sine(half);
+        let ray = |i: usize| {
+            let (around, radius) = (std::f64::consts::TAU / RAYS as f64 * i as f64, sine(half));
             let direction =
                 plus(axis.map(|along| half.cos() as f32 * along), radius * around.cos() as f32, across);
             let direction = plus(direction, radius * sine(around), beside);
             let distance = surfaces.first(position, direction).unwrap_or(FARTHEST);
-            if i > 0 && distance.max(last) > GAP * distance.min(last) {
-                outline.push(None);
-            }
-            outline.push(place(plus(position, distance, direction)));
-            last = distance;
-        }
-        let Some(start) = place(position) else {
-            return Ok([None, None].into_iter().chain(outline).collect());
+            (distance, plus(position, distance, direction))
         };
-        Ok(sides(start, &outline, aspect).into_iter().chain(outline).collect())
+        let (distances, points): (Vec<_>, Vec<_>) = (0..RAYS).map(ray).unzip();
+        let kept = on_large_surfaces(&distances);
+        let outline: Vec<_> = points
+            .iter()
+            .zip(kept)
+            .filter(|&(_, is_kept)| is_kept)
+            .filter_map(|(&point, _)| place(point))
+            .collect();
+        let sides = place(position).map_or([None; 2], |start| sides(start, &outline, aspect));
+        Ok(sides.into_iter().chain(outline.into_iter().map(Some)).collect())
     }
 
     /// Moves a light to a place of the picture: in the plane through the light that is parallel to
@@ -256,12 +258,29 @@ fn sine(angle: f64) -> f32 {
     (angle - std::f64::consts::FRAC_PI_2).cos() as f32
 }
 
+/// Tells which of the rays, a closed ring, meet a surface that many of their neighbours meet too; all
+/// if none does.
+fn on_large_surfaces(distances: &[f32]) -> Vec<bool> {
+    let count = distances.len();
+    let parts = |i: usize| {
+        let (one, next) = (distances[i], distances[(i + 1) % count]);
+        one.max(next) > GAP * one.min(next)
+    };
+    let Some(last) = (0..count).rfind(|&i| parts(i)) else { return vec![true; count] };
+    let ring: Vec<usize> = (last + 1..=last + count).map(|i| i % count).collect();
+    let mut kept = vec![false; count];
+    for piece in ring.chunk_by(|&i, _| !parts(i)).filter(|piece| piece.len() >= FEWEST) {
+        piece.iter().for_each(|&i| kept[i] = true);
+    }
+    if kept.contains(&true) { kept } else { vec![true; count] }
+}
+
 /// Returns the two points of an outline that lie farthest to either side, as seen from `start`.
-fn sides(start: [f32; 2], outline: &[Option<[f32; 2]>], aspect: f32) -> [Option<[f32; 2]>; 2] {
+fn sides(start: [f32; 2], outline: &[[f32; 2]], aspect: f32) -> [Option<[f32; 2]>; 2] {
     let way = |[x, y]: [f32; 2]| [aspect * (x - start[0]), y - start[1]];
     let turn = |[x, y]: [f32; 2], [u, v]: [f32; 2]| x * v - y * u;
     let mut ends = [None; 2];
-    for &point in outline.iter().flatten() {
+    for &point in outline {
         for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
             if end.is_none_or(|end| sign * turn(way(end), way(point)) > 0.0) {
                 *end = Some(point);

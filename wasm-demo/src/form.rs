@@ -71,13 +71,13 @@ impl Form {
     /// The name for people.
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::F32 => "f32, versine form",
+            Self::F32 => "f32, 32-bit float",
             Self::Fx32 => "Fx32, 32-bit fixed point",
             Self::Fx16 => "Fx16, 16-bit fixed point",
-            Self::Cosine => "f32, cosine form 1 − l·s",
+            Self::Cosine => "f32, from the cosine 1 − l·s",
             Self::Powf => "powf, cosine to a power (f32)",
             Self::Gltf => "glTF's formula (f32)",
-            Self::F64 => "f64, versine form",
+            Self::F64 => "f64, 64-bit float",
         }
     }
 

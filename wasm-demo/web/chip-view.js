@@ -137,13 +137,15 @@ export class ChipView {
   #show(rows, nanos, wallMs) {
     for (const { column, row, pixels } of rows) pixels.forEach((pixel, x) => this.#set(column + x, row, pixel));
     if (rows.length > 0) this.#canvas.putImageData(this.#image, 0, 0);
+    const last = rows.at(-1);
+    if (last) element("window").toggleAttribute("hidden", last.column === 0);
     const chipMs = nanos / 1e6;
     element("nanos").textContent = seconds(chipMs);
     element("wall").textContent = seconds(wallMs);
     element("slower").textContent = `${tidy(wallMs / chipMs)} times as long`;
     if (!input("run").checked) return;
-    if (this.drawn === 0 && rows.length === 0) element("state").textContent = "The display starts.";
-    else if (rows.length > 0) element("state").textContent = `The display receives row ${rows.at(-1)?.row} of ${SIZE}.`;
+    if (this.drawn === 0 && !last) element("state").textContent = "The display starts.";
+    else if (last) element("state").textContent = `The display receives row ${last.row} of ${SIZE}.`;
   }
 
   /**

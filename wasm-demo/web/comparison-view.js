@@ -45,7 +45,7 @@ function far(metres) {
 function scale(exhibit) {
   const whole = Math.floor((exhibit.clientWidth * devicePixelRatio) / SIZE);
   const width = whole > 0 ? `${(whole * SIZE) / devicePixelRatio}px` : "100%";
-  find(exhibit, ".split").style.setProperty("--whole", width);
+  /** @type {HTMLElement} */ (exhibit).style.setProperty("--whole", width);
 }
 
 export class ComparisonView {

@@ -18,7 +18,7 @@ const MOST = 5;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 /** Distance of a marker from the border, for a light beside the picture, in pixels. */
-const MARGIN = 14;
+const MARGIN = 24;
 
 /** @typedef {import("./pkg/wasm_demo.js").Stage} Stage */
 /** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
@@ -42,7 +42,6 @@ export class Handles {
   #svg = element("handles", SVGElement);
   #sides = [line("side", 0, 0, 0, 0), line("side", 0, 0, 0, 0)];
   #area = shape("path", { class: "area" });
-  #outline = shape("path", { class: "outline" });
   #aim = slider("aim", [shape("circle", { class: "target", r: 22 }), shape("path", { class: "mark", d: "M-9 0H-3M3 0H9M0-9V-3M0 3V9" }), shape("circle", { class: "ring", r: 6 })]);
   /** @type {SVGElement[]} */
   #bodies = [];
@@ -73,7 +72,7 @@ export class Handles {
     this.#stage = stage;
     this.#lights = lights;
     this.#aim.id = "handle-aim";
-    this.#svg.append(this.#area, this.#outline, ...this.#sides, this.#aim);
+    this.#svg.append(this.#area, ...this.#sides, this.#aim);
     this.#join(this.#aim, () => this.#aiming());
     this.#join(this.#area, () => this.#aiming());
     for (const target of [this.#aim, this.#area]) {
@@ -180,7 +179,7 @@ export class Handles {
     const { isSpot, aim } = plain(this.#stage.light(light));
     const place = this.#pixels(2 * light + 1);
     const isSeen = isSpot && !Number.isNaN(place.x);
-    for (const part of [this.#aim, this.#area, this.#outline, ...this.#sides]) part.toggleAttribute("hidden", !isSeen);
+    for (const part of [this.#aim, this.#area, ...this.#sides]) part.toggleAttribute("hidden", !isSeen);
     if (!isSeen) return;
     this.#aim.setAttribute("transform", `translate(${place.x.toFixed(1)} ${place.y.toFixed(1)})`);
     this.#aim.setAttribute("aria-label", `Aim of light ${light + 1}`);
@@ -188,21 +187,11 @@ export class Handles {
     const pool = this.#stage.pool(light, aspect);
     const [ends, outline] = [pool.slice(0, 4), pool.slice(4)];
     const { width, height } = this.#size;
-    let [path, area] = ["", ""];
-    let isNew = true;
+    let path = "";
     for (let i = 0; i < outline.length; i += 2) {
-      const [x, y] = [outline[i] * width, outline[i + 1] * height];
-      if (Number.isNaN(x)) {
-        isNew = true;
-        continue;
-      }
-      const point = `${x.toFixed(1)} ${y.toFixed(1)}`;
-      path += `${isNew ? "M" : "L"}${point}`;
-      area += `${area === "" ? "M" : "L"}${point}`;
-      isNew = false;
+      path += `${i === 0 ? "M" : "L"}${(outline[i] * width).toFixed(1)} ${(outline[i + 1] * height).toFixed(1)}`;
     }
-    this.#outline.setAttribute("d", path);
-    this.#area.setAttribute("d", area);
+    this.#area.setAttribute("d", path && `${path}Z`);
     const from = this.#pixels(2 * light);
     for (const [i, side] of this.#sides.entries()) {
       side.toggleAttribute("hidden", Number.isNaN(ends[2 * i]));

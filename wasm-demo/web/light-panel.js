@@ -90,7 +90,7 @@ export class LightPanel {
     this.#showPlaces(state, source);
     element("photometry").textContent = photometry(state, this.#stage.fullScale);
     element("expose").hidden = !((state.lux ?? 0) > 0);
-    element("own-edge").textContent = `own: ${state.ownEdge}`;
+    element("own-edge").textContent = `default: ${state.ownEdge}`;
     select("edge").value = state.edge;
     input("color").value = state.color;
   }

@@ -578,5 +578,5 @@ export class StagePage {
  */
 function accuracy(format) {
   const error = Stage.statedError(format);
-  return error === 0 ? "The reference for the other formats" : `Within ${error}/255 of f32, measured on a scene without shadows`;
+  return error === 0 ? "32-bit float is what the other formats are compared with." : `Within ${error}/255 of 32-bit float, measured on a scene without shadows.`;
 }

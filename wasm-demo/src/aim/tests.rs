@@ -93,8 +93,8 @@ fn a_pool_surrounds_the_aim() {
     let desk = desk(Example::Grid);
     let pool = desk.pool(27, ASPECT).unwrap();
     let [Some(light), Some(aim)] = desk.places(ASPECT).unwrap()[27] else { panic!("not in the picture") };
-    let points: Vec<_> = pool[2..].iter().map(|place| place.expect("the floor has no gap")).collect();
-    assert!(points.len() == RAYS + 1 && points[0] == points[RAYS]);
+    let points: Vec<_> = pool[2..].iter().flatten().collect();
+    assert_eq!(points.len(), RAYS, "the floor is one surface");
     let share = 1.0 / points.len() as f32;
     let centre = points.iter().fold([0.0, 0.0], |[x, y], [u, v]| [x + u * share, y + v * share]);
     assert!((centre[0] - aim[0]).abs() < 0.01 && (centre[1] - aim[1]).abs() < 0.02, "{centre:?} {aim:?}");
@@ -105,6 +105,24 @@ fn a_pool_surrounds_the_aim() {
         let pool = desk.pool(light, ASPECT).unwrap();
         assert_eq!(pool.is_empty(), !desk.light_state(light).unwrap().is_spot);
     }
+}
+
+/// The outline leaves out what a few rays meet, also across the start of the ring.
+#[test]
+fn an_outline_leaves_out_small_objects() {
+    let ring = |near: &[usize]| {
+        let mut distances = [5.0; RAYS];
+        near.iter().for_each(|&i| distances[i % RAYS] = 4.0);
+        on_large_surfaces(&distances)
+    };
+    assert_eq!(ring(&[]), [true; RAYS]);
+    let small: Vec<_> = (RAYS - 4..RAYS + FEWEST - 5).collect();
+    let kept = ring(&small);
+    assert!((0..RAYS).all(|i| kept[i] != small.iter().any(|&object| object % RAYS == i)), "{kept:?}");
+    let large: Vec<_> = (RAYS - 4..RAYS + FEWEST - 4).collect();
+    assert_eq!(ring(&large), [true; RAYS]);
+    let scattered: Vec<f32> = (0..RAYS).map(|i| 1.0 + (i % 2) as f32).collect();
+    assert_eq!(on_large_surfaces(&scattered), [true; RAYS]);
 }
 
 #[test]

@@ -98,8 +98,8 @@ impl Stage {
     }
 
     /// Returns the pool of a light in the picture: x and y of each point, as shares. The first two
-    /// points are the ends of the lines from the light that enclose the pool, and the others its
-    /// outline, with NaN after each piece of it. Empty without a pool.
+    /// points are the ends of the lines from the light that enclose the pool, NaN if the light is not
+    /// before the camera, and the others the corners of its closed outline. Empty without a pool.
     pub fn pool(&self, light: usize, aspect: f32) -> Result<Vec<f32>, JsValue> {
         Ok(flat(self.desk.pool(light, aspect)?))
     }

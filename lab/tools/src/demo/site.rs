@@ -107,14 +107,17 @@ fn with_figures(page: &str, list: &str) -> Result<String> {
     let error = (100.0 * number(&row["error"]["codes"])?).ceil() / 100.0;
     let instructions = number(&row["cost"]["cortex-m0"]["instructions"])?.ceil();
     let cone = (2.0 * number(&list["meta"]["half_angle"])?).round();
-    let kind = row["error"]["kind"].as_str().context("the error has no kind")?;
+    let bound = match row["error"]["kind"].as_str().context("the error has no kind")? {
+        "searched" => "the largest error found is",
+        _ => "the error is at most",
+    };
     let mut figures = figures.to_owned();
     for (name, value) in
         [("instructions", instructions.to_string()), ("error", error.to_string()), ("cone", cone.to_string())]
     {
         figures = figures.replace(&format!("{{{name}}}"), &value);
     }
-    Ok(format!("{before}{}{after}", figures.replace("{kind}", kind)))
+    Ok(format!("{before}{}{after}", figures.replace("{bound}", bound)))
 }
 
 fn copy_folder(from: &Path, to: &Path) -> Result<()> {
@@ -173,8 +176,11 @@ mod tests {
                 "error":{{"codes":{codes},"kind":"searched"}},"cost":{{"cortex-m0":{{"instructions":222.4}}}}}}]}}"#
             )
         };
-        let page = "<p><!-- figures -->{instructions}, {error}, {cone}, {kind}<!-- end of figures --></p>";
-        assert_eq!(with_figures(page, &list(0.2538)).unwrap(), "<p>223, 0.26, 44, searched</p>");
+        let page = "<p><!-- figures -->{instructions}, {error}, {cone}, {bound}<!-- end of figures --></p>";
+        assert_eq!(
+            with_figures(page, &list(0.2538)).unwrap(),
+            "<p>223, 0.26, 44, the largest error found is</p>"
+        );
         assert_eq!(with_figures(page, "null").unwrap(), "<p></p>");
         assert!(with_figures(page, &list(0.25).replace("222.4", "null")).is_err());
         assert!(with_figures("<p></p>", "null").is_err());
