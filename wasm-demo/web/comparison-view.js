@@ -45,7 +45,8 @@ function far(metres) {
 function scale(exhibit) {
   const whole = Math.floor((exhibit.clientWidth * devicePixelRatio) / SIZE);
   const width = whole > 0 ? `${(whole * SIZE) / devicePixelRatio}px` : "100%";
-  /** @type {HTMLElement} */ (exhibit).style.setProperty("--whole", width);
+  const { style } = /** @type {HTMLElement} */ (exhibit);
+  style.setProperty("--whole", width);
 }
 
 export class ComparisonView {

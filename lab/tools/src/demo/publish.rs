@@ -184,12 +184,12 @@ fn is_code(name: &str) -> bool {
 }
 
 /// The lines of a script or style sheet without indentation, and without the lines that are
-/// comments: a quarter of the compressed page.
+/// comments: a quarter of the compressed page. A line with code after its comment is kept whole.
 fn without_comments(content: &[u8]) -> Vec<u8> {
     let text = String::from_utf8_lossy(content);
     let (mut kept, mut is_comment) = (String::new(), false);
     for line in text.lines().map(str::trim) {
-        let begins = !is_comment && line.starts_with("/*");
+        let begins = !is_comment && line.starts_with("/*") && (line.ends_with("*/") || !line.contains("*/"));
         if !is_comment && !begins && !line.is_empty() && !line.starts_with("//") {
             kept.extend([line, "\n"]);
         }
@@ -313,10 +313,10 @@ mod tests {
 
     #[test]
     fn only_comments_are_left_out() {
-        let text = "/** A\n * b. */\n  /* c */\n// d\n  call(); // e\n\n  a = `//\n`;\n";
+        let text = "/** A\n * b. */\n  /* c */\n// d\n  call(); // e\n\n  a = `//\n`;\n/* f */ g;\nh;\n";
         assert_eq!(
             String::from_utf8(without_comments(text.as_bytes())).unwrap(),
-            "call(); // e\na = `//\n`;\n"
+            "call(); // e\na = `//\n`;\n/* f */ g;\nh;\n"
         );
     }
 
