@@ -9,7 +9,7 @@ import { plain } from "./plain.js";
 import { Slider } from "./slider.js";
 
 /** Pixels on a side of a picture; fewer where two stand beside each other on a telephone. */
-const SIZE = { wide: 200, narrow: 160 };
+const SIZE = { roomy: 300, wide: 200, narrow: 160 };
 const THUMBNAIL = 48;
 
 const SIDES = [0, 1];
@@ -53,9 +53,15 @@ function styled() {
   });
 }
 
+/** The side of a picture for which the window has room. */
+function room() {
+  if (innerWidth >= 1700 && innerHeight >= 1000) return SIZE.roomy;
+  return innerWidth < 560 ? SIZE.narrow : SIZE.wide;
+}
+
 export class MuseumView {
   #exhibits = new Map(Museum.exhibits().map((exhibit) => [exhibit.name, plain(exhibit)]));
-  #size = innerWidth < 560 ? SIZE.narrow : SIZE.wide;
+  #size = room();
   #museum;
   #slider;
   #frame = 0;
