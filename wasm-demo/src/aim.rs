@@ -23,7 +23,7 @@ const RAYS: usize = 96;
 const GAP: f32 = 1.15;
 
 /// Number of neighbouring rays below which a surface that they meet is left out of the outline.
-const FEWEST: usize = 10;
+const FEWEST: usize = 20;
 
 fn plus(point: Vec3<f32>, factor: f32, direction: Vec3<f32>) -> Vec3<f32> {
     point.zip(direction, |point, along| point + factor * along)

@@ -138,7 +138,6 @@ export class ChipView {
     for (const { column, row, pixels } of rows) pixels.forEach((pixel, x) => this.#set(column + x, row, pixel));
     if (rows.length > 0) this.#canvas.putImageData(this.#image, 0, 0);
     const last = rows.at(-1);
-    if (last) element("window").toggleAttribute("hidden", last.column === 0);
     const chipMs = nanos / 1e6;
     element("nanos").textContent = seconds(chipMs);
     element("wall").textContent = seconds(wallMs);
@@ -170,7 +169,7 @@ export class ChipView {
   #tell(picture) {
     this.picture = picture;
     this.drawn += 1;
-    const { line, name, count, differing, checksum, stages, nanos } = picture;
+    const { line, name, count, differing, checksum, stages } = picture;
     const printed = /checksum ([0-9a-f]{8})/.exec(line)?.[1] ?? "none";
     const isSame = differing === 0 && printed === checksum;
     element("differ").textContent = whole(differing);
@@ -180,13 +179,8 @@ export class ChipView {
     element("checksum").textContent = printed;
     element("expected").textContent = checksum;
     element("count").textContent = whole(this.drawn);
-    element("frame").textContent = seconds(nanos / 1e6);
-    element("rate").textContent = `${tidy(1e9 / nanos)} a second`;
-    /** @type {(which: 0 | 1) => number} */
-    const sum = (which) => stages.reduce((total, stage) => total + stage[which], 0) / count;
-    element("instructions").textContent = whole(sum(0));
-    element("cycles").textContent = whole(sum(1));
-    this.#bars(stages.map(([, cycles]) => cycles / count));
+    // A black display costs nothing.
+    if (stages.some(([, cycles]) => cycles > 0)) this.#tellCost(picture);
     this.#lines = [...this.#lines, line].slice(-LINES);
     element("lines").textContent = this.#lines.join("\n");
     if (this.drawn >= this.#last) {
@@ -194,6 +188,17 @@ export class ChipView {
       input("run").checked = false;
       this.#order();
     }
+  }
+
+  /** @param {Picture} picture */
+  #tellCost({ count, stages, nanos }) {
+    element("frame").textContent = seconds(nanos / 1e6);
+    element("rate").textContent = `${tidy(1e9 / nanos)} a second`;
+    /** @type {(which: 0 | 1) => number} */
+    const sum = (which) => stages.reduce((total, stage) => total + stage[which], 0) / count;
+    element("instructions").textContent = whole(sum(0));
+    element("cycles").textContent = whole(sum(1));
+    this.#bars(stages.map(([, cycles]) => cycles / count));
   }
 
   /** @param {number[]} cycles */

@@ -1,8 +1,8 @@
 //! The stage on an ST7789 display: what the programs of the boards share.
 //!
-//! [`start`] starts the display, and [`show`] shows a still of 240 x 240 pixels, then frames of
-//! 160 x 120 pixels in a window in its middle, then the still again. A board implements [`Panel`],
-//! and counts cycles.
+//! [`start`] starts the display, and [`show`] shows a still of 240 x 240 pixels, then a black display,
+//! on it frames of 160 x 120 pixels in a window in the middle, and then the still again. A board
+//! implements [`Panel`], and counts cycles.
 #![cfg_attr(target_os = "none", no_std)]
 
 mod picture;
@@ -86,6 +86,7 @@ pub fn show<M: Markers>(
     loop {
         let report = still.draw::<M>(0, -40..200, panel, &now)?;
         writeln!(out, "still: {report}\r").ok()?;
+        writeln!(out, "black: {}\r", still.blacken(panel)?).ok()?;
         for frame in 0..FRAMES {
             let report = moving.draw::<M>(frame, 0..120, panel, &now)?;
             writeln!(out, "frame {frame}: {report}\r").ok()?;

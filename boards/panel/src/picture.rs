@@ -46,6 +46,20 @@ impl<const WIDTH: usize> Picture<WIDTH> {
         *buffers = Some([panel.send(drawn, || {})?, free]);
         Some(report)
     }
+
+    /// Sends a black square in place of a picture.
+    pub(crate) fn blacken(&mut self, panel: &mut impl Panel) -> Option<Report> {
+        let mut report = Report::default();
+        open(panel, WIDTH as u16, WIDTH as u16)?;
+        let [mut row, other] = self.rows.take()?;
+        row.fill(0);
+        for _ in 0..WIDTH {
+            report.add(row);
+            row = panel.send(row, || {})?;
+        }
+        self.rows = Some([row, other]);
+        Some(report)
+    }
 }
 
 /// The largest number of cycles between two looks at the counter: a row takes fewer.

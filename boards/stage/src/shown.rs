@@ -18,15 +18,29 @@ pub struct Shown {
     pub rows: [u16; 2],
     /// RGB565, row by row.
     pub pixels: Vec<u16>,
+    /// Whether the stage is drawn and lit: the firmware then marks its parts.
+    pub is_lit: bool,
 }
 
 impl Shown {
-    /// Draws a picture of the sequence that the firmware shows: the still, the frames of one swing
-    /// of the light, and then the same again.
+    /// Draws a picture of the sequence that the firmware shows: the still, a black display, the frames
+    /// of one swing of the light, and then the same again.
     pub fn numbered(number: u32) -> Self {
-        match number % (1 + FRAMES) {
-            0 => Self::drawn::<240>("still".to_owned(), 0, -40..200),
-            number => Self::drawn::<160>(format!("frame {}", number - 1), number - 1, 0..120),
+        match number % (2 + FRAMES) {
+            0 => Self::drawn::<SIZE>("still".to_owned(), 0, -40..200),
+            1 => Self::black(),
+            number => Self::drawn::<160>(format!("frame {}", number - 2), number - 2, 0..120),
+        }
+    }
+
+    fn black() -> Self {
+        let sides = [0, SIZE as u16 - 1];
+        Self {
+            name: "black".to_owned(),
+            columns: sides,
+            rows: sides,
+            pixels: vec![0; SIZE * SIZE],
+            is_lit: false,
         }
     }
 
@@ -40,7 +54,7 @@ impl Shown {
             stage.draw::<()>(number, &mut row);
             row
         });
-        Self { name, columns, rows: lines, pixels: pixels.collect() }
+        Self { name, columns, rows: lines, pixels: pixels.collect(), is_lit: true }
     }
 
     /// The checksum of the pixels.

@@ -22,7 +22,7 @@ pub(crate) fn shows_the_right_pixels(visitor: &mut Visitor) -> Result<()> {
     let early = page.requests()?.iter().find(|request| is_of_the_chip(request)).cloned();
     ensure!(early.is_none(), "{early:?} is loaded before the view is opened");
     page.ask("location.hash = '#chip'")?;
-    let drawn = until(&mut page, "luminaire.chip?.drawn >= 2")?;
+    let drawn = until(&mut page, "luminaire.chip?.drawn >= 3")?;
     ensure!(drawn, "the display has received no frame in {PATIENCE:?}");
     page.ask("document.getElementById('chip-run').click()")?;
     let (picture, name) = (page.ask("luminaire.chip.picture")?, page.message("chip-name")?);

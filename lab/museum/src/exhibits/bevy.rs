@@ -6,8 +6,8 @@ use crate::exhibit::{Bounds, Control, Exhibit, Source};
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "bevy",
     label: "Bevy’s clamp",
-    title: "A beam of half a degree keeps 15 % of its light, because its width is replaced by a \
-        ten-thousandth.",
+    title: "A cone with a half angle of half a degree keeps 15 % of its light, because its span of cosines is \
+        replaced by a ten-thousandth.",
     source: Source {
         project: "Bevy",
         file: "crates/bevy_pbr/src/render/light.rs",

@@ -13,7 +13,8 @@ use crate::{
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "gltf",
     label: "glTF’s clamp",
-    title: "A beam of one degree keeps 2 % of its light, because its width is replaced by a thousandth.",
+    title: "A cone with a half angle of one degree keeps 2 % of its light, because its span of cosines is \
+        replaced by a thousandth.",
     source: Source {
         project: "glTF, KHR_lights_punctual",
         file: "extensions/2.0/Khronos/KHR_lights_punctual/README.md, reference code",

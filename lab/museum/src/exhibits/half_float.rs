@@ -13,7 +13,7 @@ use crate::{
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "half-float",
     label: "Cosines in half floats",
-    title: "A beam of 1.3 degrees is drawn 1.8 degrees wide, and below 1.27 degrees it is gone.",
+    title: "A cone with a half angle of 1.3 degrees is drawn with 1.8 degrees, and below 1.27 degrees it is gone.",
     source: Source {
         project: "PlayCanvas, clustered lighting",
         file: "src/scene/lighting/lights-buffer.js",
