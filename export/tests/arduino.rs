@@ -1,7 +1,9 @@
 //! The library for Arduino: its files are what the crate writes, and its sketch draws what the kernel
 //! computes.
 
-mod support;
+#[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
+#[allow(dead_code, reason = "this test runs its program itself")]
+mod compiler;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,7 +12,7 @@ use std::{env, fs};
 use luminaire::{Angle, Cone, Fx16, Length, SpotLight, Vec3, falloff::Soft};
 use luminaire_export::{Language, c_header, export};
 
-use support::compiler::compile;
+use compiler::compile;
 
 /// What a sketch uses of Arduino's core, which its builder puts before a sketch.
 const CORE: &str = "#include <stdint.h>

@@ -13,6 +13,10 @@ use tools::{command, install, project};
 /// The compiler, as in `rust-version` of the published crates.
 const VERSION: &str = "1.85";
 
+/// The crates that promise it, and their folders.
+const CRATES: [(&str, &str); 3] =
+    [("luminaire", "core"), ("luminaire-render", "render"), ("luminaire-fixtures", "fixtures")];
+
 /// Debian's packages of compilers of that version, each with the packages of its standard library.
 const COMPILERS: [(&str, [&str; 2]); 2] = [
     ("rustc", ["libstd-rust-dev", "libstd-rust-1.85"]),
@@ -31,7 +35,8 @@ pub(crate) fn run(suite: &mut Suite) {
             return Ok(vec!["not compiled: there is no such package of Debian; clippy checks it".to_owned()]);
         };
         let mut check = command::cargo("check");
-        check.args(["--lib", "--all-features", "--package", "luminaire", "--package", "luminaire-render"]);
+        check.args(["--lib", "--all-features"]);
+        check.args(CRATES.iter().flat_map(|(name, _)| ["--package", name]));
         check.env("RUSTC", usr.join("bin/rustc")).env("LD_LIBRARY_PATH", usr.join("lib/x86_64-linux-gnu"));
         check.env("CARGO_TARGET_DIR", project::target().join("oldest-compiler"));
         progress.run(check).map(|()| Vec::new())
@@ -82,8 +87,8 @@ mod tests {
 
     #[test]
     fn the_version_is_that_of_the_published_manifests() {
-        for name in ["core", "render"] {
-            let manifest = fs::read_to_string(project::root().join(name).join("Cargo.toml")).unwrap();
+        for (name, folder) in CRATES {
+            let manifest = fs::read_to_string(project::root().join(folder).join("Cargo.toml")).unwrap();
             assert!(manifest.contains(&format!("rust-version = \"{VERSION}\"")), "{name}");
         }
     }
