@@ -26,6 +26,18 @@ const COUNTED: [(&str, &str, bool, &str); 13] = [
     ("scanline.md", "spot-soft-lambert-normalized", true, "for {} instructions on a Cortex-M0"),
 ];
 
+/// The same of a lit point on a Cortex-M4F, from `docs/accuracy-vs-cost.json`: a chapter and a format.
+const LIT: [(&str, &str, &str); 2] = [
+    ("not_for.md", "f32", "a lit point takes {} instructions in `f32`"),
+    ("not_for.md", "fx16", "and {} in `Fx16`"),
+];
+
+/// Falloffs on a Cortex-M0 that a chapter says to take five times the instructions of the soft one.
+const FIVE_TIMES: [(&str, &str); 2] = [
+    ("porting/direct3d.md", "spot-real-power-lambert"),
+    ("porting/godot.md", "spot-inverted-real-power-lambert"),
+];
+
 /// The text of a file of the repository.
 fn text(path: impl AsRef<Path>) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
@@ -64,21 +76,45 @@ fn guide_shows_what_its_commands_print() {
     assert_eq!((commands, shown), (2, 1), "expected every command of the guide to be found");
 }
 
+/// A count as the guide writes it.
+fn figure(count: f64) -> String {
+    match count.round() as u32 {
+        count @ 0..1_000 => count.to_string(),
+        count => format!("{},{:03}", count / 1_000, count % 1_000),
+    }
+}
+
+/// Panics unless a chapter has the words.
+fn expect(chapter: &str, words: &str) {
+    let text = text(Path::new("core/guide").join(chapter));
+    let one_line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(one_line.contains(words), "{chapter}: expected `{words}`");
+}
+
 #[test]
 fn guide_repeats_the_recorded_figures() {
-    let record: serde_json::Value = serde_json::from_str(&text("docs/effects.json")).expect("JSON");
-    let prices = &record["boards"]["cortex-m0"]["prices"];
-    let instructions = |program: &str| prices[program]["instructions"].as_f64().expect(program);
+    let record = |file| -> serde_json::Value { serde_json::from_str(&text(file)).expect("JSON") };
+    let effects = record("docs/effects.json");
+    let prices = &effects["boards"]["cortex-m0"]["prices"];
+    let price = |program: &str, unit: &str| prices[program][unit].as_f64().expect(program);
+    let instructions = |program: &str| price(program, "instructions");
     for (chapter, program, is_added, words) in COUNTED {
         let base = if is_added { instructions("spot-soft-lambert") } else { 0.0 };
-        let figure = (instructions(program) - base).round() as u32;
-        let figure = match figure {
-            0..1_000 => figure.to_string(),
-            _ => format!("{},{:03}", figure / 1_000, figure % 1_000),
-        };
-        let expected = words.replace("{}", &figure);
-        let chapter_text = text(Path::new("core/guide").join(chapter));
-        let one_line = chapter_text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(one_line.contains(&expected), "{chapter}: expected `{expected}`");
+        expect(chapter, &words.replace("{}", &figure(instructions(program) - base)));
+    }
+    let bytes = price("spot-soft-lambert-compiled", "bytes") - price("spot-soft-lambert", "bytes");
+    let flash = format!("instructions on a Cortex-M0 and {} kB of flash", figure(bytes / 1_000.0));
+    expect("microcontroller.md", &flash);
+    for (chapter, program) in FIVE_TIMES {
+        expect(chapter, "five times the instructions of a lit point on a Cortex-M0");
+        let times = instructions(program) / instructions("spot-soft-lambert");
+        assert!((4.5..5.5).contains(&times), "{chapter}: expected five times, found {times}");
+    }
+    let rows = record("docs/accuracy-vs-cost.json")["rows"].take();
+    for (chapter, format, words) in LIT {
+        let mut rows = rows.as_array().expect("rows").iter();
+        let row = rows.find(|row| row["kernel"] == "lit-inverse-square" && row["format"] == format);
+        let price = row.expect(format)["cost"]["cortex-m4f"]["instructions"].as_f64().expect("a figure");
+        expect(chapter, &words.replace("{}", &figure(price)));
     }
 }
