@@ -1,23 +1,31 @@
 //! Compilers of C and C++ for this machine and for small processors.
 
+use std::path::Path;
+use std::process::Command;
+
 use anyhow::{Result, bail};
 
 use crate::progress::Progress;
 use crate::{command, install};
 
-/// The compilers, and Debian's packages of them.
-const COMPILERS: [(&str, &[&str]); 5] = [
-    ("cc", &["gcc"]),
-    ("c++", &["g++"]),
-    ("arm-none-eabi-gcc", &["gcc-arm-none-eabi", "libnewlib-arm-none-eabi"]),
-    ("arm-none-eabi-g++", &["gcc-arm-none-eabi"]),
-    ("riscv64-unknown-elf-gcc", &["gcc-riscv64-unknown-elf"]),
+/// The compilers, each with a file of its library of C that is a package of its own, and Debian's
+/// packages.
+const COMPILERS: [(&str, Option<&str>, &[&str]); 5] = [
+    ("cc", None, &["gcc"]),
+    ("c++", None, &["g++"]),
+    ("arm-none-eabi-gcc", Some("rdimon.specs"), &["gcc-arm-none-eabi", "libnewlib-arm-none-eabi"]),
+    ("arm-none-eabi-g++", None, &["gcc-arm-none-eabi"]),
+    (
+        "riscv64-unknown-elf-gcc",
+        Some("picolibc.specs"),
+        &["gcc-riscv64-unknown-elf", "picolibc-riscv64-unknown-elf"],
+    ),
 ];
 
-/// Finds the compilers. As root on Debian, installs those that are missing.
+/// Finds the compilers and their libraries. As root on Debian, installs those that are missing.
 pub fn find(progress: &Progress) -> Result<()> {
-    let missing = COMPILERS.iter().filter(|(program, _)| command::on_path(&[program]).is_none());
-    let packages: Vec<_> = missing.flat_map(|(_, packages)| *packages).copied().collect();
+    let missing = COMPILERS.iter().filter(|(program, file, _)| !is_installed(program, *file));
+    let packages: Vec<_> = missing.flat_map(|(_, _, packages)| *packages).copied().collect();
     if packages.is_empty() {
         return Ok(());
     }
@@ -25,4 +33,28 @@ pub fn find(progress: &Progress) -> Result<()> {
         bail!("compilers of C are missing: on Debian, `apt-get install {}`", packages.join(" "));
     }
     install::apt(&packages, progress)
+}
+
+/// Whether a compiler is installed, and finds a file of its library.
+fn is_installed(program: &str, file: Option<&str>) -> bool {
+    // A file that the compiler does not find is printed as its name.
+    let finds = |file: &str| {
+        let place = command::answer(Command::new(program).arg(format!("-print-file-name={file}")));
+        place.is_ok_and(|place| Path::new(place.trim()).is_absolute())
+    };
+    command::on_path(&[program]).is_some() && file.is_none_or(finds)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn compiler_without_its_library_is_not_installed() {
+        if command::on_path(&["cc"]).is_some() {
+            assert!(is_installed("cc", None));
+            assert!(!is_installed("cc", Some("no-such-library.specs")));
+        }
+        assert!(!is_installed("no-such-compiler", None));
+    }
 }

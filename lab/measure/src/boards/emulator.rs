@@ -73,10 +73,24 @@ impl Emulator {
         output(qemu)
     }
 
+    /// Runs firmware whose library of C writes single letters to the console, as picolibc does. Returns
+    /// what the firmware prints. Without a device for the console, QEMU writes letters to its standard
+    /// error.
+    pub(crate) fn run_on_console(&self, firmware: &Path) -> Result<String> {
+        let mut qemu = self.command_with(firmware, ",chardev=console");
+        qemu.args(["-chardev", "stdio,id=console"]);
+        output(qemu)
+    }
+
     fn command(&self, firmware: &Path) -> Command {
+        self.command_with(firmware, "")
+    }
+
+    /// A command with more settings of semihosting.
+    fn command_with(&self, firmware: &Path, settings: &str) -> Command {
         let mut qemu = Command::new(&self.program);
         qemu.args(self.machine).args(["-nographic", "-monitor", "none", "-serial", "none"]);
-        qemu.args(["-semihosting-config", "enable=on,target=native"]);
+        qemu.arg("-semihosting-config").arg(format!("enable=on,target=native{settings}"));
         qemu.arg("-kernel").arg(firmware);
         qemu
     }
