@@ -156,6 +156,9 @@ uint32_t luminaire_spot_irradiance(const luminaire_spot *spot,
                                    luminaire_normal normal);
 
 // Returns the light at a surface point: the irradiance times the light's colour.
+//
+// Each call checks the words of the light. `luminaire_vertices` and `luminaire_row_add` check them once
+// for many points.
 luminaire_light luminaire_spot_light(const luminaire_spot *spot,
                                      luminaire_point point,
                                      luminaire_normal normal);

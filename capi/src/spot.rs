@@ -175,6 +175,9 @@ pub extern "C" fn luminaire_spot_irradiance(
 }
 
 /// Returns the light at a surface point: the irradiance times the light's colour.
+///
+/// Each call checks the words of the light. `luminaire_vertices` and `luminaire_row_add` check them once
+/// for many points.
 #[unsafe(no_mangle)]
 pub extern "C" fn luminaire_spot_light(
     spot: &luminaire_spot,
