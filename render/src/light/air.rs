@@ -3,10 +3,11 @@
 mod beam;
 mod ends;
 mod rays;
+mod shafts;
 mod sums;
 mod tile;
 
-pub(crate) use self::tile::TileAir;
+pub(crate) use self::{shafts::Shafts, tile::TileAir};
 
 use self::rays::{BATCH, Fan};
 use crate::{
@@ -21,7 +22,7 @@ use luminaire::{
     dynamic::AnyLight,
     falloff::AnyFalloff,
     haze::{BeamScattering, Haze, RayBundle, ViewRays},
-    projector::{CompiledGobo, Shadow},
+    projector::{CompiledGobo, Fixture, Gobo, Projection, Shadow},
 };
 
 /// Number of sample points on a view ray through a beam with a gobo or a shadow map.
@@ -33,6 +34,11 @@ pub(crate) struct Hazy {
     beam: BeamScattering<AnyFalloff, AnyAttenuation>,
     color: Rgb<f32>,
     position: glam::Vec3,
+    axis: glam::Vec3,
+    /// The in-scattering at a distance of 1 from the light, where the integral over the directions
+    /// is 1.
+    gain: f32,
+    gobo: Option<(Gobo<'static>, Projection)>,
     /// The radius of the light, which is an opaque sphere.
     radius: f32,
 }
@@ -42,6 +48,8 @@ pub(crate) struct Hazy {
 pub(crate) struct Way<'a, S: Scalar> {
     pub(crate) gobo: Option<&'a CompiledGobo<'static, S>>,
     pub(crate) shadow: Option<Shadow<'a, S>>,
+    /// The beam as seen from the eye, if it needs no samples.
+    pub(crate) shafts: Option<&'a Shafts>,
 }
 
 impl Hazy {
@@ -49,11 +57,19 @@ impl Hazy {
     ///
     /// # Errors
     /// A light that `f32` can't hold.
-    pub(crate) fn new(light: &AnyLight, haze: &Haze) -> Result<Option<Self>, Error> {
-        let color = light.color();
+    pub(crate) fn new(fixture: &Fixture, haze: &Haze) -> Result<Option<Self>, Error> {
+        let light = fixture.light();
         let AnyLight::Spot(spot) = light else { return Ok(None) };
-        let (position, radius) = (spot.position().into(), haze.source_radius());
-        Ok(light.compile::<f32>()?.in_haze(haze).map(|beam| Self { beam, color, position, radius }))
+        let Some(beam) = light.compile::<f32>()?.in_haze(haze) else { return Ok(None) };
+        Ok(Some(Self {
+            beam,
+            color: light.color(),
+            position: spot.position().into(),
+            axis: spot.axis().into(),
+            gain: spot.intensity() * (haze.density() / 4.0),
+            gobo: fixture.gobo(),
+            radius: haze.source_radius(),
+        }))
     }
 
     /// Returns false only if no ray of the bundle meets the beam.

@@ -2,11 +2,13 @@
 
 use crate::{
     light::{
-        air::{Hazy, Way},
+        air::{Hazy, Shafts, Way},
         reach::Reach,
     },
     shadow::Shadows,
 };
+use core::cell::OnceCell;
+use glam::Vec3;
 use luminaire::{
     Angle, Error, Scalar,
     dynamic::{CompiledAnyLight, RenderPlan},
@@ -15,7 +17,7 @@ use luminaire::{
 };
 
 /// A fixture compiled for a number format, and the bounds of its light.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Prepared<S: Scalar> {
     pub(crate) number: usize,
     pub(crate) light: CompiledAnyLight<S>,
@@ -23,6 +25,8 @@ pub struct Prepared<S: Scalar> {
     /// The projection of the shadow map.
     pub(crate) shadow: Option<CompiledProjection<S>>,
     hazy: Option<Hazy>,
+    /// The beam as seen from the eye, computed where it is first needed.
+    shafts: OnceCell<Option<Shafts>>,
     /// Whether the fixture has a gobo of its own, other than [`CLEAR`].
     is_patterned: bool,
     casts_shadow: bool,
@@ -45,14 +49,15 @@ impl<S: Scalar> Prepared<S> {
     ) -> Result<Option<Self>, Error> {
         let Some(light) = plan.prepare(fixture.light())? else { return Ok(None) };
         let (is_patterned, casts_shadow) = (fixture.gobo().is_some(), fixture.shadow().is_some());
+        let hazy = haze.map(|haze| Hazy::new(fixture, &haze)).transpose()?.flatten();
         let mut fixture = *fixture;
         if !plan.skips() {
             fixture = equipped(fixture).unwrap_or(fixture);
         }
         let shadow = fixture.shadow().map(|(_, square)| square.compile()).transpose()?;
         let (gobo, reach) = (fixture.compile_gobo()?, Reach::new(fixture.light()));
-        let hazy = haze.map(|haze| Hazy::new(fixture.light(), &haze)).transpose()?.flatten();
-        Ok(Some(Self { number, light, gobo, shadow, hazy, is_patterned, casts_shadow, reach }))
+        let shafts = OnceCell::new();
+        Ok(Some(Self { number, light, gobo, shadow, hazy, shafts, is_patterned, casts_shadow, reach }))
     }
 
     /// Returns whether the light has a gobo or a shadow map.
@@ -70,11 +75,15 @@ impl<S: Scalar> Prepared<S> {
         matches!((&self.hazy, sight), (Some(hazy), Some(sight)) if hazy.may_be_seen(sight))
     }
 
-    /// Returns the beam, and its gobo and shadow map; `None` if the fixture has no beam in haze.
-    pub(crate) fn in_air<'a>(&'a self, shadows: &'a Shadows<S>) -> Option<(&'a Hazy, Way<'a, S>)> {
+    /// Returns the beam as seen from the eye, and its gobo and shadow map; `None` if the fixture has
+    /// no beam in haze.
+    pub(crate) fn in_air<'a>(&'a self, shadows: &'a Shadows<S>, eye: Vec3) -> Option<(&'a Hazy, Way<'a, S>)> {
         let gobo = self.gobo.as_ref().filter(|_| self.is_patterned);
         let shadow = shadows.of(self.number).filter(|_| self.casts_shadow);
-        self.hazy.as_ref().map(|hazy| (hazy, Way { gobo, shadow }))
+        let hazy = self.hazy.as_ref()?;
+        let is_gobo_alone = gobo.is_some() && shadow.is_none();
+        let shafts = is_gobo_alone.then(|| self.shafts.get_or_init(|| Shafts::new(hazy, eye)).as_ref());
+        Some((hazy, Way { gobo, shadow, shafts: shafts.flatten() }))
     }
 }
 

@@ -8,6 +8,7 @@ use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, Vec3, falloff::SoftOrHard};
 extern crate std;
 
 mod haze;
+mod shafts;
 
 const SIZE: (usize, usize) = (160, 90);
 

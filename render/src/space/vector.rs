@@ -8,6 +8,16 @@ pub(crate) fn length(way: Vec3) -> f32 {
     luminaire::Vec3::from(way).length()
 }
 
+/// Returns the correctly rounded square root, by the processor's instruction if the feature `std` is
+/// on.
+#[inline(always)]
+pub(crate) fn sqrt(square: f32) -> f32 {
+    #[cfg(feature = "std")]
+    return square.sqrt();
+    #[cfg(not(feature = "std"))]
+    return libm::sqrtf(square);
+}
+
 /// Returns the direction; zero for a vector so short that its square is subnormal or zero.
 #[inline(always)]
 pub(crate) fn direction(way: Vec3) -> Vec3 {

@@ -1,6 +1,10 @@
 //! A beam as seen from the eye.
 
-use super::{Hazy, Way, rays::Fan, tile::Cell};
+use super::{
+    Hazy, Way,
+    rays::Fan,
+    tile::{COLUMNS, Cell, ROWS},
+};
 use glam::Vec3;
 use luminaire::Scalar;
 
@@ -30,6 +34,25 @@ const STEPS: f32 = 8.0;
 /// [`sides`](luminaire::haze::BeamScattering::sides).
 const MARGIN: f32 = 2e-5;
 
+/// The sides of a beam in a tile: the distances of the rays' ends at depth 1 from them.
+pub(super) struct Sides {
+    /// The distance of the first pixel from each side, and its change per column and per row.
+    sides: [[f32; 3]; 2],
+    margin: f32,
+}
+
+impl Sides {
+    /// Returns whether the rays through a pixel and the next `others` to its right are beside the
+    /// beam.
+    #[inline(always)]
+    pub(super) fn is_beside(&self, (x, y): (usize, usize), others: usize) -> bool {
+        self.sides.iter().any(|[first, column, row]| {
+            let start = first + row * y as f32;
+            [x, x + others].iter().all(|&x| start + column * (x as f32) < -self.margin)
+        })
+    }
+}
+
 impl<'a, S: Scalar> Beam<'a, S> {
     pub(super) fn new(hazy: &'a Hazy, way: &'a Way<'a, S>, fan: &Fan, tolerance: f32) -> Self {
         let sides = hazy.beam.sides(fan.eye.into()).map(Vec3::from);
@@ -44,6 +67,14 @@ impl<'a, S: Scalar> Beam<'a, S> {
         let corners = [(0, 0), (side, 0), (0, side), (side, side)];
         let ways = corners.map(|(x, y)| fan.at((cell.x + x) as f32, (cell.y + y) as f32));
         self.sides.iter().any(|normal| ways.iter().all(|way| way.dot(*normal) < -MARGIN * way.length()))
+    }
+
+    /// Returns the sides of the beam in a tile.
+    pub(super) fn sides_of(&self, fan: &Fan) -> Sides {
+        let sides = self.sides.map(|normal| fan.vectors().map(|way| way.dot(normal)));
+        let corners = [(0, 0), (COLUMNS, 0), (0, ROWS), (COLUMNS, ROWS)];
+        let lengths = corners.map(|(x, y)| fan.at(x as f32, y as f32).length());
+        Sides { sides, margin: MARGIN * lengths.into_iter().fold(0.0, f32::max) }
     }
 
     /// Returns whether rays with an angle of `step` between them can't miss the beam.

@@ -41,6 +41,12 @@ impl Fan {
         Self { eye: view.eye(), first: first + across * column as f32, column: across, row: view.row() }
     }
 
+    /// Returns the vectors at depth 1: from the eye to the first pixel, to the next column and to
+    /// the next row.
+    pub(super) fn vectors(&self) -> [Vec3; 3] {
+        [self.first, self.column, self.row]
+    }
+
     /// Returns the vector to a pixel at depth 1.
     #[inline(always)]
     pub(super) fn at(&self, x: f32, y: f32) -> Vec3 {

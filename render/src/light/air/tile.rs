@@ -4,7 +4,8 @@ use super::{
     Hazy, Way,
     beam::Beam,
     ends::{Ends, Nearness, Plane},
-    rays::{Fan, Light, NO_LIGHT, Queue},
+    rays::{BATCH, Fan, Light, NO_LIGHT, Queue},
+    shafts::{Shafts, WIDTH},
     sums::{Nodes, Sums},
 };
 use crate::{
@@ -12,6 +13,7 @@ use crate::{
     raster::{Fragments, view::View},
     stripes::Stripes,
 };
+use alloc::vec::Vec;
 use core::ops::Range;
 use luminaire::{Rgb, Scalar, haze::RayBundle};
 
@@ -130,9 +132,52 @@ impl<'a> TileAir<'a> {
         let Rgb { red, green, blue } = hazy.color;
         let tolerance = TOLERANCE * share / red.max(green).max(blue);
         let beam = Beam::new(hazy, way, &self.fan, tolerance);
+        if let Some(shafts) = way.shafts {
+            self.add_shafts(&beam, shafts);
+            return;
+        }
         let step = ROWS / 2;
         let cells = [0, COLUMNS / 2].map(|x| Cell { x, y: 0, step });
         self.refine(&beam, &cells, None, self.ends.is_flat.then_some(self.ends.far));
+    }
+
+    /// Adds the in-scattered light of a beam by its shafts, with a ray through every pixel.
+    fn add_shafts<S: Scalar>(&mut self, beam: &Beam<'_, S>, shafts: &Shafts) {
+        let (sheaf, sides) = (shafts.sheaf(&self.fan), beam.sides_of(&self.fan));
+        // Pixels whose rays end at the light's body.
+        let mut sampled = Vec::new();
+        for y in 0..self.rows {
+            for x in (0..self.columns).step_by(WIDTH) {
+                if sides.is_beside((x, y), WIDTH - 1) {
+                    continue;
+                }
+                let nearness = core::array::from_fn(|i| self.nearness[y][x + i]);
+                let run = shafts.light(&sheaf, (x, y), &nearness);
+                self.add_run((x, y), &run.light, beam.hazy.color);
+                let inside = WIDTH.min(self.columns - x);
+                self.rays += inside;
+                sampled.extend((0..inside).filter(|&i| run.is_sampled[i]).map(|i| (x + i, y)));
+            }
+        }
+        for pixels in sampled.chunks(BATCH) {
+            pixels.iter().for_each(|&(x, y)| self.queue.push((x, y), self.nearness[y][x]));
+            let light = self.evaluate(beam);
+            self.rays -= pixels.len();
+            for (&(x, y), light) in pixels.iter().zip(light) {
+                self.add_run((x, y), &[light], beam.hazy.color);
+            }
+        }
+    }
+
+    /// Adds the light of neighbouring pixels in a row.
+    #[inline(always)]
+    fn add_run<const N: usize>(&mut self, (x, y): (usize, usize), lights: &[f32; N], color: Rgb<f32>) {
+        let Rgb { red, green, blue } = &mut self.radiance[y * self.stride];
+        for (channel, color) in [(red, color.red), (green, color.green), (blue, color.blue)] {
+            for (sum, light) in channel[x..x + N].iter_mut().zip(lights) {
+                *sum += light * color;
+            }
+        }
     }
 
     /// Adds the in-scattered light of a beam, with a ray through every pixel.

@@ -31,8 +31,8 @@ const STRIPES: [u8; 64 * 64] = {
     stripes
 };
 
-/// Returns the light of all beams in the air, interpolated and with a ray through every pixel, and
-/// the numbers of rays of both.
+/// Returns the light of all beams in the air but those that are seen by shafts, interpolated and with
+/// a ray through every pixel, and the numbers of rays of both.
 fn air(renderer: &mut Renderer<f32>, fixtures: &[Fixture]) -> [(Vec<Radiance>, usize); 2] {
     let rig = Rig::<f32>::new(RenderPlan::new(), fixtures, renderer.haze).unwrap();
     let stride = renderer.geometry.columns;
@@ -50,7 +50,10 @@ fn air(renderer: &mut Renderer<f32>, fixtures: &[Fixture]) -> [(Vec<Radiance>, u
             let place = (rows.clone(), column);
             let mut air = TileAir::new(view, &renderer.fragments, place, columns, radiance, stride);
             for fixture in seen.iter().filter_map(|&light| rig.fixture(light)) {
-                let (hazy, way) = fixture.in_air(&renderer.shadows).unwrap();
+                let (hazy, way) = fixture.in_air(&renderer.shadows, view.eye()).unwrap();
+                if way.shafts.is_some() {
+                    continue;
+                }
                 match is_each {
                     0 => air.add(hazy, &way, 1.0 / seen.len() as f32),
                     _ => air.add_each(hazy, &way),

@@ -1,0 +1,68 @@
+//! A gobo along a line.
+
+use super::{lines::STEPS, split};
+use alloc::vec::Vec;
+use glam::Vec3;
+use luminaire::projector::{Gobo, Projection};
+
+/// A gobo in the gate of a light, for look-ups in f32.
+pub(super) struct Pattern {
+    side: usize,
+    /// The transmissions to the right of and below each texel, with its own: top left, top right,
+    /// bottom left, bottom right.
+    corners: Vec<[u8; 4]>,
+    /// Vectors whose products with a direction are its coordinates in texels, times the depth.
+    right: Vec3,
+    down: Vec3,
+    axis: Vec3,
+}
+
+impl Pattern {
+    pub(super) fn new((gobo, square): &(Gobo<'_>, Projection)) -> Self {
+        let (side, all) = (gobo.side(), gobo.transmissions());
+        let next = |i: usize| (i + 1).min(side - 1);
+        let at = |row: usize, column: usize| all.get(row * side + column).copied().unwrap_or_default();
+        let corners = (0..side * side).map(|i| {
+            let (row, column) = (i / side, i % side);
+            [(row, column), (row, next(column)), (next(row), column), (next(row), next(column))]
+                .map(|(row, column)| at(row, column))
+        });
+        let scale = side as f32 / (2.0 * square.tangent());
+        Self {
+            side,
+            corners: corners.collect(),
+            right: Vec3::from(square.right()) * scale,
+            down: Vec3::from(square.up()) * -scale,
+            axis: square.axis().into(),
+        }
+    }
+
+    /// Multiplies the light of the directions of a line by the transmissions there, which are those
+    /// of [`Gobo::transmission`] but for the rounding.
+    pub(super) fn filter(&self, nearest: Vec3, onward: Vec3, edge: f32, lights: &mut [f32; STEPS]) {
+        let [from, to] =
+            [nearest, onward].map(|way| [self.right, self.down, self.axis].map(|axis| way.dot(axis)));
+        let (center, last) = (0.5 * self.side as f32 - 0.5, (self.side - 1) as f32);
+        let (mut first, mut right, mut down) = ([0_i32; STEPS], [0.0; STEPS], [0.0; STEPS]);
+        let within = |place: f32| {
+            let place = if place > 0.0 { place } else { 0.0 };
+            let place = if place < last { place } else { last };
+            split(place)
+        };
+        for i in 0..STEPS {
+            let v = edge * ((i as i32 as f32 + 0.5) * (2.0 / STEPS as f32) - 1.0);
+            let (cos, sin) = (1.0 - v * v, 2.0 * v);
+            let depth = 1.0 / (cos * from[2] + sin * to[2]);
+            let (column, row);
+            (column, right[i]) = within((cos * from[0] + sin * to[0]) * depth + center);
+            (row, down[i]) = within((cos * from[1] + sin * to[1]) * depth + center);
+            first[i] = row * self.side as i32 + column;
+        }
+        for i in 0..STEPS {
+            let corners = self.corners.get(first[i] as usize).copied().unwrap_or_default();
+            let [a, b, c, d] = corners.map(f32::from);
+            let (top, bottom) = (a + (b - a) * right[i], c + (d - c) * right[i]);
+            lights[i] *= (top + (bottom - top) * down[i]) * (1.0 / 255.0);
+        }
+    }
+}
