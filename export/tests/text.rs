@@ -6,7 +6,7 @@ use fastrand::Rng;
 use luminaire::attenuation::{CutAt, FilamentRange, InverseSquare, Polynomial, SmoothRange};
 use luminaire::codegen::as_source;
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{Cubic, InvertedRealPower, Table};
+use luminaire::falloff::{Cubic, Falloff, Formula, InvertedRealPower, Table};
 use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::{Language, export};
 use luminaire_oracle::{DVec3, versine_between};
@@ -102,11 +102,15 @@ fn irradiance(light: &Value, point: DVec3, normal: DVec3) -> f64 {
     number(&light["intensity"]) * law * window * share * cosine
 }
 
-/// The JSON alone is enough to evaluate a light: in f64 the result is that of the exact model.
+/// The JSON alone is enough to evaluate a light: in f64 the result is that of the exact model. Of a
+/// falloff that is a function the JSON has the name.
 #[test]
 fn json_has_all_that_a_light_needs() {
     let (mut rng, mut worst, mut lit) = (Rng::with_seed(7), 0.0_f64, 0);
     for spot in spots::<f32>(&mut rng, 4) {
+        if matches!(spot.cone().profile().formula(), Formula::Function(_)) {
+            continue;
+        }
         let json = export(spot, "key", Language::Json).expect("a light");
         let light: Value = serde_json::from_str(&json).expect("JSON");
         let any = AnyLight::from(spot);

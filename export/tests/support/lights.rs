@@ -36,7 +36,7 @@ pub(crate) fn spots<S: Scalar>(rng: &mut Rng, variants: usize) -> Vec<Spot> {
     let mut spots = Vec::new();
     for index in 0..=AnyFalloff::COUNT {
         for variant in 0..variants {
-            let light = (0..1_000).find_map(|_| {
+            let light = (0..100_000).find_map(|_| {
                 let falloff = match (index, variant) {
                     (AnyFalloff::COUNT, _) => knots(),
                     (_, 0) => AnyFalloff::samples().nth(index)?,
@@ -125,10 +125,14 @@ pub(crate) fn exact(spot: &Spot, point: [f32; 3], normal: [f32; 3]) -> [f64; 2] 
 }
 
 /// Returns whether the falloff has no jump and a moderate slope, so that its difference from f64 is
-/// that of the code and not of the inputs.
+/// that of the code and not of the inputs. An exponent below 1 makes the slope infinite.
 pub(crate) fn is_smooth(spot: &Spot) -> bool {
     let cone = spot.cone();
     let slope = cone.profile().steepness(cone.inner().versine() / cone.outer_versine());
-    let jumps = matches!(cone.profile().formula(), Formula::Step | Formula::Table(_)) || cone.has_cutoff();
-    !jumps && cone.outer().to_degrees() > 6.0 && slope < 10.0
+    let jumps = match cone.profile().formula() {
+        Formula::Step | Formula::Table(_) => true,
+        Formula::Power(exponent) | Formula::InvertedPower(exponent, _) => exponent < 1.0,
+        _ => false,
+    };
+    !jumps && !cone.has_cutoff() && cone.outer().to_degrees() > 6.0 && slope < 10.0
 }
