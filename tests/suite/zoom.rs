@@ -137,7 +137,8 @@ fn place<S: Format>(cone: oracle::Cone, [off, distance, turn]: [f32; 3]) -> Opti
 
 /// The largest error over pairs of cones from a half angle in degrees on, by climbing.
 fn worst<S: Format>(narrowest: f32, error: fn(Input) -> f64) -> f64 {
-    let search = Search { starts: 20_000 * sweep::effort(), steps: 3_000, ..Search::default() };
+    let effort = sweep::effort();
+    let search = Search { starts: 20_000 * effort, climbs: 8 * effort, steps: 3_000, ..Search::default() };
     let found =
         search.worst(|rng| somewhere(rng, narrowest), |rng, input| moved(rng, input, narrowest), error);
     let found = found.expect("some error");
