@@ -65,11 +65,13 @@ impl Tree {
         Ok(tree)
     }
 
-    /// A call of cargo in a folder of the tree. It shares the target folder with the tests, so that
-    /// only what depends on the example is compiled.
+    /// A call of cargo in a folder of the tree. It has a target folder of its own: cargo tells packages
+    /// of two copies of a workspace apart by the times of their files alone, and would take what it has
+    /// compiled for the example as the project's.
     fn cargo(&self, folder: &str, arguments: &[&str]) -> Command {
         let mut cargo = command::cargo(arguments[0]);
         cargo.args(&arguments[1..]).current_dir(self.folder.join(folder));
+        cargo.env("CARGO_TARGET_DIR", self.folder.join("target"));
         cargo
     }
 }
