@@ -6,9 +6,10 @@ use luminaire_render::{Format, Renderer, scenes::Example};
 
 use crate::Visitor;
 
-/// The scene and its time are those of the address below.
+/// The scene, its size and its time are those of the address below.
 const SCENE: Example = Example::ThreePoint;
-const ADDRESS: &str = "#stage?scene=three-point&play=none&format=fx16&with=f32&effects=-dither";
+const ADDRESS: &str =
+    "?width=960&height=540#stage?scene=three-point&play=none&format=fx16&with=f32&effects=-dither";
 
 pub(crate) fn differs_as_on_the_host(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at(ADDRESS)?;

@@ -43,8 +43,8 @@ pub(crate) fn follows_the_format(visitor: &mut Visitor) -> Result<()> {
     let picked = "document.getElementById('price-picked').textContent";
     let [rough, strict] = ["5", "0.01"].map(|most| {
         page.ask(&format!(
-            "{{ const most = document.getElementById('price-most'); most.value = '{most}'; \
-             most.dispatchEvent(new Event('input')); }}"
+            "((most) => {{ most.value = '{most}'; most.dispatchEvent(new Event('input')); }})(\
+             document.getElementById('price-most'))"
         ))?;
         until(
             &mut page,

@@ -205,7 +205,7 @@ pub(crate) fn lights_are_added(visitor: &mut Visitor) -> Result<()> {
     ensure!(page.message("lights-count")? == "3 of 3 on", "undo leaves {}", page.message("lights-count")?);
 
     choose(&mut other, "grid")?;
-    other.ask("for (let i = 0; i < 17; i += 1) document.getElementById('light-add').click()")?;
+    other.ask("Array.from({ length: 17 }, () => document.getElementById('light-add').click())")?;
     other.settle()?;
     let told = other.message("stage-error")?;
     ensure!(told == "number of lights = 81: expected 0 to 80 lights", "{told:?}");
