@@ -29,13 +29,17 @@ test("only the current view writes", () => {
   assert.deepEqual(written, []);
 });
 
-test("a browser that refuses an address is not an error", () => {
+test("a browser that refuses an address is not an error, and is asked again", () => {
   const info = mock.method(console, "info", () => {});
-  mock.method(history, "replaceState", () => {
+  const refusal = mock.method(history, "replaceState", () => {
     throw new Error("more than 100 times");
   });
   follow("stage");
   remember("stage", () => "beam=1");
   mock.timers.tick(1000);
   assert.match(info.mock.calls[0].arguments[0], /more than 100 times/);
+  refusal.mock.restore();
+  assert.deepEqual(written, []);
+  mock.timers.tick(10_000);
+  assert.deepEqual(written, ["#stage?beam=1"]);
 });

@@ -6,6 +6,9 @@
  */
 const REST = 250;
 
+/** Delay after which a rejected update is tried again, in milliseconds. */
+const AGAIN = 10_000;
+
 /** @type {string | undefined} */
 let current;
 /** @type {number | undefined} */
@@ -37,7 +40,8 @@ function write(hash) {
   try {
     history.replaceState(null, "", hash);
   } catch (error) {
-    // A failed update leaves the address out of date, which harms nothing else.
+    // Until then the address is out of date, which harms nothing else.
+    waiting = setTimeout(() => write(hash), AGAIN);
     console.info(`The address was not written: ${error}`);
   }
 }

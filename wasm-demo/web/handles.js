@@ -17,6 +17,9 @@ const MOST = 5;
 /** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
+/** Distance in pixels from which on a press is a drag: a click selects, and moves nothing. */
+const SLIP = 3;
+
 /** Distance of a marker from the border, for a light beside the picture, in pixels. */
 const MARGIN = 24;
 
@@ -53,8 +56,9 @@ export class Handles {
    */
   #places = [];
   /**
-   * What is being dragged: its act, its offset from the pointer, and where it is to go next.
-   * @type {{ act: Start["act"], offset: Place, to?: Target, isLevel?: boolean } | undefined}
+   * What is being dragged: its act, its offset from the pointer, where it was pressed in pixels of the
+   * page until it moves, and where it is to go next.
+   * @type {{ act: Start["act"], offset: Place, pressed?: Place, to?: Target, isLevel?: boolean } | undefined}
    */
   #drag;
   #isMoving = false;
@@ -218,7 +222,8 @@ export class Handles {
       if (event.button !== 0) return;
       const { from, act } = start();
       const at = this.#pointer(event);
-      this.#drag = { act, offset: { x: from.x - at.x, y: from.y - at.y } };
+      const pressed = { x: event.clientX, y: event.clientY };
+      this.#drag = { act, offset: { x: from.x - at.x, y: from.y - at.y }, pressed };
       target.setPointerCapture(event.pointerId);
       target.focus();
       event.preventDefault();
@@ -237,6 +242,9 @@ export class Handles {
   #follow(event) {
     const drag = this.#drag;
     if (!drag) return;
+    const { pressed } = drag;
+    if (pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < SLIP) return;
+    drag.pressed = undefined;
     const isScheduled = drag.to !== undefined;
     const { x, y } = this.#pointer(event);
     drag.to = { x: x + drag.offset.x, y: y + drag.offset.y, aspect: this.#aspect };

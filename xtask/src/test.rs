@@ -1,13 +1,14 @@
 //! `cargo xtask test` and `cargo xtask full`, which adds the long tests and all boards.
 
 use std::iter;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result};
 use serde_json::Value;
 
 use crate::arguments::TestOptions;
-use browser_tests::{ALL, LONG, Test, Visit, Visitor, engines};
+use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
 use measure::boards::{self, Board};
 use measure::{c, conform, device, effects, frame, pick, prices, size};
 use tools::browser::Engine;
@@ -44,16 +45,29 @@ const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--feature
 
 const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
 
+/// The step that measures the demo.
+const CHECK: &str = "browser: the demo's check";
+
 const NO_VISITOR: &str = "not run, because the demo was not built or no browser started";
 
 /// Runs the tests; the last line on stdout counts them.
 pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
     let mut suite = Suite::new(options.only);
-    suite.side_by_side(|suite| host(suite, full), |suite| boards(suite, full));
+    let browsers = Browsers::new(full);
+    let mut site = None;
+    suite.side_by_side(
+        |suite| host(suite, full),
+        |suite| {
+            boards(suite, full);
+            site = browsers.build(suite);
+        },
+    );
+    // After all else: a page that waits for a processor is tested slowly.
+    browsers.visit(&mut suite, site.as_deref());
     suite.finish()
 }
 
-/// Adds the steps that run on this machine and in its browser.
+/// Adds the steps that run on this machine.
 fn host(suite: &mut Suite, full: bool) {
     sources(suite, full);
     suite
@@ -79,9 +93,6 @@ fn host(suite: &mut Suite, full: bool) {
         package::run(suite);
         semver::run(suite);
     }
-    export::run(suite);
-    scripts::run(suite);
-    browser(suite, full);
 }
 
 /// Checks that the fuzzer's targets compile. They belong to another workspace, and only the fuzzer
@@ -103,8 +114,8 @@ fn dependencies(suite: &mut Suite) {
     });
 }
 
-/// Adds the steps that run on emulated boards, and the conformance vectors on boards, this machine
-/// and a browser.
+/// Adds the steps that run on emulated boards, the conformance vectors on boards, this machine and a
+/// browser, what the exporter writes, and the page's scripts.
 fn boards(suite: &mut Suite, full: bool) {
     let boards = boards::tested(full);
     bare_metal(suite, full);
@@ -120,6 +131,8 @@ fn boards(suite: &mut Suite, full: bool) {
     }
     prices(suite, &boards, full);
     conform::steps::run(suite, &boards);
+    export::run(suite);
+    scripts::run(suite);
 }
 
 fn sources(suite: &mut Suite, full: bool) {
@@ -130,7 +143,8 @@ fn sources(suite: &mut Suite, full: bool) {
         let clippy = with(command::cargo("clippy"), &["--workspace", "--all-targets"]);
         progress.run(with(clippy, &["--", "-Dwarnings"]))
     });
-    for (name, features) in FEATURES.iter().chain([&STD, &ALL_FEATURES]) {
+    let linted = if full { &FEATURES[..] } else { &FEATURES[4..] };
+    for (name, features) in linted.iter().chain([&STD, &ALL_FEATURES]) {
         suite.step(&format!("lint: luminaire with {name}"), |progress| {
             let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib", "--tests"]);
             progress.run(with(with(clippy, features), &["--", "-Dwarnings"]))
@@ -214,49 +228,73 @@ fn prices(suite: &mut Suite, boards: &[&'static Board], full: bool) {
     });
 }
 
-/// Adds the tests of the demo's page: all of them in Chromium, and in the other engines those that
-/// are quick, or with `full` all that the engine can run.
-fn browser(suite: &mut Suite, full: bool) {
-    let check = "browser: the demo's check";
-    let long = if full { &LONG[..] } else { &[] };
-    let tests: Vec<_> =
-        ALL.iter().chain(long).map(|(name, test)| (format!("browser: {name}"), *test)).collect();
-    let [_, others @ ..] = Engine::ALL;
-    let mut others = others.map(|engine| Elsewhere::new(engine, full)).to_vec();
-    others.retain(|elsewhere| elsewhere.is_wanted(suite));
-    let is_wanted = suite.wants(check) || tests.iter().any(|(name, _)| suite.wants(name));
-    if !is_wanted && others.is_empty() {
-        return;
+/// The tests of the demo's page that are wanted.
+struct Browsers {
+    /// Those in the first engine.
+    tests: Vec<(String, Visit)>,
+    others: Vec<Elsewhere>,
+}
+
+impl Browsers {
+    /// The quick tests in every engine, or with `full` all that an engine can run, and the long ones in
+    /// the first.
+    fn new(full: bool) -> Self {
+        let more = if full { [&MORE[..], &LONG].concat() } else { Vec::new() };
+        let tests = QUICK.iter().chain(&more).map(|(name, test)| (format!("browser: {name}"), *test));
+        let [_, others @ ..] = Engine::ALL;
+        Self { tests: tests.collect(), others: others.map(|engine| Elsewhere::new(engine, full)).into() }
     }
-    let site = suite.require("browser: the demo is built", site::build);
-    let serve = |engine: Engine, progress: &Progress| {
-        Visitor::evaluate(engine, site.as_deref().context("there is no demo to serve")?, progress)
-    };
-    let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
-        serve(Engine::Chromium, progress)
-    });
-    for (name, test) in &tests {
-        suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));
+
+    fn are_wanted(&self, suite: &Suite) -> bool {
+        suite.wants(CHECK)
+            || self.tests.iter().any(|(name, _)| suite.wants(name))
+            || self.others.iter().any(|elsewhere| elsewhere.is_wanted(suite))
     }
-    suite.step(check, |progress| {
-        let visitor = visitor.as_mut().context(NO_VISITOR)?;
-        progress.say("Checked", demo::check(visitor.browser.as_mut(), &visitor.address, None)?);
-        Ok(())
-    });
-    for elsewhere in &others {
-        let start = format!("browser, {}: it starts", elsewhere.engine);
-        let mut other = suite.require(&start, |progress| serve(elsewhere.engine, progress));
-        for (name, test) in &elsewhere.tests {
-            suite.step(name, |_| test(other.as_mut().context(NO_VISITOR)?));
+
+    /// Builds the demo, if a test needs it. Returns its folder.
+    fn build(&self, suite: &mut Suite) -> Option<PathBuf> {
+        if self.are_wanted(suite) { suite.require("browser: the demo is built", site::build) } else { None }
+    }
+
+    /// Adds the steps that need the demo's folder.
+    fn visit(&self, suite: &mut Suite, site: Option<&Path>) {
+        if !self.are_wanted(suite) {
+            return;
         }
-        suite.step(&elsewhere.alike, |_| {
-            engines::draw_alike(visitor.as_mut().context(NO_VISITOR)?, other.as_mut().context(NO_VISITOR)?)
+        let serve = |engine: Engine, progress: &Progress| {
+            Visitor::evaluate(engine, site.context("there is no demo to serve")?, progress)
+        };
+        let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
+            serve(Engine::Chromium, progress)
         });
+        for (name, test) in &self.tests {
+            suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));
+        }
+        suite.step(CHECK, |progress| {
+            let visitor = visitor.as_mut().context(NO_VISITOR)?;
+            progress.say("Checked", demo::check(visitor.browser.as_mut(), &visitor.address, None)?);
+            Ok(())
+        });
+        for elsewhere in &self.others {
+            if !elsewhere.is_wanted(suite) {
+                continue;
+            }
+            let start = format!("browser, {}: it starts", elsewhere.engine);
+            let mut other = suite.require(&start, |progress| serve(elsewhere.engine, progress));
+            for (name, test) in &elsewhere.tests {
+                suite.step(name, |_| test(other.as_mut().context(NO_VISITOR)?));
+            }
+            suite.step(&elsewhere.alike, |_| {
+                engines::draw_alike(
+                    visitor.as_mut().context(NO_VISITOR)?,
+                    other.as_mut().context(NO_VISITOR)?,
+                )
+            });
+        }
     }
 }
 
 /// The steps of an engine other than the first.
-#[derive(Clone)]
 struct Elsewhere {
     engine: Engine,
     tests: Vec<(String, Visit)>,

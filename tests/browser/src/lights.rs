@@ -60,12 +60,18 @@ fn flux(page: &mut Page) -> Result<String> {
     Ok(flux.to_owned())
 }
 
-/// A click selects a light, which the arrow keys move. The switch hides all lights.
+/// A click selects a light and moves nothing; the arrow keys move it. The switch hides all lights.
 pub(crate) fn are_moved_by_keys(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready_at("#stage?scene=show&play=none")?;
     let third = handle(&mut page, "handle-3")?;
-    page.drag(third, (0.0, 0.0))?;
+    page.drag(third, (1.0, 1.0))?;
+    page.settle()?;
     ensure!(page.message("panel-title")? == "4 moving head (beam)", "{}", page.message("panel-title")?);
+    let after = page.middle("handle-3")?;
+    ensure!(
+        (after.0 - third.0).abs() + (after.1 - third.1).abs() < 1.0,
+        "a click moves the light to {after:?}"
+    );
     let x = page.value("light-x")?;
     ensure!(page.text("document.activeElement.id")? == "handle-3", "the light has no focus");
     page.change("an arrow key", |page| page.press("ArrowRight", 39))?;
