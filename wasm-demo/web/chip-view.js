@@ -178,7 +178,6 @@ export class ChipView {
     element("name").textContent = name;
     element("checksum").textContent = printed;
     element("expected").textContent = checksum;
-    element("count").textContent = whole(this.drawn);
     // A black display costs nothing.
     if (stages.some(([, cycles]) => cycles > 0)) this.#tellCost(picture);
     this.#lines = [...this.#lines, line].slice(-LINES);
@@ -193,7 +192,7 @@ export class ChipView {
   /** @param {Picture} picture */
   #tellCost({ count, stages, nanos }) {
     element("frame").textContent = seconds(nanos / 1e6);
-    element("rate").textContent = `${tidy(1e9 / nanos)} a second`;
+    element("rate").textContent = (1e9 / nanos).toFixed(1);
     /** @type {(which: 0 | 1) => number} */
     const sum = (which) => stages.reduce((total, stage) => total + stage[which], 0) / count;
     element("instructions").textContent = whole(sum(0));

@@ -193,11 +193,11 @@ export class MuseumView {
     this.#slider.range(exact(exhibit.least), exact(exhibit.most), exhibit.isLogarithmic, exhibit.unit);
     this.#slider.show(exact(this.#museum.value));
     button("start").value = String(exact(exhibit.start));
-    element("start").textContent = `Named case: ${tidy(exact(exhibit.start))}${exhibit.unit}`;
+    element("start").textContent = `Show the fault: ${tidy(exact(exhibit.start))}${exhibit.unit}`;
     element("agrees").hidden = exhibit.agreesAt === undefined;
     if (exhibit.agreesAt === undefined) return;
     button("agrees").value = String(exact(exhibit.agreesAt));
-    element("agrees").textContent = `Both right: ${tidy(exact(exhibit.agreesAt))}${exhibit.unit}`;
+    element("agrees").textContent = `Both agree: ${tidy(exact(exhibit.agreesAt))}${exhibit.unit}`;
   }
 
   #draw() {
