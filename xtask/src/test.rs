@@ -55,13 +55,16 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
     let mut suite = Suite::new(options.only);
     let browsers = Browsers::new(full);
     let mut site = None;
-    suite.side_by_side(
-        |suite| host(suite, full),
-        |suite| {
-            boards(suite, full);
+    // Three groups for two processors: the modules of the demo are linked by one.
+    suite.side_by_side([
+        Box::new(|suite| host(suite, full)),
+        Box::new(|suite| boards(suite, full)),
+        Box::new(|suite| {
+            scripts::run(suite);
             site = browsers.build(suite);
-        },
-    );
+            export::run(suite);
+        }),
+    ]);
     // After all else: a page that waits for a processor is tested slowly.
     browsers.visit(&mut suite, site.as_deref());
     suite.finish()
@@ -114,8 +117,8 @@ fn dependencies(suite: &mut Suite) {
     });
 }
 
-/// Adds the steps that run on emulated boards, the conformance vectors on boards, this machine and a
-/// browser, what the exporter writes, and the page's scripts.
+/// Adds the steps that run on emulated boards, and the conformance vectors on boards, this machine
+/// and a browser.
 fn boards(suite: &mut Suite, full: bool) {
     let boards = boards::tested(full);
     bare_metal(suite, full);
@@ -131,8 +134,6 @@ fn boards(suite: &mut Suite, full: bool) {
     }
     prices(suite, &boards, full);
     conform::steps::run(suite, &boards);
-    export::run(suite);
-    scripts::run(suite);
 }
 
 fn sources(suite: &mut Suite, full: bool) {

@@ -23,6 +23,9 @@ pub struct Suite {
     has_company: bool,
 }
 
+/// Steps that run one after the other, beside other groups.
+pub type Group<'a> = Box<dyn FnOnce(&mut Suite) + Send + 'a>;
+
 /// Number of the slowest steps that are listed.
 const SLOWEST: usize = 10;
 
@@ -112,23 +115,24 @@ impl Suite {
         outcome.ok().map(|(value, _)| value)
     }
 
-    /// Runs two groups of steps in parallel, for steps that keep only one processor busy. Each step
-    /// is reported when it has ended.
-    pub fn side_by_side(&mut self, these: impl FnOnce(&mut Self), those: impl FnOnce(&mut Self) + Send) {
-        self.has_company = true;
-        let mut beside = Self { has_company: true, ..Self::new(self.only.clone()) };
-        let mut beside = thread::scope(|scope| {
-            let those = scope.spawn(|| {
-                those(&mut beside);
-                beside
-            });
-            these(self);
-            those.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    /// Runs groups of steps in parallel, for steps that keep only one processor busy. Each step is
+    /// reported when it has ended.
+    pub fn side_by_side<const N: usize>(&mut self, groups: [Group<'_>; N]) {
+        let only = &self.only;
+        let run = |group: Group<'_>| {
+            let mut suite = Self { has_company: true, ..Self::new(only.clone()) };
+            group(&mut suite);
+            suite
+        };
+        let ended = thread::scope(|scope| {
+            let threads = groups.map(|group| scope.spawn(|| run(group)));
+            threads.map(|thread| thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
         });
-        self.has_company = false;
-        self.tally += beside.tally;
-        self.failures.append(&mut beside.failures);
-        self.times.append(&mut beside.times);
+        for mut suite in ended {
+            self.tally += suite.tally;
+            self.failures.append(&mut suite.failures);
+            self.times.append(&mut suite.times);
+        }
     }
 
     /// Prints the slowest steps, the failures and, as the last line, the counts.
@@ -172,10 +176,10 @@ mod tests {
     #[test]
     fn steps_side_by_side_are_counted_together() {
         let mut suite = Suite::new(None);
-        suite.side_by_side(
-            |suite| suite.step("one", |_| Ok(())),
-            |suite| suite.step("two", |_| bail!("broken")),
-        );
+        suite.side_by_side([
+            Box::new(|suite| suite.step("one", |_| Ok(()))),
+            Box::new(|suite| suite.step("two", |_| bail!("broken"))),
+        ]);
         assert_eq!(suite.tally, Tally { passed: 1, failed: 1 });
         assert_eq!((suite.failures, suite.times.len()), (vec!["two: broken".to_owned()], 2));
     }

@@ -2,8 +2,8 @@
 //!
 //! Each gobo is a square with any number of texels per side, row by row, for
 //! [`Gobo::of`](luminaire::projector::Gobo::of). Texels that pass the light are white. The
-//! transition at an edge of the pattern is one texel wide, so that a side of 32 texels already
-//! looks smooth.
+//! transition at an edge of the pattern is one texel wide: where a texel covers a pixel or two, edges
+//! look smooth.
 //!
 //! ```
 //! use luminaire::projector::Gobo;

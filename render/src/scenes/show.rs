@@ -39,7 +39,7 @@ const GELS: [Rgb<f32>; 8] = [
 
 /// The patterns on the wall: `BREAKUP` of the left moving head, `STAR` of the right moving head.
 const BREAKUP: [u8; 64 * 64] = gobos::breakup();
-const STAR: [u8; 64 * 64] = gobos::star();
+const STAR: [u8; 128 * 128] = gobos::star();
 
 pub(super) fn setup() -> Result<Setup, Error> {
     let camera = Camera::new(Vec3::new(0.0, 1.75, 0.0), 11.4, 0.0, 0.2, 0.5);
