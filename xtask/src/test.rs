@@ -283,7 +283,14 @@ impl Browsers {
             let start = format!("browser, {}: it starts", elsewhere.engine);
             let mut other = suite.require(&start, |progress| serve(elsewhere.engine, progress));
             for (name, test) in &elsewhere.tests {
-                suite.step(name, |_| test(other.as_mut().context(NO_VISITOR)?));
+                suite.step(name, |progress| {
+                    let other = other.as_mut().context(NO_VISITOR)?;
+                    test(other).or_else(|error| {
+                        // WebKitGTK crashes once in hundreds of pages. A page that makes it crash does so
+                        // again.
+                        if other.browser.revive(progress)? { test(other) } else { Err(error) }
+                    })
+                });
             }
             suite.step(&elsewhere.alike, |_| {
                 engines::draw_alike(

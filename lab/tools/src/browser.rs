@@ -39,6 +39,11 @@ pub trait Browser: fmt::Debug {
     /// Opens a page that shares no storage with pages of other browsers. `script` runs in the page
     /// before the page's own scripts.
     fn open(&mut self, address: &str, script: &str) -> Result<Page>;
+
+    /// Starts a browser that has crashed again. Returns whether it had.
+    fn revive(&mut self, _progress: &Progress) -> Result<bool> {
+        Ok(false)
+    }
 }
 
 /// A browser engine.

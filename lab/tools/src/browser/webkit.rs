@@ -98,6 +98,14 @@ impl Browser for WebKit {
         let log = folder.join(LOG);
         WebKitTab::visit(Rc::clone(&self.driver), log, number, address).map(Page::new)
     }
+
+    fn revive(&mut self, progress: &Progress) -> Result<bool> {
+        let has_crashed = !self.driver.borrow_mut().has_session();
+        if has_crashed {
+            *self = Self::start(progress)?;
+        }
+        Ok(has_crashed)
+    }
 }
 
 impl Drop for WebKit {

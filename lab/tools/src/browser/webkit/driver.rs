@@ -74,6 +74,11 @@ impl Driver {
         self.call(method, path, body)
     }
 
+    /// Whether the session goes on. The driver ends it when a page's process has crashed.
+    pub(super) fn has_session(&mut self) -> bool {
+        self.call("GET", "/timeouts", &Value::Null).is_ok()
+    }
+
     /// Ends the session, and with it the browser.
     pub(super) fn quit(&mut self) -> Result<()> {
         self.call("DELETE", "", &Value::Null).map(drop)
