@@ -1,6 +1,7 @@
 //! The project's commands, run by cargo itself: `cargo demo` and `cargo xtask test`.
 
 mod arguments;
+mod browsers;
 mod contributing;
 mod demo;
 mod export;

@@ -1,0 +1,117 @@
+//! The steps of the test run that visit the demo in a browser.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+
+use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
+use tools::browser::Engine;
+use tools::demo::site;
+use tools::progress::Progress;
+use tools::suite::Suite;
+
+use crate::demo;
+
+/// The step that measures the demo.
+const CHECK: &str = "browser: the demo's check";
+
+const NO_VISITOR: &str = "not run, because the demo was not built or no browser started";
+
+/// The tests of the demo's page.
+pub(crate) struct Browsers {
+    /// Those in the first engine.
+    tests: Vec<(String, Visit)>,
+    others: Vec<Elsewhere>,
+}
+
+impl Browsers {
+    /// The quick tests in the first engine and a few of them in the others, or with `full` all that an
+    /// engine can run, and the long ones in the first.
+    pub(crate) fn new(full: bool) -> Self {
+        let more = if full { [&MORE[..], &LONG].concat() } else { Vec::new() };
+        let tests = QUICK.iter().chain(&more).map(|(name, test)| (format!("browser: {name}"), *test));
+        let [_, others @ ..] = Engine::ALL;
+        Self { tests: tests.collect(), others: others.map(|engine| Elsewhere::new(engine, full)).into() }
+    }
+
+    fn are_wanted(&self, suite: &Suite) -> bool {
+        suite.wants(CHECK)
+            || self.tests.iter().any(|(name, _)| suite.wants(name))
+            || self.others.iter().any(|elsewhere| elsewhere.is_wanted(suite))
+    }
+
+    /// Builds the demo, if a test needs it. Returns its folder.
+    pub(crate) fn build(&self, suite: &mut Suite) -> Option<PathBuf> {
+        if self.are_wanted(suite) { suite.require("browser: the demo is built", site::build) } else { None }
+    }
+
+    /// Adds the steps that need the demo's folder.
+    pub(crate) fn visit(&self, suite: &mut Suite, site: Option<&Path>) {
+        if !self.are_wanted(suite) {
+            return;
+        }
+        let serve = |engine: Engine, progress: &Progress| {
+            Visitor::evaluate(engine, site.context("there is no demo to serve")?, progress)
+        };
+        let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
+            serve(Engine::Chromium, progress)
+        });
+        for (name, test) in &self.tests {
+            suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));
+        }
+        suite.step(CHECK, |progress| {
+            let visitor = visitor.as_mut().context(NO_VISITOR)?;
+            progress.say("Checked", demo::check(visitor.browser.as_mut(), &visitor.address, None)?);
+            Ok(())
+        });
+        for elsewhere in &self.others {
+            if !elsewhere.is_wanted(suite) {
+                continue;
+            }
+            let start = format!("browser, {}: it starts", elsewhere.engine);
+            let mut other = suite.require(&start, |progress| serve(elsewhere.engine, progress));
+            for (name, test) in &elsewhere.tests {
+                suite.step(name, |progress| {
+                    let other = other.as_mut().context(NO_VISITOR)?;
+                    test(other).or_else(|error| {
+                        // WebKitGTK crashes once in hundreds of pages. A page that makes it crash does so
+                        // again.
+                        if other.browser.revive(progress)? { test(other) } else { Err(error) }
+                    })
+                });
+            }
+            suite.step(&elsewhere.alike, |_| {
+                engines::draw_alike(
+                    visitor.as_mut().context(NO_VISITOR)?,
+                    other.as_mut().context(NO_VISITOR)?,
+                )
+            });
+        }
+    }
+}
+
+/// The steps of an engine other than the first.
+struct Elsewhere {
+    engine: Engine,
+    tests: Vec<(String, Visit)>,
+    /// The name of the step that compares the engine's pictures with those of the first.
+    alike: String,
+}
+
+impl Elsewhere {
+    fn new(engine: Engine, full: bool) -> Self {
+        let named = |(name, test): &Test| (format!("browser, {engine}: {name}"), *test);
+        let mut tests: Vec<_> = engines::SMOKE.iter().map(named).collect();
+        if full {
+            let all = engines::tests_of(engine).map(named);
+            let more: Vec<_> = all.filter(|(name, _)| tests.iter().all(|(quick, _)| quick != name)).collect();
+            tests.extend(more);
+        }
+        let alike = format!("browser, {engine}: pictures have the bits of Chromium's");
+        Self { engine, tests, alike }
+    }
+
+    fn is_wanted(&self, suite: &Suite) -> bool {
+        suite.wants(&self.alike) || self.tests.iter().any(|(name, _)| suite.wants(name))
+    }
+}
