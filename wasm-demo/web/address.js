@@ -40,7 +40,7 @@ function write(hash) {
   try {
     history.replaceState(null, "", hash);
   } catch (error) {
-    // Until then the address is out of date, which harms nothing else.
+    // Until the next attempt the address is out of date, which harms nothing else.
     waiting = setTimeout(() => write(hash), AGAIN);
     console.info(`The address was not written: ${error}`);
   }

@@ -3,6 +3,7 @@
 import { element } from "./elements.js";
 import { degrees, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
+import { Press } from "./press.js";
 import { line, shape } from "./shapes.js";
 
 /** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
@@ -57,7 +58,8 @@ export class Curve {
   #legend = element("curve-legend");
   /** The angle at the right end of the drawing, which stays the same during a drag. */
   #reach = 1;
-  #isDragged = false;
+  /** @type {Press | undefined} */
+  #press;
 
   /**
    * Called with the name of an angle, a value in degrees, and the handle; with nothing when a drag has
@@ -91,7 +93,7 @@ export class Curve {
    */
   draw(light) {
     if (light >= this.#stage.lightCount) return;
-    const kept = this.#isDragged ? this.#reach : undefined;
+    const kept = this.#press ? this.#reach : undefined;
     const points = this.#stage.curve(light, SAMPLES, kept);
     if (points.length === 0) return;
     const state = plain(this.#stage.light(light));
@@ -124,16 +126,16 @@ export class Curve {
     const set = (value) => this.onset(`fit-${name}`, Math.min(Math.max(value, 1e-3), 179.9), handle);
     handle.addEventListener("pointerdown", (event) => {
       handle.setPointerCapture(event.pointerId);
-      this.#isDragged = true;
+      this.#press = new Press(event);
     });
     handle.addEventListener("pointermove", (event) => {
-      if (!handle.hasPointerCapture(event.pointerId)) return;
+      if (!handle.hasPointerCapture(event.pointerId) || !this.#press?.isDrag(event)) return;
       const { left, width } = this.#svg.getBoundingClientRect();
       const x = ((event.clientX - left) * WIDTH) / width;
       set(round((2 * this.#reach * Math.abs(x - MIDDLE)) / HALF));
     });
     handle.addEventListener("lostpointercapture", () => {
-      this.#isDragged = false;
+      this.#press = undefined;
       this.onset();
     });
     handle.addEventListener("keydown", (event) => {

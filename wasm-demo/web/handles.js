@@ -3,6 +3,7 @@
 import { element } from "./elements.js";
 import { tidy } from "./numbers.js";
 import { plain } from "./plain.js";
+import { Press } from "./press.js";
 import { line, shape } from "./shapes.js";
 
 /** Share of the picture per arrow key. */
@@ -16,9 +17,6 @@ const MOST = 5;
 
 /** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-
-/** Distance in pixels from which on a press is a drag: a click selects, and moves nothing. */
-const SLIP = 3;
 
 /** Distance of a marker from the border, for a light beside the picture, in pixels. */
 const MARGIN = 24;
@@ -56,9 +54,8 @@ export class Handles {
    */
   #places = [];
   /**
-   * What is being dragged: its act, its offset from the pointer, where it was pressed in pixels of the
-   * page until it moves, and where it is to go next.
-   * @type {{ act: Start["act"], offset: Place, pressed?: Place, to?: Target, isLevel?: boolean } | undefined}
+   * What is being dragged: its act, its offset from the pointer, and where it is to go next.
+   * @type {{ act: Start["act"], offset: Place, press: Press, to?: Target, isLevel?: boolean } | undefined}
    */
   #drag;
   #isMoving = false;
@@ -222,8 +219,7 @@ export class Handles {
       if (event.button !== 0) return;
       const { from, act } = start();
       const at = this.#pointer(event);
-      const pressed = { x: event.clientX, y: event.clientY };
-      this.#drag = { act, offset: { x: from.x - at.x, y: from.y - at.y }, pressed };
+      this.#drag = { act, offset: { x: from.x - at.x, y: from.y - at.y }, press: new Press(event) };
       target.setPointerCapture(event.pointerId);
       target.focus();
       event.preventDefault();
@@ -241,10 +237,7 @@ export class Handles {
    */
   #follow(event) {
     const drag = this.#drag;
-    if (!drag) return;
-    const { pressed } = drag;
-    if (pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < SLIP) return;
-    drag.pressed = undefined;
+    if (!drag?.press.isDrag(event)) return;
     const isScheduled = drag.to !== undefined;
     const { x, y } = this.#pointer(event);
     drag.to = { x: x + drag.offset.x, y: y + drag.offset.y, aspect: this.#aspect };

@@ -87,11 +87,16 @@ pub(crate) fn are_moved_by_keys(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// A dot on the curve sets its angle, and the other angle stays.
+/// A dot on the curve sets its angle, and the other angle stays. A click on a dot sets nothing.
 pub(crate) fn angles_are_set_on_the_curve(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let (beam, field) = (page.value("light-beam-number")?, page.value("light-field-number")?);
     page.ask("probe.until(() => document.querySelector('#curve [role=slider]'))")?;
+    page.ask("document.querySelector('#curve [role=slider] .dot').id = 'first-dot'")?;
+    let dot = page.middle("first-dot")?;
+    page.drag(dot, (2.0, 0.0))?;
+    page.settle()?;
+    ensure!(page.value("light-beam-number")? == beam, "a click on the dot sets the angle");
     page.ask("document.querySelector('#curve [role=slider]').focus()")?;
     page.change("a key", |page| page.press("ArrowLeft", 37))?;
     let narrower = page.value("light-beam-number")?;
