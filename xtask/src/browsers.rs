@@ -74,8 +74,8 @@ impl Browsers {
                 suite.step(name, |progress| {
                     let other = other.as_mut().context(NO_VISITOR)?;
                     test(other).or_else(|error| {
-                        // WebKitGTK crashes once in hundreds of pages. A page that makes it crash does so
-                        // again.
+                        // WebKitGTK was seen to crash once in four runs. A page that makes it crash does
+                        // so again.
                         if other.browser.revive(progress)? { test(other) } else { Err(error) }
                     })
                 });

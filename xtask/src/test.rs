@@ -47,7 +47,7 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
     let mut suite = Suite::new(options.only);
     let browsers = Browsers::new(full);
     let mut site = None;
-    // Three groups for two processors: the modules of the demo are linked by one.
+    // Three groups for two processors, because linking the demo's modules keeps only one busy.
     suite.side_by_side([
         Box::new(|suite| host(suite, full)),
         Box::new(|suite| boards(suite, full)),
@@ -57,7 +57,7 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
             export::run(suite);
         }),
     ]);
-    // After all else: a page that waits for a processor is tested slowly.
+    // After the other steps, because they would slow the page down.
     browsers.visit(&mut suite, site.as_deref());
     suite.finish()
 }
@@ -68,7 +68,7 @@ fn host(suite: &mut Suite, full: bool) {
     suite
         .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
     // The feature sets whose square root and angles do not come from libm, and with `full` the
-    // default set. Clippy checks all sets.
+    // default set. With `full`, Clippy checks all sets.
     for (name, features) in if full { &FEATURES[1..4] } else { &FEATURES[1..3] } {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
             // Without the long searches, which have run with all features at once.

@@ -37,7 +37,8 @@ const GELS: [Rgb<f32>; 8] = [
     Rgb::new(1.0, 0.06, 0.45),
 ];
 
-/// The patterns on the wall: `BREAKUP` of the left moving head, `STAR` of the right moving head.
+/// The patterns on the wall: `BREAKUP` of the left moving head, `STAR` of the right moving head. A
+/// texel of 64 covers about three pixels of the demo, which the straight edges of a star would show.
 const BREAKUP: [u8; 64 * 64] = gobos::breakup();
 const STAR: [u8; 128 * 128] = gobos::star();
 

@@ -15,8 +15,8 @@ use tools::suite::Suite;
 /// smallest processor.
 const BUDGET: u64 = 1920;
 
-/// Adds the steps. What panics does so on every processor and seldom in one format alone, so that one
-/// of each is enough unless `full`.
+/// Adds the steps. Without `full`, the proof is for one board, because what panics does so on every
+/// processor, and for one format, because the formats share their generic code.
 pub fn run(suite: &mut Suite, boards: &[&'static Board], full: bool) {
     let smallest = [smallest()];
     for &board in if full { boards } else { &smallest } {
