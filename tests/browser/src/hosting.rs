@@ -18,7 +18,7 @@ const PATH: &str = "some/where/";
 const GZIP: usize = 400_000;
 
 /// What the page loads by itself after the first picture: the beginnings of the files' names.
-const LATE: [&str; 5] = ["curve.", "effect-prices.", "effects.", "handles.", "shapes."];
+const LATE: [&str; 6] = ["curve.", "effect-prices.", "effects.", "handles.", "press.", "shapes."];
 
 pub(crate) fn works_under_a_path(visitor: &mut Visitor) -> Result<()> {
     let host = tempfile::tempdir()?;
