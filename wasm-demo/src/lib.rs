@@ -47,8 +47,8 @@
 //! - `comparison`: the JavaScript class of the comparison
 //! - `museum`: the JavaScript class of the museum
 //!
-//! The features compile parts of the crate as modules of their own, so that the first picture waits
-//! only for what it needs:
+//! The features are parts of the crate. The packages of `modules` compile each as a WebAssembly module
+//! of its own, so that the first picture waits only for what it needs:
 //!
 //! - `stage`: the stage and the painters of pictures in `f32`
 //! - `fixed-point`: the painters of pictures in fixed point, loaded with the first such picture

@@ -1,60 +1,41 @@
 //! The command line.
 
+use std::ffi::OsString;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
 use luminaire_render::scenes::Example;
 
-use measure::boards::FirmwareOptions;
-use measure::conform::ConformOptions;
-use measure::device::DeviceOptions;
-use measure::effects::EffectsOptions;
-use measure::frame::FrameOptions;
-use measure::pick::PickOptions;
-use measure::prices::MeasureOptions;
-use measure::rivals::RivalsOptions;
-use measure::size::SizeOptions;
 use tools::demo::site;
 
-use crate::mutants::MutantsOptions;
+use crate::lab;
 
 /// The project's commands.
 #[derive(Debug, PartialEq, clap::Parser)]
-#[command(name = "cargo xtask", disable_help_subcommand = true, arg_required_else_help = true)]
+#[command(
+    name = "cargo xtask",
+    disable_help_subcommand = true,
+    arg_required_else_help = true,
+    after_help = laboratory()
+)]
 pub(crate) enum Request {
     /// Build the browser demo into target/demo and serve it on 127.0.0.1; the same as `cargo demo`
     Demo(DemoOptions),
-    /// Run the tests: format, lints, documentation, host, two emulated boards, browser
+    /// Run the tests: format, lints, documentation, host, an emulated board, a browser
     Test(TestOptions),
-    /// Run the tests with the long sweeps, on all boards and feature sets, and from the packed
-    /// crates
+    /// Run the tests with the long sweeps, on all boards, in all browsers, with all feature sets, and
+    /// from the packed crates
     Full(TestOptions),
-    /// Take the pictures of the demo for the documents again
-    Pictures,
-    /// Draw the pictures of renderers that are not the project's, and compare the spotlight of
-    /// embedded-3dgfx with the kernel's
-    Renderers,
-    /// Count what the kernels cost on microcontrollers, in QEMU
-    Firmware(FirmwareOptions),
-    /// Build the firmware of a board with a display: rp2040, stm32f411 or esp32c3
-    Board(DeviceOptions),
-    /// Draw a picture on microcontrollers, in QEMU, and count the instructions of a pixel
-    Frame(FrameOptions),
-    /// Write what each effect costs: instructions a pixel and bytes of flash, on two processors
-    Effects(EffectsOptions),
-    /// Count the prices by which `luminaire pick` chooses an evaluation, in QEMU
-    Pick(PickOptions),
-    /// Time frames of the demo and of three.js without a GPU, in one run
-    Rivals(RivalsOptions),
-    /// Count the bytes of flash that each effect takes on microcontrollers
-    Size(SizeOptions),
-    /// Write the price list of accuracy: errors, and costs on every target
-    Measure(MeasureOptions),
-    /// Compare the results of every model, bit by bit, with the conformance vectors on every target
-    Conform(ConformOptions),
-    /// Test the tests: change the kernel in small ways and list the changes that no test notices
-    Mutants(MutantsOptions),
+    /// A command of the laboratory
+    #[command(external_subcommand)]
+    Lab(Vec<OsString>),
+}
+
+/// The commands of the laboratory, for the help.
+fn laboratory() -> String {
+    let lines = lab::COMMANDS.iter().map(|(name, _, what)| format!("  {name:<10} {what}"));
+    format!("The laboratory, built when it is first called:\n{}", lines.collect::<Vec<_>>().join("\n"))
 }
 
 /// The options of `demo`.
@@ -231,25 +212,16 @@ mod tests {
     }
 
     #[test]
-    fn targets_are_taken_one_by_one() {
-        let Request::Firmware(options) = parse("firmware --target cortex-m0 --target rv32imc").unwrap()
-        else {
-            panic!("another command");
-        };
-        assert_eq!(
-            options.boards.iter().map(|board| board.name).collect::<Vec<_>>(),
-            ["cortex-m0", "rv32imc"]
-        );
-        let Request::Conform(options) = parse("conform --target host --target wasm").unwrap() else {
-            panic!("another command");
-        };
-        assert_eq!(options.targets.len(), 2);
+    fn another_word_is_a_command_of_the_laboratory() {
+        let words = ["measure", "--check"].map(OsString::from).to_vec();
+        assert_eq!(parse("measure --check").unwrap(), Request::Lab(words));
+        let refused = lab::run(&["tset".into()]).unwrap_err().to_string();
+        assert!(refused.contains("tset") && refused.contains("expected demo, test, full, board"), "{refused}");
     }
 
     #[test]
     fn a_refused_word_is_named_with_what_is_expected() {
         for (line, name) in [
-            ("tset", "tset"),
             ("--fast", "fast"),
             ("demo --prot 1", "--prot"),
             ("demo now", "now"),
@@ -267,11 +239,6 @@ mod tests {
             ("demo --size 960", "960"),
             ("demo --size 0x540", "0x540"),
             ("test --only", "--only"),
-            ("effects --check --bless", "--bless"),
-            ("measure --check --bless", "--bless"),
-            ("measure --target gpu", "wasm-simd"),
-            ("firmware --target cortex-m1", "cortex-m1"),
-            ("conform --target cortex-m1", "cortex-m1"),
         ] {
             let error = parse(line).unwrap_err().to_string();
             assert!(error.contains(name), "`{line}` was refused with: {error}");

@@ -1,104 +1,42 @@
 //! `cargo demo`: builds the demo, then serves or checks it, or writes it for a static host.
 
-use std::fs;
-use std::path::Path;
+use std::path;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 
 use crate::arguments::{DemoOptions, Size};
-use tools::browser::{Browser, Chromium, Page};
+use crate::lab;
 use tools::demo::publish::publish;
-use tools::demo::site;
-use tools::demo::turntable::{self, Cores, Frame, LOADS, Load};
+use tools::demo::site::{self, Modules};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 
 const PORT: u16 = 8080;
 
-/// Number of frames that the check draws. It reports their median time.
-const FRAMES: u32 = 15;
-
 /// Builds the demo, then serves or checks it, or writes it for a static host.
 pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let progress = Progress::Live;
     if let Some(folder) = &options.build {
-        let first = publish(&site::build(&progress)?, folder, options.address.as_deref())?;
+        let site = site::build(Modules::Small, &progress)?;
+        let first = publish(&site, folder, options.address.as_deref())?;
         println!("{}: {first}", folder.display());
         return Ok(());
     }
     let checking = options.check || options.screenshot.is_some();
     // Before the build, so that a taken port is reported at once.
     let listener = server::listen(options.port.unwrap_or(if checking { 0 } else { PORT }))?;
-    let server = Server::start(listener, &site::build(&progress)?)?;
+    let server = Server::start(listener, &site::build(Modules::Quick, &progress)?)?;
     let address = address(&server, options);
     if checking {
-        let step = progress.begin("Checking", &address);
-        let mut chromium = Chromium::start(&progress)?;
-        let verdict = check(&mut chromium, &address, options.screenshot.as_deref())?;
-        drop(chromium);
-        step.done();
-        println!("{verdict}");
-        Ok(())
+        let mut words = vec!["check".to_owned(), address];
+        if let Some(file) = &options.screenshot {
+            let file = path::absolute(file).context("the screenshot has no path")?;
+            words.extend(["--screenshot".to_owned(), file.to_string_lossy().into_owned()]);
+        }
+        lab::call(&words.iter().map(String::as_str).collect::<Vec<_>>())
     } else {
         println!("The demo is at {address} (Ctrl+C ends it)");
         server.wait()
-    }
-}
-
-/// Records when the page is ready to be used, which is when it shows its first picture.
-const READY: &str = "document.addEventListener('DOMContentLoaded', () => {
-    new MutationObserver(() => {
-        if (document.body.dataset.state === 'ready') window.readyAfter ??= performance.now();
-    }).observe(document.body, { attributes: true });
-})";
-
-/// Runs the page once. Returns its measurements as one line.
-pub(crate) fn check(browser: &mut dyn Browser, address: &str, screenshot: Option<&Path>) -> Result<String> {
-    let mut page = browser.open(address, READY)?;
-    page.ready()?;
-    let ready = page.number("readyAfter")?;
-    let scene = page.text("luminaire.scene")?;
-    ensure!(!page.shows("view")? || page.lit_share()? > 0.0, "the page drew nothing: every pixel is black");
-    if let Some(file) = screenshot {
-        // Time for the small pictures of the scenes, and for times of more than one picture.
-        page.ask("new Promise((resolve) => setTimeout(resolve, 3000))")?;
-        page.ask("luminaire.comparison?.measured")?;
-        fs::write(file, page.screenshot()?).with_context(|| format!("cannot write {}", file.display()))?;
-    }
-    // A picture that plays would take the workers' time.
-    page.ask("['play', 'camera'].forEach((id) => { const box = document.getElementById(id); if (box.checked) box.click(); })")?;
-    let times = frames(&mut page, &scene)?;
-    page.must_be_content()?;
-    Ok(format!("demo ok: the first picture after {ready:.0} ms; {times}"))
-}
-
-/// The frame times of a scene, in words. The turntable is timed under each of its loads.
-fn frames(page: &mut Page, scene: &str) -> Result<String> {
-    if scene != turntable::SCENE {
-        let frame = turntable::frame(page, scene, FRAMES, "{}")?;
-        let cores = turntable::cores(page, scene, FRAMES, "{}")?;
-        return Ok(format!("{scene}: {}{}", in_words(frame), cores_in_words(cores)));
-    }
-    let load = |load: &Load| {
-        let (frame, cores) = (load.time(page, FRAMES)?, load.cores(page, FRAMES)?);
-        Ok(format!("{}: {}{}", load.name, in_words(frame), cores_in_words(cores)))
-    };
-    Ok(format!("{scene}: {}", LOADS.iter().map(load).collect::<Result<Vec<_>>>()?.join("; ")))
-}
-
-/// How many pictures workers draw that share each picture, of those of independent loops.
-fn cores_in_words(Cores { workers, together, apart }: Cores) -> String {
-    let share = 100.0 * together / apart;
-    format!(", {together:.1} a second by {workers} workers, {share:.0} % of {workers} independent loops")
-}
-
-fn in_words(frame: Frame) -> String {
-    match frame {
-        Frame { at_rest: Some(at_rest), moving: Some(moving) } => {
-            format!("{at_rest:.2} ms a frame, {moving:.2} ms with a moving camera")
-        }
-        Frame { moving: Some(moving), .. } => format!("{moving:.2} ms a frame with a moving camera"),
-        _ => "nothing moves".to_owned(),
     }
 }
 

@@ -15,7 +15,8 @@ const PAGE: &str = "wasm-demo/web";
 const SETTINGS: &str = "wasm-demo/tsconfig.json";
 const TESTS: &str = "wasm-demo/tests";
 
-/// Adds the steps.
+/// Adds the steps. The demo's modules should be compiled already: the types are those of their
+/// bindings.
 pub(crate) fn run(suite: &mut Suite) {
     suite.step("scripts: types", types);
     suite.step("scripts: rules", rules);
@@ -54,7 +55,7 @@ fn rules(progress: &Progress) -> Result<()> {
     fs::copy(project::root().join("lab/tools/npm/eslint.config.mjs"), &rules)?;
     let mut check = node_program("eslint")?;
     check.current_dir(project::root()).arg("--config").arg(rules);
-    check.args(["--max-warnings=0", "wasm-demo", "lab/tools/src/browser/probe.js"]);
+    check.args(["--max-warnings=0", "wasm-demo", "lab/browser/src/probe.js"]);
     progress.run(check)
 }
 

@@ -1,4 +1,4 @@
-//! `cargo xtask test` and `cargo xtask full`, which adds the long tests and all boards.
+//! `cargo xtask test`, and `cargo xtask full`, which adds the long tests, all boards and all browsers.
 
 use std::iter;
 use std::process::{Command, ExitCode};
@@ -6,17 +6,15 @@ use std::process::{Command, ExitCode};
 use anyhow::{Context, Result};
 use serde_json::Value;
 
-use crate::arguments::TestOptions;
-use measure::boards::{self, Board};
-use measure::{c, conform, device, effects, frame, pick, prices, size};
+use tools::demo::site::{self, Modules};
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
-use tools::{command, install, project};
+use tools::{command, compilers, install, project};
 
-use crate::browsers::Browsers;
-use crate::{contributing, export, msrv, package, renderers, scripts, semver};
+use crate::arguments::TestOptions;
+use crate::{contributing, lab, msrv, scripts, semver};
 
 /// The smallest processor that is supported: it has no floating point unit, no division and no
 /// atomics.
@@ -44,32 +42,38 @@ const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
 
 /// Runs the tests; the last line on stdout counts them.
 pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
-    let mut suite = Suite::new(options.only);
-    let browsers = Browsers::new(full);
-    let mut site = None;
+    let mut suite = Suite::new(options.only.clone());
+    let laboratory = |suite: &mut Suite, part: &str| {
+        let mut words = vec!["steps", part];
+        words.extend(full.then_some("--full"));
+        words.extend(options.only.iter().flat_map(|text| ["--only", text]));
+        suite.run_elsewhere(lab::steps(&words));
+    };
     // Three groups for two processors, because linking the demo's modules keeps only one busy.
     suite.side_by_side([
         Box::new(|suite| host(suite, full)),
-        Box::new(|suite| boards(suite, full)),
-        Box::new(|suite| {
-            scripts::run(suite);
-            site = browsers.build(suite);
-            export::run(suite);
-        }),
+        Box::new(|suite| laboratory(suite, "boards")),
+        Box::new(|suite| page(suite, full)),
     ]);
     // After the other steps, because they would slow the page down.
-    browsers.visit(&mut suite, site.as_deref());
+    laboratory(&mut suite, "browsers");
     suite.finish()
 }
 
 /// Adds the steps that run on this machine.
 fn host(suite: &mut Suite, full: bool) {
     sources(suite, full);
-    suite
-        .count("host: cargo test", |progress| cargo_test(&["--workspace", "--no-fail-fast"], full, progress));
-    // The feature sets whose square root and angles do not come from libm, and with `full` the
-    // default set. With `full`, Clippy checks all sets.
-    for (name, features) in if full { &FEATURES[1..4] } else { &FEATURES[1..3] } {
+    // Without `full`, the packages that a plain `cargo test` takes, and the checks of documents.
+    let packages: &[&str] = if full { &["--workspace"] } else { &[] };
+    suite.count("host: cargo test", |progress| {
+        cargo_test(&[packages, &["--no-fail-fast"]].concat(), full, progress)
+    });
+    if !full {
+        suite.count("host: the commands", |progress| cargo_test(&["--package", "xtask"], false, progress));
+    }
+    // The feature sets whose square root and angles do not come from libm, and the default set. Clippy
+    // checks all sets.
+    for (name, features) in if full { &FEATURES[1..4] } else { &[] } {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
             // Without the long searches, which have run with all features at once.
             cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), false, progress)
@@ -81,13 +85,24 @@ fn host(suite: &mut Suite, full: bool) {
         cargo_test(&[&["--package", "luminaire"], features].concat(), false, progress)
     });
     if full {
+        suite.count(
+            "export: C compiles for small processors, and has the bits of the kernel",
+            by_all_compilers,
+        );
+        bare_metal(suite);
         contributing::run(suite);
         dependencies(suite);
         fuzz(suite);
         msrv::run(suite);
-        package::run(suite);
         semver::run(suite);
     }
+}
+
+/// Adds the steps that build the page and check its scripts.
+fn page(suite: &mut Suite, full: bool) {
+    let modules = if full { Modules::Small } else { Modules::Quick };
+    suite.step("browser: the demo is built", |progress| site::build(modules, progress).map(drop));
+    scripts::run(suite);
 }
 
 /// Checks that the fuzzer's targets compile. They belong to another workspace, and only the fuzzer
@@ -109,25 +124,8 @@ fn dependencies(suite: &mut Suite) {
     });
 }
 
-/// Adds the steps that run on emulated boards, and the conformance vectors on boards, this machine
-/// and a browser.
-fn boards(suite: &mut Suite, full: bool) {
-    let boards = boards::tested(full);
-    bare_metal(suite, full);
-    boards::steps::run(suite, &boards);
-    frame::steps::run(suite, &boards, full);
-    size::steps::run(suite, &boards, full);
-    effects::steps::run(suite, full);
-    if full {
-        pick::steps(suite, &boards);
-        c::steps(suite, &boards);
-        renderers::steps(suite);
-        device::steps::run(suite);
-    }
-    prices(suite, &boards, full);
-    conform::steps::run(suite, &boards);
-}
-
+/// Adds the checks that run nothing. With `full`, Clippy also sees each set of features by itself, and
+/// cargo all pairs.
 fn sources(suite: &mut Suite, full: bool) {
     suite.step("format: cargo fmt", |progress| {
         progress.run(with(command::cargo("fmt"), &["--all", "--check"]))
@@ -136,14 +134,13 @@ fn sources(suite: &mut Suite, full: bool) {
         let clippy = with(command::cargo("clippy"), &["--workspace", "--all-targets"]);
         progress.run(with(clippy, &["--", "-Dwarnings"]))
     });
-    let linted = if full { &FEATURES[..] } else { &FEATURES[4..] };
-    for (name, features) in linted.iter().chain([&STD, &ALL_FEATURES]) {
-        suite.step(&format!("lint: luminaire with {name}"), |progress| {
-            let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib", "--tests"]);
-            progress.run(with(with(clippy, features), &["--", "-Dwarnings"]))
-        });
-    }
     if full {
+        for (name, features) in FEATURES.iter().chain([&STD, &ALL_FEATURES]) {
+            suite.step(&format!("lint: luminaire with {name}"), |progress| {
+                let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib", "--tests"]);
+                progress.run(with(with(clippy, features), &["--", "-Dwarnings"]))
+            });
+        }
         suite.step("features: each, all pairs, all and none", |progress| {
             let features = features_of_luminaire()?;
             sets(&features).iter().try_for_each(|set| {
@@ -154,10 +151,10 @@ fn sources(suite: &mut Suite, full: bool) {
         });
     }
     let documented: [(&str, &[&str]); 2] = [
-        ("cargo doc", &["--workspace", "--no-deps"]),
         ("luminaire with all features", &["--package", "luminaire", "--all-features", "--no-deps"]),
+        ("cargo doc", &["--workspace", "--no-deps"]),
     ];
-    for (name, arguments) in documented {
+    for (name, arguments) in &documented[..if full { 2 } else { 1 }] {
         suite.step(&format!("documentation: {name}"), |progress| {
             let mut doc = with(command::cargo("doc"), arguments);
             doc.env("RUSTDOCFLAGS", "-Dwarnings");
@@ -196,28 +193,33 @@ fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tal
     tally::cargo_test(test, progress)
 }
 
+/// The tests of C with the compilers of all small processors; a plain `cargo test` takes those that are
+/// installed.
+fn by_all_compilers(progress: &Progress) -> Result<Tally> {
+    compilers::find(progress)?;
+    let mut test = command::cargo("test");
+    // The tests skip a compiler that is not installed, unless this variable is set.
+    test.args(["--package", "luminaire-export", "--test", "fixed", "--test", "float"])
+        .args(["--package", "luminaire-c", "--test", "calls"])
+        .env("LUMINAIRE_TOOLS", "1");
+    tally::cargo_test(test, progress)
+}
+
 /// Checks the crates for bare metal. No code is generated, because the firmware's steps link the
 /// kernel.
-fn bare_metal(suite: &mut Suite, full: bool) {
+fn bare_metal(suite: &mut Suite) {
     let check = |progress: &Progress, package: &str, features: &[&str]| {
         let toolchain = Toolchain::find(BARE, progress)?;
         let cargo = with(toolchain.cargo_check("core,alloc"), &["--lib", "--package", package]);
         progress.run(with(cargo, features))
     };
-    for (name, features) in if full { &FEATURES[..] } else { &FEATURES[1..2] } {
+    for (name, features) in &FEATURES {
         suite.step(&format!("bare metal: luminaire with {name} for {BARE}"), |progress| {
             check(progress, "luminaire", features)
         });
     }
     suite.step(&format!("bare metal: luminaire-render for {BARE}"), |progress| {
         check(progress, "luminaire-render", &[])
-    });
-}
-
-fn prices(suite: &mut Suite, boards: &[&'static Board], full: bool) {
-    suite.remarked("prices: errors and instructions are those of the list", |progress| {
-        let targets: Vec<_> = boards.iter().map(|board| prices::Target::Board(board)).collect();
-        prices::check(&targets, full, progress)
     });
 }
 

@@ -1,12 +1,14 @@
 //! Running other programs, with their output live or captured.
 
+use std::cell::Cell;
 use std::ffi::OsStr;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::{env, iter};
 
 use anyhow::{Context, Result, bail};
+use wait4::Wait4 as _;
 
 use crate::project;
 
@@ -17,6 +19,24 @@ pub struct Ended {
     pub success: bool,
     /// The program's stdout and stderr, in the order of writing.
     pub output: String,
+}
+
+thread_local! {
+    static PROCESSOR_SECONDS: Cell<f64> = const { Cell::new(0.0) };
+}
+
+/// The processor time, in seconds, of all programs that this thread has run to their end, with the
+/// programs that they ran. Only Unix counts the latter.
+pub fn processor_seconds() -> f64 {
+    PROCESSOR_SECONDS.get()
+}
+
+/// Waits for the end of a program, and counts its processor time.
+fn end(child: Child) -> io::Result<ExitStatus> {
+    let used = child.wait4()?;
+    let seconds = (used.rusage.utime + used.rusage.stime).as_secs_f64();
+    PROCESSOR_SECONDS.set(PROCESSOR_SECONDS.get() + seconds);
+    Ok(used.status)
 }
 
 /// A call, in the workspace, of the same cargo that runs this program.
@@ -38,11 +58,14 @@ pub fn cargo(subcommand: &str) -> Command {
 
 /// Runs a program and writes all its output to stderr, because stdout is reserved for results.
 pub fn run_live(command: &mut Command) -> Result<()> {
-    let status = command
-        .stdin(Stdio::null())
-        .stdout(io::stderr())
-        .status()
-        .with_context(|| format!("cannot start {}", describe(command)))?;
+    run_to_its_end(command.stdout(io::stderr()))
+}
+
+/// Runs a program that must succeed, with the streams that it is given.
+pub fn run_to_its_end(command: &mut Command) -> Result<()> {
+    let started = command.stdin(Stdio::null()).spawn();
+    let child = started.with_context(|| format!("cannot start {}", describe(command)))?;
+    let status = end(child).with_context(|| format!("cannot wait for {}", describe(command)))?;
     if !status.success() {
         bail!("{} failed ({status})", describe(command));
     }
@@ -59,7 +82,7 @@ pub fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Res
     let name = describe(&command);
     let (mut reader, writer) = io::pipe().context("cannot make a pipe")?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
-    let mut child = command.spawn().with_context(|| format!("cannot start {name}"))?;
+    let child = command.spawn().with_context(|| format!("cannot start {name}"))?;
     // The command holds the writing ends of the pipe. While they are open, the reading end would
     // wait for more.
     drop(command);
@@ -73,12 +96,13 @@ pub fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Res
             }
         }
     }
-    let status = child.wait().with_context(|| format!("cannot wait for {name}"))?;
+    let status = end(child).with_context(|| format!("cannot wait for {name}"))?;
     Ok(Ended { success: status.success(), output: String::from_utf8_lossy(&output).into_owned() })
 }
 
 /// The stdout of a program that must succeed, without the final newline.
 pub fn answer(command: &mut Command) -> Result<String> {
+    // Its processor time is not counted: it only answers a question.
     let output = command.output().with_context(|| format!("cannot start {}", describe(command)))?;
     if !output.status.success() {
         let complaint = String::from_utf8_lossy(&output.stderr);

@@ -1,4 +1,4 @@
-//! The browser demo: building its folder, and timing its frames.
+//! The browser demo: building its folder.
 
 mod chip;
 mod chips;
@@ -7,4 +7,3 @@ pub mod preview;
 pub mod publish;
 mod shrink;
 pub mod site;
-pub mod turntable;

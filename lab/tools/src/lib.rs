@@ -1,8 +1,7 @@
-//! The tools of the project's commands: running programs, compilers for every target, a web server
-//! and a browser; and reporting progress.
+//! The tools of the project's commands: running programs, compilers for every target, the demo's
+//! build and a web server; and reporting progress.
 
 pub mod board;
-pub mod browser;
 pub mod command;
 pub mod compilers;
 pub mod demo;

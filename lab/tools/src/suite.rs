@@ -1,14 +1,17 @@
 //! Runs named steps one after the other, reports each, and sums up.
 
 use std::io::{self, Write};
-use std::process::ExitCode;
+use std::path::Path;
+use std::process::{Command, ExitCode};
 use std::thread;
 use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Context, Result, ensure};
+use serde_json::{Value, json};
 
 use crate::progress::Progress;
 use crate::tally::Tally;
+use crate::{command, project};
 
 /// The steps that have been run so far. After a step that fails, the next is still run.
 #[derive(Debug)]
@@ -17,30 +20,25 @@ pub struct Suite {
     start: Instant,
     tally: Tally,
     failures: Vec<String>,
-    /// The seconds that each step took.
-    times: Vec<(String, f64)>,
+    times: Vec<Times>,
     /// Whether other steps run at the same time.
     has_company: bool,
+}
+
+/// How long a step took.
+#[derive(Clone, Debug, PartialEq)]
+struct Times {
+    name: String,
+    seconds: f64,
+    /// The processor time of the programs that it started, where the system states it.
+    processor: f64,
 }
 
 /// Steps that run one after the other, beside other groups.
 pub type Group<'a> = Box<dyn FnOnce(&mut Suite) + Send + 'a>;
 
-/// Number of the slowest steps that are listed.
-const SLOWEST: usize = 10;
-
-/// The processor time, in seconds, of all child processes that have ended, if the system states it
-/// in `/proc`.
-fn processor_seconds() -> Option<f64> {
-    /// Ticks of Linux's time counters per second, the same on every processor.
-    const TICKS_A_SECOND: f64 = 100.0;
-    let status = std::fs::read_to_string("/proc/self/stat").ok()?;
-    // The program's name is in parentheses and may contain spaces, so the fields are counted from
-    // the last parenthesis.
-    let mut fields = status.rsplit_once(')')?.1.split_whitespace().skip(13);
-    let [user, system] = [fields.next()?, fields.next()?].map(|ticks| ticks.parse::<f64>().ok());
-    Some((user? + system?) / TICKS_A_SECOND)
-}
+/// Number of the most expensive steps that are listed.
+const LISTED: usize = 15;
 
 impl Suite {
     /// A suite of all steps, or of the steps whose name contains `only`.
@@ -92,24 +90,25 @@ impl Suite {
             // An error does not matter: the name would only appear later.
             let _ = io::stdout().flush();
         }
-        let start = Instant::now();
+        let (start, before) = (Instant::now(), command::processor_seconds());
         let progress = Progress::kept();
         let outcome = work(&progress);
-        let seconds = start.elapsed().as_secs_f64();
-        self.times.push((name.to_owned(), seconds));
+        let (seconds, processor) =
+            (start.elapsed().as_secs_f64(), command::processor_seconds() - before);
+        self.times.push(Times { name: name.to_owned(), seconds, processor });
         let tally = outcome.as_ref().map_or(Tally::FAILED, |(_, tally)| *tally);
         let tests = if tally.passed + tally.failed == 1 { String::new() } else { format!(" ({tally})") };
         self.tally += tally;
         let name_again = if self.has_company { format!("{name:.<90} ") } else { String::new() };
         if tally.failed == 0 {
-            println!("{name_again}pass {seconds:6.1} s{tests}");
+            println!("{name_again}pass {seconds:6.1} s [{processor:6.1}]{tests}");
         } else {
             let reason = match &outcome {
                 Ok(_) => format!("{} of its tests failed or were ignored", tally.failed),
                 Err(error) => format!("{error:#}"),
             };
             let text = progress.into_text();
-            println!("{name_again}FAIL {seconds:6.1} s{tests}\n{text}error: {reason}\n");
+            println!("{name_again}FAIL {seconds:6.1} s [{processor:6.1}]{tests}\n{text}error: {reason}\n");
             self.failures.push(format!("{name}: {reason}"));
         }
         outcome.ok().map(|(value, _)| value)
@@ -135,12 +134,65 @@ impl Suite {
         }
     }
 
-    /// Prints the slowest steps, the failures and, as the last line, the counts.
+    /// Runs steps in another program, whose suite [writes a report](Self::report) to the file that is
+    /// the last argument. The program prints its steps itself.
+    pub fn run_elsewhere(&mut self, mut program: Command) {
+        let name = command::describe(&program);
+        let mut run = || {
+            let report = tempfile::NamedTempFile::new()?;
+            program.arg(report.path()).current_dir(project::root());
+            command::run_to_its_end(&mut program)?;
+            let text = std::fs::read_to_string(report.path())?;
+            self.read(&serde_json::from_str(&text).context("it has not written its report")?)
+        };
+        if let Err(error) = run() {
+            println!("{name:.<90} FAIL\nerror: {error:#}\n");
+            self.tally += Tally::FAILED;
+            self.failures.push(format!("{name}: {error:#}"));
+        }
+    }
+
+    /// Whether the suite is one part of a larger one: its steps are printed when they have ended.
+    #[must_use]
+    pub fn beside_others(mut self) -> Self {
+        self.has_company = true;
+        self
+    }
+
+    /// Writes the counts, failures and times for the suite that [ran this
+    /// program](Self::run_elsewhere).
+    pub fn report(self, file: &Path) -> Result<()> {
+        let times = self.times.iter().map(|step| json!([step.name, step.seconds, step.processor]));
+        let report = json!({
+            "passed": self.tally.passed, "failed": self.tally.failed,
+            "failures": self.failures, "times": times.collect::<Vec<_>>(),
+        });
+        std::fs::write(file, report.to_string()).with_context(|| format!("cannot write {}", file.display()))
+    }
+
+    fn read(&mut self, report: &Value) -> Result<()> {
+        let count = |name: &str| report[name].as_u64().with_context(|| format!("no number `{name}`"));
+        self.tally += Tally { passed: count("passed")?, failed: count("failed")? };
+        let list = |name: &str| report[name].as_array().with_context(|| format!("no list `{name}`"));
+        self.failures.extend(list("failures")?.iter().filter_map(Value::as_str).map(str::to_owned));
+        for step in list("times")? {
+            let times = (step[0].as_str(), step[1].as_f64(), step[2].as_f64());
+            ensure!(times.0.is_some(), "{step} is no step");
+            self.times.push(Times {
+                name: times.0.unwrap_or_default().to_owned(),
+                seconds: times.1.unwrap_or_default(),
+                processor: times.2.unwrap_or_default(),
+            });
+        }
+        Ok(())
+    }
+
+    /// Prints the most expensive steps, the failures and, as the last line, the counts.
     pub fn finish(mut self) -> ExitCode {
-        println!("\nthe slowest steps:");
-        self.times.sort_by(|a, b| b.1.total_cmp(&a.1));
-        for (name, seconds) in self.times.iter().take(SLOWEST) {
-            println!("{seconds:7.1} s {name}");
+        println!("\nthe most expensive steps, in seconds of processor time:");
+        self.times.sort_by(|a, b| b.processor.total_cmp(&a.processor));
+        for step in self.times.iter().take(LISTED) {
+            println!("{:7.1} s {}", step.processor, step.name);
         }
         println!();
         for failure in &self.failures {
@@ -149,8 +201,8 @@ impl Suite {
         if self.tally == Tally::default() {
             println!("no step matches the text of --only");
         }
-        let processor = processor_seconds().map(|seconds| format!(", {seconds:.0} s of processor time"));
-        println!("ran for {:.0} s{}", self.start.elapsed().as_secs_f64(), processor.unwrap_or_default());
+        let processor: f64 = self.times.iter().map(|step| step.processor).sum();
+        println!("ran for {:.0} s, {processor:.0} s of processor time", self.start.elapsed().as_secs_f64());
         println!("{}", self.tally);
         let well = self.tally.failed == 0 && self.tally.passed > 0;
         if well { ExitCode::SUCCESS } else { ExitCode::FAILURE }
@@ -182,6 +234,21 @@ mod tests {
         ]);
         assert_eq!(suite.tally, Tally { passed: 1, failed: 1 });
         assert_eq!((suite.failures, suite.times.len()), (vec!["two: broken".to_owned()], 2));
+    }
+
+    #[test]
+    fn a_report_is_added_to_the_suite_that_reads_it() {
+        let mut part = Suite::new(None).beside_others();
+        part.step("one", |_| bail!("broken"));
+        part.count("many", |_| Ok(Tally { passed: 5, failed: 0 }));
+        let (file, times) = (tempfile::NamedTempFile::new().unwrap(), part.times.clone());
+        part.report(file.path()).unwrap();
+        let mut whole = Suite::new(None);
+        let report = std::fs::read_to_string(file.path()).unwrap();
+        whole.read(&serde_json::from_str(&report).unwrap()).unwrap();
+        assert_eq!((whole.tally, whole.times), (Tally { passed: 5, failed: 1 }, times));
+        assert_eq!(whole.failures, ["one: broken"]);
+        assert!(Suite::new(None).read(&Value::Null).is_err());
     }
 
     #[test]

@@ -18,40 +18,28 @@ pub struct Package {
     name: &'static str,
     /// The name of its library, as in file names.
     library: &'static str,
-    /// The features that it is compiled with; `None` for its default features.
-    features: Option<&'static str>,
     /// The name of its bindings, as in file names.
     bindings: &'static str,
     /// Whether it may use the vector instructions.
     simd: bool,
 }
 
-/// The demo's stage, which uses the vector instructions, and draws pictures in `f32`.
-pub const DEMO: Package = Package {
-    name: "wasm-demo",
-    library: "wasm_demo",
-    features: Some("stage"),
-    bindings: "wasm_demo",
-    simd: true,
-};
-/// The demo's comparison, a module of its own: the first picture does not wait for it.
-pub const COMPARISON: Package = Package { features: Some("comparison"), bindings: "comparison", ..DEMO };
-/// What draws the demo's pictures in fixed point, a module of its own: the first picture is in `f32`.
-pub const FIXED_POINT: Package = Package { features: Some("fixed-point"), bindings: "fixed_point", ..DEMO };
-/// The demo's exporter of lights, a module of its own: it is loaded when its drawer is opened.
-pub const CODE: Package = Package { features: Some("code"), bindings: "code", ..DEMO };
-/// What the board of the demo must show. It shares the demo's standard library.
-pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip", true);
-/// The picker of evaluations. It shares the demo's standard library.
-pub const PICKER: Package = Package::new("luminaire-price", "luminaire_price", true);
-/// The modules of the demo's page, and the folders of their bindings on it. The chip's is apart: it
-/// has the firmware beside it.
-pub const PAGE: [(Package, &str); 5] =
-    [(DEMO, "pkg"), (FIXED_POINT, "pkg"), (COMPARISON, "pkg"), (CODE, "pkg"), (PICKER, "price")];
+/// What the board of the demo must show.
+pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip", "luminaire_chip");
+/// The modules of the demo's page, and the folders of their bindings on it: the stage, which draws
+/// pictures in `f32`, and what is loaded when it is first needed. The chip's is apart: it has the
+/// firmware beside it.
+pub const PAGE: [(Package, &str); 5] = [
+    (Package::new("demo-stage", "demo_stage", "wasm_demo"), "pkg"),
+    (Package::new("demo-fixed-point", "demo_fixed_point", "fixed_point"), "pkg"),
+    (Package::new("demo-comparison", "demo_comparison", "comparison"), "pkg"),
+    (Package::new("demo-code", "demo_code", "code"), "pkg"),
+    (Package::new("luminaire-price", "luminaire_price", "luminaire_price"), "price"),
+];
 /// The program that times the kernels.
-pub const PRICES: Package = Package::new("luminaire-prices", "luminaire_prices", false);
+pub const PRICES: Package = Package { simd: false, ..SIMD_PRICES };
 /// The program that times the kernels, with vector instructions.
-pub const SIMD_PRICES: Package = Package { simd: true, ..PRICES };
+pub const SIMD_PRICES: Package = Package::new("luminaire-prices", "luminaire_prices", "luminaire_prices");
 
 /// The compiler that packages are compiled with, as in `rustc 1.96.0`.
 pub fn compiler(progress: &Progress) -> Result<String> {
@@ -59,9 +47,8 @@ pub fn compiler(progress: &Progress) -> Result<String> {
 }
 
 impl Package {
-    /// A package with its default features, whose bindings have the name of its library.
-    const fn new(name: &'static str, library: &'static str, simd: bool) -> Self {
-        Self { name, library, features: None, bindings: library, simd }
+    const fn new(name: &'static str, library: &'static str, bindings: &'static str) -> Self {
+        Self { name, library, bindings, simd: true }
     }
 
     /// The compiler's flags.
@@ -69,16 +56,12 @@ impl Package {
         if self.simd { &["-Ctarget-feature=+simd128"] } else { &[] }
     }
 
-    /// Compiles the package. The resulting module still needs its bindings. The next compilation of
-    /// the same package with other features replaces it.
+    /// Compiles the package. The resulting module still needs its bindings.
     pub fn compile(&self, progress: &Progress) -> Result<PathBuf> {
         let toolchain = Toolchain::find(TARGET, progress)?;
         let step = progress.begin("Building", format_args!("{} for {}", self.name, toolchain.describe()));
         let mut build = toolchain.cargo_build("std,panic_abort", self.flags());
         build.args(["--package", self.name, "--lib", "--profile", PROFILE]);
-        if let Some(features) = self.features {
-            build.args(["--no-default-features", "--features", features]);
-        }
         progress.run(build)?;
         step.done();
         Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))

@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// A browser that accepts a hundred addresses in ten seconds, as Safari does, of which five are
 /// left.

@@ -6,7 +6,7 @@ use std::fs;
 use anyhow::{Context, Result, ensure};
 
 use crate::{Visitor, states};
-use tools::browser::Page;
+use browser::Page;
 use tools::install;
 use tools::progress::Progress;
 

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, ensure};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 use tools::demo::publish;
 
 /// How long the chip may take to show its first pictures, on a busy machine.

@@ -6,7 +6,7 @@ use luminaire_export::{Language, c_header, export};
 use luminaire_render::scenes::Example;
 
 use crate::{STILL, Visitor};
-use tools::browser::Page;
+use browser::Page;
 
 /// Opens the drawer and waits for the code.
 fn open(visitor: &mut Visitor, query: &str, script: &str) -> Result<Page> {

@@ -4,7 +4,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// The address of the comparison of the two forms in f32.
 const FORMS: &str = "#compare?left=f32-cosine&right=f32&half=10";

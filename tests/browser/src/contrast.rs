@@ -7,7 +7,7 @@ use std::io::Cursor;
 use anyhow::{Context, Result, ensure};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 type Colour = [u8; 3];
 

@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 
 use crate::{Test, Visitor, picture, stage};
-use tools::browser::{Engine, Page};
+use browser::{Engine, Page};
 
 /// The quick tests that each engine other than the first must pass.
 pub const SMOKE: [Test; 5] = [

@@ -5,7 +5,7 @@
 use anyhow::{Context, Result, ensure};
 
 use crate::{STILL, Visitor};
-use tools::browser::Page;
+use browser::Page;
 use tools::demo::site;
 use tools::project;
 

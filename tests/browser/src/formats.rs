@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// Upper bound, in displayed codes, of a format's difference from f32, whatever the page states.
 /// Beyond it, the picture would not show the same scene.

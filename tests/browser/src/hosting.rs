@@ -6,7 +6,7 @@ use std::fs;
 use anyhow::{Context, Result, ensure};
 
 use crate::{Visitor, chip};
-use tools::browser::Page;
+use browser::Page;
 use tools::demo::{preview, publish::publish, site};
 use tools::project;
 use tools::server::{self, Server};

@@ -5,7 +5,7 @@ use anyhow::{Context, Result, ensure};
 
 use crate::contrast::Seen;
 use crate::{Visitor, states};
-use tools::browser::Page;
+use browser::Page;
 
 /// What a mouse does over the picture and the curve: the element that has the focus, the key, whether
 /// with Shift, and what it changes.

@@ -34,7 +34,7 @@ use std::path::Path;
 
 use anyhow::{Result, ensure};
 
-use tools::browser::{Browser, Engine, Page};
+use browser::{Browser, Engine, Page};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 

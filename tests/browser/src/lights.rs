@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, ensure};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// A scene of one light, paused, with the lights in the picture.
 const ONE: &str = "#stage?scene=bare-spot&play=none";

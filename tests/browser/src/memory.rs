@@ -7,7 +7,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::{Value, json};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// How long the show plays.
 const SHOW: Duration = Duration::from_secs(300);

@@ -5,7 +5,7 @@ use luminaire_museum::{ALL, Exhibit, Picture, Side};
 use serde_json::Value;
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// Pixels on a side of a picture of the page.
 const SIZE: u32 = 200;

@@ -7,7 +7,7 @@ use anyhow::{Result, bail, ensure};
 use serde_json::json;
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// How long an answer of the picker may take, on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);

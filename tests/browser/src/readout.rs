@@ -4,7 +4,7 @@
 use anyhow::{Context, Result, ensure};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 pub(crate) fn adds_up(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;

@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 const FIELD: &str = "light-field-number";
 const ERROR: &str = "light-error";

@@ -1,7 +1,7 @@
 //! The resolution of the picture: that of the device while nothing moves.
 
 use anyhow::{Result, ensure};
-use tools::browser::Page;
+use browser::Page;
 
 use crate::Visitor;
 

@@ -7,7 +7,7 @@ use fastrand::Rng;
 use luminaire::falloff::AnyFalloff;
 use luminaire_export::{Language, export};
 use naga::back::glsl;
-use tools::browser::{Browser, Chromium, Page};
+use browser::{Browser, Chromium, Page};
 
 #[allow(dead_code, reason = "the tests of the exporter use more of them")]
 #[path = "../../../export/tests/support/lights.rs"]

@@ -4,7 +4,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
 use crate::Visitor;
-use tools::browser::{Engine, Page};
+use browser::{Engine, Page};
 
 /// The arrow keys, with the codes that keyboards give them.
 const ARROWS: [(&str, u32); 4] = [("ArrowLeft", 37), ("ArrowUp", 38), ("ArrowRight", 39), ("ArrowDown", 40)];

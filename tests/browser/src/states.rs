@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// A state: its name, its address, and what a visitor does there as a JavaScript expression.
 pub(crate) type State = (&'static str, &'static str, &'static str);

@@ -4,7 +4,7 @@
 use anyhow::{Context, Result, ensure};
 
 use crate::Visitor;
-use tools::browser::Page;
+use browser::Page;
 
 /// Pictures that need all passes: with haze, gobos, shadows, dither, fixed point and maps.
 const PICTURES: [&str; 4] = [

@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use wasm_bindgen_cli_support::Bindgen;
 
 use super::vectors;
-use tools::browser::{Browser as _, Chromium};
+use browser::{Browser as _, Chromium};
 use tools::progress::Progress;
 use tools::project;
 use tools::server::{self, Server};

@@ -8,7 +8,7 @@ use super::catalogue::{Entry, GROUPS, Group};
 use super::list::{EffectList, Price, Prices};
 use super::prices::STANDS;
 use crate::boards::Board;
-use tools::demo::turntable::LOADS;
+use browser::turntable::LOADS;
 
 const INTRODUCTION: &str = "\
 # What effects cost

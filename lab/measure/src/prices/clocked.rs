@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use super::ladder::Rung;
 use super::list::{Cone, TargetMeta};
 use super::target::Target;
-use tools::browser::{Browser as _, Chromium};
+use browser::{Browser as _, Chromium};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 use tools::{command, project, toolchain, wasm};

@@ -7,7 +7,8 @@ use std::process::Command;
 
 use anyhow::{Context, Result};
 
-use super::{licenses, shrink};
+use super::licenses;
+use super::site::Modules;
 use crate::progress::Progress;
 use crate::{board, install, project, wasm};
 
@@ -17,7 +18,7 @@ const TARGET: &str = "thumbv6m-none-eabi";
 
 /// Writes the firmware, the worker and the module into the demo's folder. Without npm, the demo is
 /// complete but for this view, so that a missing npm is reported and is no error.
-pub(super) fn write(site: &Path, progress: &Progress) -> Result<()> {
+pub(super) fn write(site: &Path, modules: Modules, progress: &Progress) -> Result<()> {
     let emulator = match tools(progress) {
         Ok(emulator) => emulator,
         Err(error) => {
@@ -33,7 +34,7 @@ pub(super) fn write(site: &Path, progress: &Progress) -> Result<()> {
     bundle(site, progress)?;
     licenses::write(&site.join("chip-licenses.txt"), FIRMWARE, TARGET, &emulator)?;
     let bound = wasm::CHIP.bind(&module, &site.join("chip"), progress)?;
-    shrink::shrink(&bound, progress)
+    modules.finish(&bound, progress)
 }
 
 /// Finds or installs what bundles the worker. Returns the emulator's folder.

@@ -26,10 +26,24 @@ pub fn views() -> impl Iterator<Item = &'static str> {
     links.filter_map(|link| Some(link.split_once('"')?.0))
 }
 
-/// Builds the demo into `target/demo`: the page from `wasm-demo/web`, the price list, the picture for
+/// How the demo's modules are built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Modules {
+    /// As the compiler writes them.
+    Quick,
+    /// Shrunk by `wasm-opt`, which takes longer than all compilation.
+    Small,
+}
+
+/// The demo's folder, `target/demo`.
+pub fn folder() -> PathBuf {
+    project::target().join("demo")
+}
+
+/// Builds the demo into its folder: the page from `wasm-demo/web`, the price list, the picture for
 /// link previews, the bindings in `pkg`, and what the board in the page needs.
-pub fn build(progress: &Progress) -> Result<PathBuf> {
-    let site = project::target().join("demo");
+pub fn build(modules: Modules, progress: &Progress) -> Result<PathBuf> {
+    let site = folder();
     renew(&site, |new| {
         let step = progress.begin("Gathering", project::shown(&site));
         copy_folder(&project::root().join("wasm-demo/web"), new)?;
@@ -43,11 +57,21 @@ pub fn build(progress: &Progress) -> Result<PathBuf> {
         step.done();
         for (package, folder) in wasm::PAGE {
             let module = package.compile(progress)?;
-            shrink::shrink(&package.bind(&module, &new.join(folder), progress)?, progress)?;
+            modules.finish(&package.bind(&module, &new.join(folder), progress)?, progress)?;
         }
-        chip::write(new, progress)
+        chip::write(new, modules, progress)
     })?;
     Ok(site)
+}
+
+impl Modules {
+    /// Makes a bound module what the page loads.
+    pub(super) fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
+        match self {
+            Self::Quick => Ok(()),
+            Self::Small => shrink::shrink(module, progress),
+        }
+    }
 }
 
 /// Fills a new folder, and replaces `folder` by it once it is complete, because `folder` may be in

@@ -15,8 +15,8 @@ use super::display::Display;
 use super::page::{PROBE, Page};
 use super::process::{self, Process};
 use super::{Browser, Engine};
-use crate::progress::Progress;
-use crate::{command, install, project};
+use tools::progress::Progress;
+use tools::{command, install, project};
 use driver::Driver;
 use tab::WebKitTab;
 
@@ -25,7 +25,7 @@ const PACKAGES: [&str; 4] = ["xvfb", "webkit2gtk-driver", "python3-gi", "gir1.2-
 
 /// Debian's interpreter, whose packages those are, and the browser that it runs.
 const PYTHON: &str = "/usr/bin/python3";
-const HOST: &str = "lab/tools/src/browser/webkit/host.py";
+const HOST: &str = "lab/browser/src/webkit/host.py";
 
 /// Succeeds if the interpreter can run the browser.
 const HAS_WEBKIT: &str = "import gi; gi.require_version('WebKit2', '4.1')";

@@ -12,9 +12,9 @@ use base64::prelude::BASE64_STANDARD;
 use serde_json::{Value, json};
 
 use super::driver::Driver;
-use crate::browser::actions;
-use crate::browser::page::WINDOW;
-use crate::browser::tab::{Clip, Happened, Tab};
+use crate::actions;
+use crate::page::WINDOW;
+use crate::tab::{Clip, Happened, Tab};
 
 /// A window of its own.
 #[derive(Debug)]

@@ -8,10 +8,10 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::{Map, Value, json};
 
-use crate::browser::actions;
-use crate::browser::page::{PROBE, WINDOW};
-use crate::browser::socket::{Event, Socket};
-use crate::browser::tab::{Clip, Happened, Tab};
+use crate::actions;
+use crate::page::{PROBE, WINDOW};
+use crate::socket::{Event, Socket};
+use crate::tab::{Clip, Happened, Tab};
 
 /// A tab in a container of its own, so that it shares no storage with others.
 #[derive(Debug)]

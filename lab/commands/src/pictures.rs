@@ -6,9 +6,9 @@ use std::fs;
 use anyhow::Result;
 use flate2::Crc;
 
-use crate::demo;
-use tools::browser::Chromium;
-use tools::demo::site;
+use crate::check;
+use browser::Chromium;
+use tools::demo::site::{self, Modules};
 use tools::progress::Progress;
 use tools::project;
 use tools::server::{self, Server};
@@ -23,11 +23,11 @@ const FINGERPRINT: &str = "docs/pictures.txt";
 /// Builds the demo, takes the pictures and writes the fingerprint.
 pub(crate) fn run() -> Result<()> {
     let progress = Progress::Live;
-    let server = Server::start(server::listen(0)?, &site::build(&progress)?)?;
+    let server = Server::start(server::listen(0)?, &site::build(Modules::Small, &progress)?)?;
     let mut chromium = Chromium::start(&progress)?;
     for (file, view) in PICTURES {
         let file = project::root().join("docs").join(file);
-        demo::check(&mut chromium, &format!("{}#{view}", server.address()), Some(&file))?;
+        check::check(&mut chromium, &format!("{}#{view}", server.address()), Some(&file))?;
         progress.say("Written", project::shown(&file));
     }
     fs::write(project::root().join(FINGERPRINT), fingerprint()?)?;

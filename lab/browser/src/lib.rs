@@ -1,5 +1,5 @@
 //! Real browsers with three engines: Chromium, driven over the DevTools protocol, Firefox over
-//! WebDriver BiDi, and WebKitGTK over WebDriver.
+//! WebDriver BiDi, and WebKitGTK over WebDriver; and the timing of the demo's frames in them.
 //!
 //! The clients of the protocols are written here on JSON over a WebSocket or HTTP. They need only a
 //! handful of the protocols' methods. A crate with all of them would take longer to compile than the
@@ -15,6 +15,7 @@ mod probe;
 mod process;
 mod socket;
 mod tab;
+pub mod turntable;
 mod webkit;
 
 use std::fmt;
@@ -26,7 +27,7 @@ pub use firefox::Firefox;
 pub use page::Page;
 pub use webkit::WebKit;
 
-use crate::progress::Progress;
+use tools::progress::Progress;
 
 /// A running browser. Dropping it ends the browser.
 pub trait Browser: fmt::Debug {

@@ -9,9 +9,9 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::{Value, json};
 
-use crate::browser::page::PROBE;
-use crate::browser::socket::{Event, Socket};
-use crate::browser::tab::{Clip, Happened, Tab};
+use crate::page::PROBE;
+use crate::socket::{Event, Socket};
+use crate::tab::{Clip, Happened, Tab};
 
 /// What a trace calls a task.
 const TASK: &str = "ThreadControllerImpl::RunTask";
@@ -32,7 +32,7 @@ impl ChromiumTab {
         for source in [PROBE, script] {
             tab.devtools.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": source }))?;
         }
-        let (width, height) = crate::browser::page::WINDOW;
+        let (width, height) = crate::page::WINDOW;
         tab.resize(width, height, 1.0)?;
         let visit = tab.devtools.call("Page.navigate", json!({ "url": address }))?;
         if let Some(error) = visit["errorText"].as_str() {

@@ -4,15 +4,17 @@
 use std::process::ExitCode;
 
 use anyhow::Result;
+use clap::Parser;
 use luminaire_mutants::{Options, run as test};
 
 use tools::progress::Progress;
 use tools::project;
 
-/// The options of `mutants`. By default, the mutants are those of lines that changed since the last
-/// release.
-#[derive(Debug, Default, PartialEq, clap::Args)]
-pub(crate) struct MutantsOptions {
+/// Test the tests: change the kernel in small ways and list the changes that no test notices. By default,
+/// the changes are on lines that changed since the last release.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask mutants")]
+struct Request {
     /// Test the mutants of all lines, as is also done if the history has no tag v*
     #[arg(long, conflicts_with = "since")]
     all: bool,
@@ -35,8 +37,8 @@ pub(crate) struct MutantsOptions {
 
 /// Prints the survivors and, as the last line, how many mutants were killed. Fails if there is a
 /// survivor.
-pub(crate) fn run(options: MutantsOptions) -> Result<ExitCode> {
-    let MutantsOptions { all, since, file, sample, seed, jobs } = options;
+fn main() -> Result<ExitCode> {
+    let Request { all, since, file, sample, seed, jobs } = Request::parse();
     let release = || if all || file.is_some() { None } else { project::last_release() };
     let since = since.or_else(release);
     let chosen = Options { since, file, sample, seed, jobs };

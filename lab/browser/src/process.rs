@@ -9,8 +9,8 @@ use std::{env, fs, thread};
 use anyhow::{Context, Result, bail, ensure};
 use tempfile::TempDir;
 
-use crate::progress::Progress;
-use crate::{command, install, project};
+use tools::progress::Progress;
+use tools::{command, install, project};
 
 /// Time limits for starting and ending a browser. Starting takes far less, unless the machine is
 /// busy with other work.

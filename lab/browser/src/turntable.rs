@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result};
 
-use crate::browser::Page;
+use crate::Page;
 
 /// The name of the scene.
 pub const SCENE: &str = "turntable";

@@ -1,21 +1,19 @@
 //! The steps of the test run that visit the demo in a browser.
 
-use std::path::{Path, PathBuf};
-
 use anyhow::Context;
 
 use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
-use tools::browser::Engine;
+use browser::Engine;
 use tools::demo::site;
 use tools::progress::Progress;
 use tools::suite::Suite;
 
-use crate::demo;
+use crate::check;
 
 /// The step that measures the demo.
 const CHECK: &str = "browser: the demo's check";
 
-const NO_VISITOR: &str = "not run, because the demo was not built or no browser started";
+const NO_VISITOR: &str = "not run, because no browser started";
 
 /// The tests of the demo's page.
 pub(crate) struct Browsers {
@@ -40,18 +38,13 @@ impl Browsers {
             || self.others.iter().any(|elsewhere| elsewhere.is_wanted(suite))
     }
 
-    /// Builds the demo, if a test needs it. Returns its folder.
-    pub(crate) fn build(&self, suite: &mut Suite) -> Option<PathBuf> {
-        if self.are_wanted(suite) { suite.require("browser: the demo is built", site::build) } else { None }
-    }
-
-    /// Adds the steps that need the demo's folder.
-    pub(crate) fn visit(&self, suite: &mut Suite, site: Option<&Path>) {
+    /// Adds the steps. The demo's folder has been built.
+    pub(crate) fn visit(&self, suite: &mut Suite) {
         if !self.are_wanted(suite) {
             return;
         }
         let serve = |engine: Engine, progress: &Progress| {
-            Visitor::evaluate(engine, site.context("there is no demo to serve")?, progress)
+            Visitor::evaluate(engine, &site::folder(), progress)
         };
         let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
             serve(Engine::Chromium, progress)
@@ -61,7 +54,7 @@ impl Browsers {
         }
         suite.step(CHECK, |progress| {
             let visitor = visitor.as_mut().context(NO_VISITOR)?;
-            progress.say("Checked", demo::check(visitor.browser.as_mut(), &visitor.address, None)?);
+            progress.say("Checked", check::check(visitor.browser.as_mut(), &visitor.address, None)?);
             Ok(())
         });
         for elsewhere in &self.others {

@@ -5,7 +5,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 
 use super::process::{self, Process};
-use crate::progress::Progress;
+use tools::progress::Progress;
 
 /// A running X server that shows nothing. Dropping it ends the server.
 #[derive(Debug)]

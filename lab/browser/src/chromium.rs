@@ -14,7 +14,7 @@ use super::page::Page;
 use super::process::{self, Process};
 use super::socket::Socket;
 use super::{Browser, Engine};
-use crate::progress::Progress;
+use tools::progress::Progress;
 use tab::ChromiumTab;
 
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];

@@ -15,7 +15,7 @@ use super::page::Page;
 use super::process::{self, Process};
 use super::socket::Socket;
 use super::{Browser, Engine};
-use crate::progress::Progress;
+use tools::progress::Progress;
 use tab::FirefoxTab;
 
 const NAMES: [&str; 2] = ["firefox-esr", "firefox"];

@@ -1,0 +1,136 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use measure::boards::FirmwareOptions;
+use measure::conform::ConformOptions;
+use measure::device::DeviceOptions;
+use measure::effects::EffectsOptions;
+use measure::frame::FrameOptions;
+use measure::pick::PickOptions;
+use measure::prices::MeasureOptions;
+use measure::rivals::RivalsOptions;
+use measure::size::SizeOptions;
+
+/// The commands of the laboratory.
+#[derive(Debug, PartialEq, clap::Parser)]
+#[command(name = "cargo xtask", disable_help_subcommand = true, arg_required_else_help = true)]
+pub(crate) enum Request {
+    /// Run a part of the steps of `cargo xtask test`, which calls this
+    #[command(hide = true)]
+    Steps(StepsOptions),
+    /// Open a page of the demo in Chromium and print what it measures, which `cargo demo --check` calls
+    #[command(hide = true)]
+    Check(CheckOptions),
+    /// Take the pictures of the demo for the documents again
+    Pictures,
+    /// Draw the pictures of renderers that are not the project's, and compare the spotlight of
+    /// embedded-3dgfx with the kernel's
+    Renderers,
+    /// Count what the kernels cost on microcontrollers, in QEMU
+    Firmware(FirmwareOptions),
+    /// Build the firmware of a board with a display: rp2040, stm32f411 or esp32c3
+    Board(DeviceOptions),
+    /// Draw a picture on microcontrollers, in QEMU, and count the instructions of a pixel
+    Frame(FrameOptions),
+    /// Write what each effect costs: instructions a pixel and bytes of flash, on two processors
+    Effects(EffectsOptions),
+    /// Count the prices by which `luminaire pick` chooses an evaluation, in QEMU
+    Pick(PickOptions),
+    /// Time frames of the demo and of three.js without a GPU, in one run
+    Rivals(RivalsOptions),
+    /// Count the bytes of flash that each effect takes on microcontrollers
+    Size(SizeOptions),
+    /// Write the price list of accuracy: errors, and costs on every target
+    Measure(MeasureOptions),
+    /// Compare the results of every model, bit by bit, with the conformance vectors on every target
+    Conform(ConformOptions),
+}
+
+/// The options of `steps`.
+#[derive(Debug, PartialEq, clap::Args)]
+pub(crate) struct StepsOptions {
+    /// The steps
+    #[arg(value_enum)]
+    pub(crate) part: Part,
+    /// Run also the long steps
+    #[arg(long)]
+    pub(crate) full: bool,
+    /// Run only the steps whose name contains this text
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) only: Option<String>,
+    /// Write the counts into this file
+    #[arg(value_name = "FILE")]
+    pub(crate) report: PathBuf,
+}
+
+/// A part of the test run.
+#[derive(Clone, Copy, Debug, PartialEq, clap::ValueEnum)]
+pub(crate) enum Part {
+    /// What runs on emulated boards, or is built for one
+    Boards,
+    /// What a browser runs
+    Browsers,
+}
+
+/// The options of `check`.
+#[derive(Debug, PartialEq, clap::Args)]
+pub(crate) struct CheckOptions {
+    /// The page
+    pub(crate) address: String,
+    /// Write a PNG of the page at 1440x900 to this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) screenshot: Option<PathBuf>,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{CommandFactory as _, Parser as _};
+
+    use super::*;
+
+    fn parse(line: &str) -> Result<Request, clap::Error> {
+        Request::try_parse_from(["lab"].into_iter().chain(line.split_whitespace()))
+    }
+
+    #[test]
+    fn targets_are_taken_one_by_one() {
+        let Request::Firmware(options) = parse("firmware --target cortex-m0 --target rv32imc").unwrap()
+        else {
+            panic!("another command");
+        };
+        assert_eq!(
+            options.boards.iter().map(|board| board.name).collect::<Vec<_>>(),
+            ["cortex-m0", "rv32imc"]
+        );
+        let Request::Conform(options) = parse("conform --target host --target wasm").unwrap() else {
+            panic!("another command");
+        };
+        assert_eq!(options.targets.len(), 2);
+    }
+
+    #[test]
+    fn a_refused_word_is_named_with_what_is_expected() {
+        for (line, name) in [
+            ("tset", "tset"),
+            ("effects --check --bless", "--bless"),
+            ("measure --check --bless", "--bless"),
+            ("measure --target gpu", "wasm-simd"),
+            ("firmware --target cortex-m1", "cortex-m1"),
+            ("conform --target cortex-m1", "cortex-m1"),
+        ] {
+            let error = parse(line).unwrap_err().to_string();
+            assert!(error.contains(name), "`{line}` was refused with: {error}");
+        }
+    }
+
+    /// `cargo xtask --help` lists the commands of the laboratory without building it.
+    #[test]
+    fn commands_are_those_that_the_help_lists() {
+        let list = include_str!("../../../xtask/src/lab.rs");
+        for command in Request::command().get_subcommands().filter(|command| !command.is_hide_set()) {
+            let name = command.get_name();
+            assert!(list.contains(&format!("(\"{name}\", LAB, ")), "{name} is not in the list of xtask");
+        }
+    }
+}

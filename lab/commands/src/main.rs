@@ -1,0 +1,39 @@
+//! The laboratory's commands, and its steps of the test run. `cargo xtask` calls this program.
+
+mod arguments;
+mod browsers;
+mod check;
+mod package;
+mod pictures;
+mod renderers;
+mod steps;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use measure::{boards, conform, device, effects, frame, pick, prices, rivals, size};
+
+use arguments::Request;
+
+fn main() -> ExitCode {
+    let done = |()| ExitCode::SUCCESS;
+    let outcome = match Request::parse() {
+        Request::Steps(options) => steps::run(options).map(done),
+        Request::Check(options) => check::run(&options).map(done),
+        Request::Pictures => pictures::run().map(done),
+        Request::Renderers => renderers::run().map(done),
+        Request::Firmware(options) => boards::run(&options).map(done),
+        Request::Board(options) => device::run(&options).map(done),
+        Request::Frame(options) => frame::run(&options).map(done),
+        Request::Effects(options) => effects::run(&options).map(done),
+        Request::Pick(options) => pick::run(&options).map(done),
+        Request::Rivals(options) => rivals::run(&options).map(done),
+        Request::Size(options) => size::run(&options).map(done),
+        Request::Measure(options) => prices::run(&options).map(done),
+        Request::Conform(options) => conform::run(&options),
+    };
+    outcome.unwrap_or_else(|error| {
+        eprintln!("error: {error:#}");
+        ExitCode::FAILURE
+    })
+}

@@ -1,0 +1,71 @@
+//! The laboratory's part of `cargo xtask test` and `cargo xtask full`.
+
+use anyhow::Result;
+
+use browser_tests::shaders;
+use measure::boards::{self, Board};
+use measure::{c, conform, device, effects, frame, pick, prices, size};
+use tools::progress::Progress;
+use tools::suite::Suite;
+
+use crate::arguments::{Part, StepsOptions};
+use crate::browsers::Browsers;
+use crate::{package, renderers};
+
+/// Runs the steps, and writes their counts for the program that has called this one.
+pub(crate) fn run(options: StepsOptions) -> Result<()> {
+    let StepsOptions { part, full, only, report } = options;
+    let mut suite = Suite::new(only).beside_others();
+    match part {
+        Part::Boards if full => all_boards(&mut suite),
+        Part::Boards => smallest_board(&mut suite),
+        Part::Browsers => {
+            shaders(&mut suite);
+            Browsers::new(full).visit(&mut suite);
+        }
+    }
+    suite.report(&report)
+}
+
+/// The promises that need a linker or other processors than the host's: no panic, nothing for what is
+/// not used, the budget of bytes, and the same bits. What panics does so on every processor.
+fn smallest_board(suite: &mut Suite) {
+    let smallest = &boards::tested(false)[..1];
+    size::steps::run(suite, smallest, false);
+    conform::steps::run(suite, smallest, false);
+}
+
+/// All that is promised or recorded of any board.
+fn all_boards(suite: &mut Suite) {
+    let boards = boards::tested(true);
+    boards::steps::run(suite, &boards);
+    frame::steps::run(suite, &boards, true);
+    size::steps::run(suite, &boards, true);
+    effects::steps::run(suite, true);
+    pick::steps(suite, &boards);
+    c::steps(suite, &boards);
+    device::steps::run(suite);
+    renderers::steps(suite);
+    prices(suite, &boards);
+    conform::steps::run(suite, &boards, true);
+    package::run(suite);
+}
+
+fn prices(suite: &mut Suite, boards: &[&'static Board]) {
+    suite.remarked("prices: errors and instructions are those of the list", |progress| {
+        let targets: Vec<_> = boards.iter().map(|board| prices::Target::Board(board)).collect();
+        prices::check(&targets, true, progress)
+    });
+}
+
+/// What `luminaire export` writes as a shader, drawn by Chromium.
+fn shaders(suite: &mut Suite) {
+    for language in shaders::LANGUAGES {
+        let name = format!("export: shaders in {language} draw what the kernel computes");
+        suite.remarked(&name, |progress: &Progress| {
+            let found = shaders::differences(&mut browser::Chromium::start(progress)?, language)?;
+            shaders::check(&found)?;
+            Ok(vec![format!("{language}: {found}")])
+        });
+    }
+}
