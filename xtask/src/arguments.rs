@@ -216,7 +216,10 @@ mod tests {
         let words = ["measure", "--check"].map(OsString::from).to_vec();
         assert_eq!(parse("measure --check").unwrap(), Request::Lab(words));
         let refused = lab::run(&["tset".into()]).unwrap_err().to_string();
-        assert!(refused.contains("tset") && refused.contains("expected demo, test, full, board"), "{refused}");
+        assert!(
+            refused.contains("tset") && refused.contains("expected demo, test, full, board"),
+            "{refused}"
+        );
     }
 
     #[test]

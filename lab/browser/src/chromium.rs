@@ -14,8 +14,8 @@ use super::page::Page;
 use super::process::{self, Process};
 use super::socket::Socket;
 use super::{Browser, Engine};
-use tools::progress::Progress;
 use tab::ChromiumTab;
+use tools::progress::Progress;
 
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 

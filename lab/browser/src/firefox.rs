@@ -15,8 +15,8 @@ use super::page::Page;
 use super::process::{self, Process};
 use super::socket::Socket;
 use super::{Browser, Engine};
-use tools::progress::Progress;
 use tab::FirefoxTab;
+use tools::progress::Progress;
 
 const NAMES: [&str; 2] = ["firefox-esr", "firefox"];
 

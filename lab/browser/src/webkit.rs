@@ -15,10 +15,10 @@ use super::display::Display;
 use super::page::{PROBE, Page};
 use super::process::{self, Process};
 use super::{Browser, Engine};
-use tools::progress::Progress;
-use tools::{command, install, project};
 use driver::Driver;
 use tab::WebKitTab;
+use tools::progress::Progress;
+use tools::{command, install, project};
 
 /// The display, the driver, and what the browser itself needs.
 const PACKAGES: [&str; 4] = ["xvfb", "webkit2gtk-driver", "python3-gi", "gir1.2-webkit2-4.1"];

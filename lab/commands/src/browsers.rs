@@ -2,8 +2,8 @@
 
 use anyhow::Context;
 
-use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
 use browser::Engine;
+use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
 use tools::demo::site;
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -43,9 +43,8 @@ impl Browsers {
         if !self.are_wanted(suite) {
             return;
         }
-        let serve = |engine: Engine, progress: &Progress| {
-            Visitor::evaluate(engine, &site::folder(), progress)
-        };
+        let serve =
+            |engine: Engine, progress: &Progress| Visitor::evaluate(engine, &site::folder(), progress);
         let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
             serve(Engine::Chromium, progress)
         });

@@ -12,10 +12,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
-use serde::Deserialize;
-use browser::{Browser, Chromium, WebGl};
-use tools::demo::site::{self, Modules};
 use browser::turntable::{Frame, LOADS, Load};
+use browser::{Browser, Chromium, WebGl};
+use serde::Deserialize;
+use tools::demo::site::{self, Modules};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 use tools::{install, project};

@@ -93,8 +93,7 @@ impl Suite {
         let (start, before) = (Instant::now(), command::processor_seconds());
         let progress = Progress::kept();
         let outcome = work(&progress);
-        let (seconds, processor) =
-            (start.elapsed().as_secs_f64(), command::processor_seconds() - before);
+        let (seconds, processor) = (start.elapsed().as_secs_f64(), command::processor_seconds() - before);
         self.times.push(Times { name: name.to_owned(), seconds, processor });
         let tally = outcome.as_ref().map_or(Tally::FAILED, |(_, tally)| *tally);
         let tests = if tally.passed + tally.failed == 1 { String::new() } else { format!(" ({tally})") };

@@ -3,11 +3,11 @@
 use std::fmt;
 
 use anyhow::{Context, Result, ensure};
+use browser::{Browser, Chromium, Page};
 use fastrand::Rng;
 use luminaire::falloff::AnyFalloff;
 use luminaire_export::{Language, export};
 use naga::back::glsl;
-use browser::{Browser, Chromium, Page};
 
 #[allow(dead_code, reason = "the tests of the exporter use more of them")]
 #[path = "../../../export/tests/support/lights.rs"]

@@ -6,9 +6,9 @@ use anyhow::{Context, Result};
 use luminaire::dynamic::Effect;
 use serde::{Deserialize, Serialize};
 
+use browser::turntable::{self, LOADS, Load};
 use browser::{Browser as _, Chromium, Page};
 use tools::demo::site::{self, Modules};
-use browser::turntable::{self, LOADS, Load};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 
