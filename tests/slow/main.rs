@@ -1,12 +1,8 @@
 //! The tests that sweep and search. Each takes a few seconds, and far longer if `LUMINAIRE_FULL` is
-//! set.
+//! set, as `cargo xtask full` does.
 //!
-//! `cargo test --test slow NAME::` runs the tests of one module.
+//! A plain `cargo test` leaves them out. `cargo test --test slow NAME::` runs the tests of one module.
 
-#[path = "../laws/mod.rs"]
-mod laws;
-
-mod accuracy;
 mod bright;
 mod exhaustive;
 mod half_a_code;
@@ -16,7 +12,6 @@ mod haze_search;
 mod limits;
 mod narrow;
 mod powers;
-mod properties;
 mod quick;
 mod stability;
 mod worst;

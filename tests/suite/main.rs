@@ -2,6 +2,10 @@
 //!
 //! `cargo test --test suite NAME::` runs the tests of one module.
 
+#[path = "../laws/mod.rs"]
+mod laws;
+
+mod accuracy;
 mod any_bits;
 mod any_light;
 mod batch;
@@ -32,6 +36,7 @@ mod numbers;
 mod operations;
 mod paper;
 mod projection;
+mod properties;
 mod refusals;
 mod regressions;
 mod rows;

@@ -11,8 +11,8 @@
 //! | `fractions` | `t` to intensity, every fraction of 31 bits | steps of `Fx32` | one | exhaustive |
 //! | `haze` | air light of 1,800 rays, by the inverse square | what is seen there, or across the axis as near to the light where that is more | [`haze::HALF_ANGLES`](super::haze::HALF_ANGLES) | searched |
 //!
-//! `LUMINAIRE_BLESS=1 LUMINAIRE_FULL=1 cargo test --test slow -- accuracy:: exhaustive::
-//! haze::every_cone` writes the rows that are missing or do not hold.
+//! `LUMINAIRE_BLESS=1 LUMINAIRE_FULL=1 cargo test --test suite --test slow -- accuracy::
+//! exhaustive:: haze::every_cone` writes the rows that are missing or do not hold.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -5,7 +5,7 @@ use std::path;
 use anyhow::{Context, Result};
 
 use crate::arguments::{DemoOptions, Size};
-use crate::lab;
+use tools::command;
 use tools::demo::publish::publish;
 use tools::demo::site::{self, Modules};
 use tools::progress::Progress;
@@ -28,12 +28,12 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let server = Server::start(listener, &site::build(Modules::Quick, &progress)?)?;
     let address = address(&server, options);
     if checking {
-        let mut words = vec!["check".to_owned(), address];
+        let mut check = command::cargo("run");
+        check.args(["--package", "browser", "--bin", "check", "--", &address]);
         if let Some(file) = &options.screenshot {
-            let file = path::absolute(file).context("the screenshot has no path")?;
-            words.extend(["--screenshot".to_owned(), file.to_string_lossy().into_owned()]);
+            check.arg(path::absolute(file).context("the screenshot has no path")?);
         }
-        lab::call(&words.iter().map(String::as_str).collect::<Vec<_>>())
+        command::run_to_its_end(&mut check)
     } else {
         println!("The demo is at {address} (Ctrl+C ends it)");
         server.wait()

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::process::{Command, ExitCode};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 
 use tools::command;
 
@@ -35,13 +35,6 @@ pub(crate) fn run(words: &[OsString]) -> Result<ExitCode> {
     let arguments = if *package == LAB { words } else { &words[1..] };
     let status = program(package).args(arguments).status().context("cannot start cargo")?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
-}
-
-/// Runs a command of the laboratory that must succeed.
-pub(crate) fn call(arguments: &[&str]) -> Result<()> {
-    let status = steps(arguments).status().context("cannot start cargo")?;
-    ensure!(status.success(), "`cargo xtask {}` failed", arguments.join(" "));
-    Ok(())
 }
 
 /// A call of the laboratory's program, which cargo builds if need be.

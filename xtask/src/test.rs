@@ -38,6 +38,10 @@ const FEATURES: [(&str, &[&str]); 5] = [
 
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
 
+/// The crates whose documentation has examples, but for luminaire, which is tested with all features.
+const DOCUMENTED: [&str; 5] =
+    ["luminaire-export", "luminaire-fixtures", "luminaire-oracle", "luminaire-pick", "luminaire-render"];
+
 const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
 
 /// Runs the tests; the last line on stdout counts them.
@@ -63,13 +67,19 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
 /// Adds the steps that run on this machine.
 fn host(suite: &mut Suite, full: bool) {
     sources(suite, full);
-    // Without `full`, the packages that a plain `cargo test` takes, and the checks of documents.
-    let packages: &[&str] = if full { &["--workspace"] } else { &[] };
+    // Without `full`, the packages that a plain `cargo test` takes, without the examples that draw.
+    let packages: &[&str] = if full { &["--workspace"] } else { &["--lib", "--bins", "--tests"] };
     suite.count("host: cargo test", |progress| {
         cargo_test(&[packages, &["--no-fail-fast"]].concat(), full, progress)
     });
-    if !full {
-        suite.count("host: the commands", |progress| cargo_test(&["--package", "xtask"], false, progress));
+    if full {
+        suite.count("host: the long searches", |progress| cargo_test(&["--test", "slow"], full, progress));
+    } else {
+        let documented = DOCUMENTED.iter().flat_map(|package| ["--package", package]);
+        let documented: Vec<_> = ["--doc"].into_iter().chain(documented).collect();
+        suite
+            .count("host: examples in the documentation", |progress| cargo_test(&documented, full, progress));
+        suite.count("host: the commands", |progress| cargo_test(&["--package", "xtask"], full, progress));
     }
     // The feature sets whose square root and angles do not come from libm, and the default set. Clippy
     // checks all sets.

@@ -7,6 +7,7 @@
 //! thirtyfour need geckodriver, Playwright needs patched browsers.
 
 mod actions;
+pub mod check;
 mod chromium;
 mod display;
 mod firefox;

@@ -19,9 +19,6 @@ pub(crate) enum Request {
     /// Run a part of the steps of `cargo xtask test`, which calls this
     #[command(hide = true)]
     Steps(StepsOptions),
-    /// Open a page of the demo in Chromium and print what it measures, which `cargo demo --check` calls
-    #[command(hide = true)]
-    Check(CheckOptions),
     /// Take the pictures of the demo for the documents again
     Pictures,
     /// Draw the pictures of renderers that are not the project's, and compare the spotlight of
@@ -71,16 +68,6 @@ pub(crate) enum Part {
     Boards,
     /// What a browser runs
     Browsers,
-}
-
-/// The options of `check`.
-#[derive(Debug, PartialEq, clap::Args)]
-pub(crate) struct CheckOptions {
-    /// The page
-    pub(crate) address: String,
-    /// Write a PNG of the page at 1440x900 to this file
-    #[arg(long, value_name = "FILE")]
-    pub(crate) screenshot: Option<PathBuf>,
 }
 
 #[cfg(test)]

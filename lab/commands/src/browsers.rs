@@ -2,13 +2,11 @@
 
 use anyhow::Context;
 
-use browser::Engine;
+use browser::{Engine, check::check};
 use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
 use tools::demo::site;
 use tools::progress::Progress;
 use tools::suite::Suite;
-
-use crate::check;
 
 /// The step that measures the demo.
 const CHECK: &str = "browser: the demo's check";
@@ -53,7 +51,7 @@ impl Browsers {
         }
         suite.step(CHECK, |progress| {
             let visitor = visitor.as_mut().context(NO_VISITOR)?;
-            progress.say("Checked", check::check(visitor.browser.as_mut(), &visitor.address, None)?);
+            progress.say("Checked", check(visitor.browser.as_mut(), &visitor.address, None)?);
             Ok(())
         });
         for elsewhere in &self.others {

@@ -2,7 +2,6 @@
 
 mod arguments;
 mod browsers;
-mod check;
 mod package;
 mod pictures;
 mod renderers;
@@ -19,7 +18,6 @@ fn main() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
     let outcome = match Request::parse() {
         Request::Steps(options) => steps::run(options).map(done),
-        Request::Check(options) => check::run(&options).map(done),
         Request::Pictures => pictures::run().map(done),
         Request::Renderers => renderers::run().map(done),
         Request::Firmware(options) => boards::run(&options).map(done),

@@ -6,8 +6,7 @@ use std::fs;
 use anyhow::Result;
 use flate2::Crc;
 
-use crate::check;
-use browser::Chromium;
+use browser::{Chromium, check::check};
 use tools::demo::site::{self, Modules};
 use tools::progress::Progress;
 use tools::project;
@@ -27,7 +26,7 @@ pub(crate) fn run() -> Result<()> {
     let mut chromium = Chromium::start(&progress)?;
     for (file, view) in PICTURES {
         let file = project::root().join("docs").join(file);
-        check::check(&mut chromium, &format!("{}#{view}", server.address()), Some(&file))?;
+        check(&mut chromium, &format!("{}#{view}", server.address()), Some(&file))?;
         progress.say("Written", project::shown(&file));
     }
     fs::write(project::root().join(FINGERPRINT), fingerprint()?)?;

@@ -5,26 +5,11 @@ use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 
-use browser::turntable::{self, Cores, Frame, LOADS, Load};
-use browser::{Browser, Chromium, Page};
-use tools::progress::Progress;
-
-use crate::arguments::CheckOptions;
+use crate::turntable::{self, Cores, Frame, LOADS, Load};
+use crate::{Browser, Page};
 
 /// Number of frames that the check draws. It reports their median time.
 const FRAMES: u32 = 15;
-
-/// Checks the page at an address and prints its measurements.
-pub(crate) fn run(options: &CheckOptions) -> Result<()> {
-    let progress = Progress::Live;
-    let step = progress.begin("Checking", &options.address);
-    let mut chromium = Chromium::start(&progress)?;
-    let verdict = check(&mut chromium, &options.address, options.screenshot.as_deref())?;
-    drop(chromium);
-    step.done();
-    println!("{verdict}");
-    Ok(())
-}
 
 /// Records when the page is ready to be used, which is when it shows its first picture.
 const READY: &str = "document.addEventListener('DOMContentLoaded', () => {
@@ -33,8 +18,8 @@ const READY: &str = "document.addEventListener('DOMContentLoaded', () => {
     }).observe(document.body, { attributes: true });
 })";
 
-/// Runs the page once. Returns its measurements as one line.
-pub(crate) fn check(browser: &mut dyn Browser, address: &str, screenshot: Option<&Path>) -> Result<String> {
+/// Runs the page once, and writes a picture of it. Returns its measurements as one line.
+pub fn check(browser: &mut dyn Browser, address: &str, screenshot: Option<&Path>) -> Result<String> {
     let mut page = browser.open(address, READY)?;
     page.ready()?;
     let ready = page.number("readyAfter")?;

@@ -1,7 +1,7 @@
 //! Accuracy of every profile in all three formats against the f64 reference, row by row of the
 //! table of bounds.
 //!
-//! `cargo test --test slow accuracy:: -- --nocapture` prints the measured rows.
+//! `cargo test --test suite accuracy:: -- --nocapture` prints the measured rows.
 
 use fastrand::Rng;
 use luminaire::{Fx16, Fx32, falloff::Falloff};
