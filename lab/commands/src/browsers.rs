@@ -21,13 +21,14 @@ pub(crate) struct Browsers {
 }
 
 impl Browsers {
-    /// The quick tests in the first engine and a few of them in the others, or with `full` all that an
-    /// engine can run, and the long ones in the first.
+    /// The quick tests in the first engine, or with `full` all that an engine can run, and the long ones in
+    /// the first.
     pub(crate) fn new(full: bool) -> Self {
         let more = if full { [&MORE[..], &LONG].concat() } else { Vec::new() };
         let tests = QUICK.iter().chain(&more).map(|(name, test)| (format!("browser: {name}"), *test));
         let [_, others @ ..] = Engine::ALL;
-        Self { tests: tests.collect(), others: others.map(|engine| Elsewhere::new(engine, full)).into() }
+        let others = if full { others.map(Elsewhere::new).into() } else { Vec::new() };
+        Self { tests: tests.collect(), others }
     }
 
     fn are_wanted(&self, suite: &Suite) -> bool {
@@ -89,14 +90,12 @@ struct Elsewhere {
 }
 
 impl Elsewhere {
-    fn new(engine: Engine, full: bool) -> Self {
+    fn new(engine: Engine) -> Self {
         let named = |(name, test): &Test| (format!("browser, {engine}: {name}"), *test);
         let mut tests: Vec<_> = engines::SMOKE.iter().map(named).collect();
-        if full {
-            let all = engines::tests_of(engine).map(named);
-            let more: Vec<_> = all.filter(|(name, _)| tests.iter().all(|(quick, _)| quick != name)).collect();
-            tests.extend(more);
-        }
+        let all = engines::tests_of(engine).map(named);
+        let more: Vec<_> = all.filter(|(name, _)| tests.iter().all(|(quick, _)| quick != name)).collect();
+        tests.extend(more);
         let alike = format!("browser, {engine}: pictures have the bits of Chromium's");
         Self { engine, tests, alike }
     }
