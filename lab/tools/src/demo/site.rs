@@ -127,14 +127,15 @@ fn with_figures(page: &str, list: &str) -> Result<String> {
     let is_shown = |row: &&Value| row["kernel"] == "lit-inverse-square" && row["format"] == "fx16";
     let Some(row) = rows.find(is_shown) else { return Ok(format!("{before}{after}")) };
     let number = |value: &Value| value.as_f64().with_context(|| format!("{value} is no figure of the list"));
-    // An upper bound is rounded up.
-    let error = (100.0 * number(&row["error"]["codes"])?).ceil() / 100.0;
-    let instructions = number(&row["cost"]["cortex-m0"]["instructions"])?.ceil();
+    let hundredths = 100.0 * number(&row["error"]["codes"])?;
+    let instructions = number(&row["cost"]["cortex-m0"]["instructions"])?.round();
     let cone = (2.0 * number(&list["meta"]["half_angle"])?).round();
-    let bound = match row["error"]["kind"].as_str().context("the error has no kind")? {
-        "searched" => "the largest error found is",
-        _ => "the error is at most",
+    // Rounded as in the documents, but for an upper bound, which is rounded up.
+    let (bound, hundredths) = match row["error"]["kind"].as_str().context("the error has no kind")? {
+        "searched" => ("the largest error found is", hundredths.round()),
+        _ => ("the error is at most", hundredths.ceil()),
     };
+    let error = hundredths / 100.0;
     let mut figures = figures.to_owned();
     for (name, value) in
         [("instructions", instructions.to_string()), ("error", error.to_string()), ("cone", cone.to_string())]
@@ -203,8 +204,10 @@ mod tests {
         let page = "<p><!-- figures -->{instructions}, {error}, {cone}, {bound}<!-- end of figures --></p>";
         assert_eq!(
             with_figures(page, &list(0.2538)).unwrap(),
-            "<p>223, 0.26, 44, the largest error found is</p>"
+            "<p>222, 0.25, 44, the largest error found is</p>"
         );
+        let bound = list(0.2538).replace("searched", "exhaustive");
+        assert_eq!(with_figures(page, &bound).unwrap(), "<p>222, 0.26, 44, the error is at most</p>");
         assert_eq!(with_figures(page, "null").unwrap(), "<p></p>");
         assert!(with_figures(page, &list(0.25).replace("222.4", "null")).is_err());
         assert!(with_figures("<p></p>", "null").is_err());
