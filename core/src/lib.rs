@@ -57,22 +57,23 @@
 //! | | `f32` | [`Fx32`] | [`Fx16`] |
 //! |---|---|---|---|
 //! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit |
-//! | largest error of a soft spotlight of 36 degrees at a point, linear codes (searched) | 7.7e-5 | 3.4e-6 | 0.047 |
-//! | instructions per point, Cortex-M0 (counted) | 5140 | 1416 | 199 |
-//! | Cortex-M4F | 105 | 244 | 135 |
-//! | RV32IMC | 2647 | 354 | 145 |
+//! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.0e-4 | 6.6e-6 | 0.25 |
+//! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 1,515 | 222 |
+//! | instructions, Cortex-M4F | 102 | 264 | 153 |
+//! | instructions, RV32IMC | 2,721 | 380 | 161 |
 //! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
 //!
 //! [`SpotLight::compile_quick`] compiles one light for a quick evaluation. In `f32` the quick
-//! evaluation takes 77 instructions on a Cortex-M4F and errs by 0.0064 linear codes. On a Cortex-M0
-//! the quick evaluation takes 135 instructions in [`Fx16`] and errs by 0.079 linear codes; in
-//! [`Fx32`] it takes 443 instructions and errs by 1.0e-5 linear codes.
+//! evaluation takes 74.1 instructions on a Cortex-M4F and errs by 0.019 linear codes. On a Cortex-M0
+//! the quick evaluation takes 146 instructions in [`Fx16`] and errs by 0.52 linear codes; in
+//! [`Fx32`] it takes 476 instructions and errs by 3.4e-5 linear codes.
 //!
 //! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the
-//! maximum over very many random points, each refined by hill climbing; *counted* means counted by
-//! an emulator. Errors and instructions are those of the kernel `lit`, a soft falloff with
-//! Lambert's cosine, in `docs/ACCURACY-VS-COST.md`. That document lists more kernels, more
-//! processors and other libraries.
+//! largest error of very many random points; *counted* means counted by an emulator. A lit point
+//! has Lambert's cosine, at incidences up to 80 degrees, and the inverse square, the default, at
+//! distances from 1 to 7 from a light of intensity 16: row `lit-inverse-square` of
+//! `docs/ACCURACY-VS-COST.md`. That document lists more kernels, more processors and other
+//! libraries.
 //!
 //! # Units
 //!

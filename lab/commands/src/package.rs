@@ -34,7 +34,7 @@ const EXAMPLES: [&str; 6] = ["hello", "wall", "moving_light", "embedded_graphics
 const ACCEPTED: [&str; 2] =
     ["manifest has no documentation, homepage or repository", "is not included in the published package"];
 
-/// The firmware to copy, whose parts the README shows.
+/// The firmware to copy; the README shows its library.
 const TEMPLATE: &str = "boards/template";
 
 /// Changes the files of the template to the quick evaluation.
@@ -68,6 +68,13 @@ pub(crate) fn run(suite: &mut Suite) {
     let unpacked = || unpacked.as_ref().context("the crates were not packed");
     suite.remarked(NAMES[1], |progress| {
         let [exact, quick] = unpacked()?.firmware(progress)?;
+        let readme = fs::read_to_string(project::root().join("README.md"))?;
+        for (bytes, before, after) in
+            [(exact, "**", " kB of flash**"), (quick, " ", " kB by the quick evaluation")]
+        {
+            let words = format!("{before}{:.1}{after}", bytes as f64 / 1000.0);
+            ensure!(readme.contains(&words), "README.md: expected `{}`", words.trim());
+        }
         Ok(vec![format!("{exact} bytes of flash, by the quick evaluation {quick}")])
     });
     suite.count(NAMES[2], |progress| unpacked()?.tests(progress));

@@ -1,0 +1,365 @@
+//! Every price and every error in the README, the front page of the documentation, the guide and the
+//! head of the demo's page is one on record.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, falloff::Soft};
+use serde_json::Value;
+
+const README: &str = "README.md";
+const FRONT: &str = "core/src/lib.rs";
+const GUIDE: &str = "core/guide";
+const PAGE: &str = "wasm-demo/web/index.html";
+
+/// A paragraph or a row of a table with one of these words has prices or errors.
+const UNITS: [&str; 8] =
+    ["instructions", "instr.", "linear code", "cycles", " kB", " ms", " ns", "/255 of full scale"];
+
+fn text(path: impl AsRef<Path>) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The records behind the figures.
+struct Records {
+    prices: Value,
+    effects: Value,
+    frame: Value,
+}
+
+impl Records {
+    fn read() -> Self {
+        let json = |file| serde_json::from_str(&text(file)).expect("JSON");
+        Self {
+            prices: json("docs/accuracy-vs-cost.json"),
+            effects: json("docs/effects.json"),
+            frame: json("docs/frame.json"),
+        }
+    }
+
+    /// The row of a kernel in a format, such as `soft.fx16`.
+    fn row(&self, name: &str) -> &Value {
+        let (kernel, format) = name.split_once('.').expect("a kernel and a format");
+        let mut rows = self.prices["rows"].as_array().expect("rows").iter();
+        rows.find(|row| row["kernel"] == kernel && row["format"] == format).expect(name)
+    }
+
+    /// Its cost on a target.
+    fn cost(&self, name: &str, target: &str) -> String {
+        let found = &self.row(name)["cost"][target];
+        cost(found["instructions"].as_f64().unwrap_or_else(|| number(&found["ns"])))
+    }
+
+    /// Its largest error, at a half angle of 22 degrees.
+    fn error(&self, name: &str) -> String {
+        error(number(&self.row(name)["error"]["codes"]))
+    }
+
+    /// The same in every recorded cone.
+    fn errors(&self, name: &str) -> Vec<f64> {
+        let row = self.row(name);
+        let narrower = row["narrower"].as_array().expect("cones").iter();
+        [row].into_iter().chain(narrower).map(|cone| number(&cone["error"]["codes"])).collect()
+    }
+
+    /// A figure of a program of the effects on a Cortex-M0, and by how much it exceeds the soft
+    /// spotlight's.
+    fn effect(&self, program: &str, unit: &str) -> [f64; 2] {
+        let prices = &self.effects["boards"]["cortex-m0"]["prices"];
+        let [all, base] = [program, "spot-soft-lambert"].map(|program| number(&prices[program][unit]));
+        [all, all - base]
+    }
+
+    /// The compiler of a target.
+    fn compiler(&self, target: &str) -> &str {
+        self.prices["meta"]["targets"][target]["compiler"].as_str().expect("a compiler")
+    }
+
+    /// The figures in their words. A blank line, a point of a list and a row of a table begin a
+    /// paragraph; words are those of one paragraph.
+    fn in_readme(&self) -> Vec<String> {
+        let [compiler, of_host] = ["cortex-m0", "host"].map(|target| self.compiler(target));
+        let lock = text("Cargo.lock");
+        let (_, libm) = lock.split_once("name = \"libm\"\nversion = \"").expect("libm");
+        let libm = libm.split('"').next().expect("a version");
+        let m0 = |name: &str| self.cost(name, "cortex-m0");
+        let lit = |format: &str| m0(&format!("lit-inverse-square.{format}"));
+        let added =
+            |change| thousands(self.effect(&format!("spot-soft-lambert-{change}"), "instructions")[1]);
+        let mut stated = Vec::new();
+        let mut say = |words| stated.push(words);
+        // An error of all inputs is a bound: rounded up.
+        assert_eq!(self.row("soft.fx16")["error"]["kind"], "exhaustive");
+        let soft = self.errors("soft.fx16").into_iter().fold(0.0, f64::max);
+        say(format!("**{} instructions** for the soft edge", m0("soft.fx16")));
+        say(format!("with an error of at most {} of 255.", (1000.0 * soft).ceil() / 1000.0));
+        let powf = m0("powf-libm.rival");
+        say(format!("`powf` of the crate libm {libm} takes {powf}, by the same {compiler}."));
+        // `cargo xtask full --only package` compares these two.
+        say("**4.1 kB of flash**".to_owned());
+        say("2.6 kB by the quick evaluation".to_owned());
+        say(format!("[{} instructions](docs/EFFECTS.md#evaluation-and-set-up)", added("aimed")));
+        say(format!("a new cone between two others {}.", added("zoomed")));
+        let cycles = self.frame["boards"]["cortex-m0"]["cycles"].as_object().expect("cycles");
+        let (cycles, pixels): (f64, _) = (cycles.values().map(number).sum(), number(&self.frame["pixels"]));
+        assert_eq!(pixels, 160.0 * 120.0);
+        let a_second = (133e6 / cycles).floor();
+        say(format!("{} cycles a pixel, which is {a_second} frames", thousands(cycles / pixels)));
+        say(" of 160 x 120 pixels a second at 133 MHz".to_owned());
+        let [quick, fine] = [lit("fx16-quick"), lit("fx16")];
+        say(format!("takes {quick} instructions instead of {fine} for a lit point in `Fx16`"));
+        say(format!("in `Fx32` {} instead of {}", lit("fx32-quick"), lit("fx32")));
+        say(format!("{compiler}, on the host {of_host}, and libm's version {libm}."));
+        for (name, title) in [
+            ("soft.fx16", "soft edge, `Fx16`"),
+            ("powf-libm.rival", "power of the cosine, libm's `powf`"),
+            ("lit-inverse-square.fx16", "lit point, `Fx16`"),
+            ("lit-inverse-square.f32", "lit point, `f32`"),
+        ] {
+            let [widest, .., narrowest] = self.errors(name)[..] else { panic!("{name}: expected two cones") };
+            let costs = ["cortex-m0", "cortex-m4f", "rv32imc", "host"].map(|target| self.cost(name, target));
+            let (errors, costs) = ([widest, narrowest].map(error).join(" | "), costs.join(" | "));
+            say(format!("| {title} | {errors} | {} |", costs.replace(',', "")));
+        }
+        let short = half_angle(Cone::narrowest::<Fx16>(Soft));
+        say(format!("half a linear code down to a half angle of {short:.2}° in `Fx16`"));
+        stated
+    }
+
+    fn on_front_page(&self) -> Vec<String> {
+        let mut stated = Vec::new();
+        let mut say = |words| stated.push(words);
+        let formats = |figure: &dyn Fn(&str) -> String| {
+            ["f32", "fx32", "fx16"].map(|format| figure(&format!("lit-inverse-square.{format}"))).join(" | ")
+        };
+        let outer = HalfAngle::degrees(number(&self.prices["meta"]["half_angle"]) as f32);
+        let field = Cone::from_outer(Soft, outer).expect("a cone").field().to_degrees().round();
+        let errors = formats(&|name| self.error(name));
+        let title = format!("largest error of a lit point of a soft spotlight of {field} degrees");
+        say(format!("| {title}, linear codes (searched) | {errors} |"));
+        for (target, title) in [
+            ("cortex-m0", "instructions of a lit point, Cortex-M0 (counted)"),
+            ("cortex-m4f", "instructions, Cortex-M4F"),
+            ("rv32imc", "instructions, RV32IMC"),
+        ] {
+            say(format!("| {title} | {} |", formats(&|name| self.cost(name, target))));
+        }
+        for (format, target, before, after) in [
+            ("f32", "cortex-m4f", "takes", " on a Cortex-M4F"),
+            ("fx16", "cortex-m0", "takes", " in [`Fx16`]"),
+            ("fx32", "cortex-m0", "it takes", ""),
+        ] {
+            let name = format!("lit-inverse-square.{format}-quick");
+            let (cost, error) = (self.cost(&name, target), self.error(&name));
+            say(format!("{before} {cost} instructions{after} and errs by {error} linear codes"));
+        }
+        let single = half_angle(Cone::narrowest::<f32>(Soft));
+        let wide = half_angle(Cone::narrowest::<Fx32>(Soft));
+        let short = half_angle(Cone::narrowest::<Fx16>(Soft));
+        say(format!("(half of [`Cone::narrowest`]) | {single:.4} | {wide:.5} | {short:.2} |"));
+        stated
+    }
+
+    /// The chapters, and the words in each.
+    fn in_guide(&self) -> Vec<(&'static str, String)> {
+        let mut stated = Vec::new();
+        let mut say = |chapter, words| stated.push((chapter, words));
+        for (chapter, program) in FIVE_TIMES {
+            say(chapter, "five times the instructions of a lit point on a Cortex-M0".to_owned());
+            let times = [program, "spot-soft-lambert"].map(|program| self.effect(program, "instructions")[0]);
+            let times = times[0] / times[1];
+            assert!((4.5..5.5).contains(&times), "{chapter}: expected five times, found {times}");
+        }
+        for (chapter, program, is_added, words) in COUNTED {
+            let count = self.effect(program, "instructions")[usize::from(is_added)];
+            say(chapter, words.replace("{}", &thousands(count)));
+        }
+        let kilobytes = self.effect("spot-soft-lambert-compiled", "bytes")[1] / 1_000.0;
+        say("core/guide/microcontroller.md", format!(" and {kilobytes:.0} kB of flash"));
+        for (format, words) in LIT {
+            let count = self.cost(&format!("lit-inverse-square.{format}"), "cortex-m4f");
+            say("core/guide/not_for.md", words.replace("{}", &count));
+        }
+        stated
+    }
+}
+
+/// What was set and not measured, in paragraphs with figures.
+const SETTINGS: [(&str, &str); 8] = [
+    (README, "from 16 times full scale at a distance of 1."),
+    (FRONT, "at distances from 1 to 7 from a light of intensity 16"),
+    (FRONT, "at incidences up to 80 degrees"),
+    (FRONT, "clipped at 1."),
+    ("core/guide/format.md", "at 72,000 points"),
+    ("core/guide/format.md", "too narrow for 16 bits"),
+    ("core/guide/porting.md", "at 72,000 points"),
+    ("core/guide/porting/direct3d.md", "of 1 is [`Linear`](crate::falloff::Linear), of 2"),
+];
+
+/// Instructions on a Cortex-M0 of a program of `docs/effects.json`, or by how much they exceed the
+/// soft spotlight's. `{}` is the figure.
+const COUNTED: [(&str, &str, bool, &str); 13] = [
+    ("core/guide/falloff.md", "spot-soft-lambert", false, "takes {} instructions with the soft edge"),
+    ("core/guide/falloff.md", "spot-smooth-lambert", true, "smoothstep takes {} more"),
+    ("core/guide/falloff.md", "spot-table-lambert", true, "a table {},"),
+    ("core/guide/falloff.md", "spot-cubic-lambert", true, "a cubic {}."),
+    ("core/guide/falloff.md", "spot-real-power-lambert", true, "real exponent takes {} more"),
+    ("core/guide/falloff.md", "spot-mixed-power-lambert", true, "which takes {} more"),
+    ("core/guide/microcontroller.md", "spot-soft-lambert-compiled", true, "{} instructions on a Cortex-M0"),
+    ("core/guide/microcontroller.md", "rgb565-ramp", false, "dithered pixel in {} instructions"),
+    ("core/guide/moving.md", "spot-soft-lambert-placed", true, "| `moved_to` | {} |"),
+    ("core/guide/moving.md", "spot-soft-lambert-aimed", true, "| `moved_to` and `aimed_at` | {} |"),
+    ("core/guide/moving.md", "spot-soft-lambert-zoomed", true, "| `zoomed` | {} |"),
+    ("core/guide/moving.md", "spot-soft-lambert-compiled", true, "| compile again | {} |"),
+    ("core/guide/scanline.md", "spot-soft-lambert-normalized", true, "for {} instructions on a Cortex-M0"),
+];
+
+/// Falloffs whose instructions on a Cortex-M0 a chapter compares with the soft one's.
+const FIVE_TIMES: [(&str, &str); 2] = [
+    ("core/guide/porting/direct3d.md", "spot-real-power-lambert"),
+    ("core/guide/porting/godot.md", "spot-inverted-real-power-lambert"),
+];
+
+/// Formats of a lit point on a Cortex-M4F.
+const LIT: [(&str, &str); 2] =
+    [("f32", "a lit point takes {} instructions in `f32`"), ("fx16", "and {} in `Fx16`")];
+
+fn half_angle(angle: Angle) -> f64 {
+    f64::from(angle.to_degrees()) / 2.0
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("expected a figure on record, found {value}"))
+}
+
+/// An error with two significant digits, or as an integer from 10 on.
+fn error(value: f64) -> String {
+    match value {
+        9.95.. => format!("{value:.0}"),
+        0.995.. => format!("{value:.1}"),
+        0.0995.. => format!("{value:.2}"),
+        0.009_95.. => format!("{value:.3}"),
+        _ => format!("{value:.1e}"),
+    }
+}
+
+/// A cost with three significant digits, or as an integer from 100 on.
+fn cost(value: f64) -> String {
+    match value {
+        99.95.. => thousands(value),
+        9.995.. => format!("{value:.1}"),
+        _ => format!("{value:.2}"),
+    }
+}
+
+/// An integer with a comma between thousands.
+fn thousands(value: f64) -> String {
+    match value.round() as u32 {
+        value @ 0..1_000 => value.to_string(),
+        value => format!("{},{:03}", value / 1_000, value % 1_000),
+    }
+}
+
+/// The texts by file: Markdown, without blocks of code.
+fn texts() -> Vec<(String, String)> {
+    let mut texts = vec![(README.to_owned(), text(README))];
+    let front = text(FRONT);
+    let front = front.lines().map_while(|line| line.strip_prefix("//!"));
+    texts.push((FRONT.to_owned(), front.map(str::trim_start).collect::<Vec<_>>().join("\n")));
+    let page = text(PAGE);
+    let (_, head) = page.split_once("<header").expect("a head");
+    let (head, _) = head.split_once("</header>").expect("its end");
+    texts.push((PAGE.to_owned(), head.to_owned()));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut folders = vec![PathBuf::from(GUIDE)];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(root.join(&folder)).expect("a folder") {
+            let path = folder.join(entry.expect("a file").file_name());
+            if root.join(&path).is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "md") {
+                texts.push((path.display().to_string(), text(&path)));
+            }
+        }
+    }
+    let outside = |text: &str| text.split("```").step_by(2).collect::<String>();
+    texts.into_iter().map(|(file, text)| (file, outside(&text))).collect()
+}
+
+/// The paragraphs, points of lists and rows of tables, each on one line.
+fn paragraphs(text: &str) -> Vec<String> {
+    let mut paragraphs = vec![String::new()];
+    for line in text.lines().map(str::trim) {
+        if line.is_empty() || line.starts_with("- ") || line.starts_with('|') {
+            paragraphs.push(String::new());
+        }
+        let last = paragraphs.last_mut().expect("a paragraph");
+        *last += line;
+        *last += " ";
+    }
+    paragraphs
+}
+
+/// The numbers among the words of a paragraph, without those in code.
+fn numbers(paragraph: &str) -> Vec<&str> {
+    let prose = paragraph.split('`').step_by(2).flat_map(str::split_whitespace);
+    let bare = prose.map(|word| {
+        word.trim_start_matches(['*', '(', '[']).trim_end_matches([',', '.', ':', ';', '*', ')'])
+    });
+    bare.filter(|word| word.starts_with(|c: char| c.is_ascii_digit()))
+        .filter(|word| word.chars().all(|c| c.is_ascii_digit() || ".,e-".contains(c)))
+        .collect()
+}
+
+#[test]
+fn texts_have_the_figures_on_record_and_no_others() {
+    let records = Records::read();
+    let mut stated = records.in_guide();
+    stated.extend(records.in_readme().into_iter().map(|words| (README, words)));
+    stated.extend(records.on_front_page().into_iter().map(|words| (FRONT, words)));
+    stated.extend(SETTINGS.map(|(file, words)| (file, words.to_owned())));
+    let (mut found, mut wrong) = (vec![false; stated.len()], Vec::new());
+    for (file, text) in texts() {
+        for paragraph in paragraphs(&text) {
+            let mut rest = paragraph.clone();
+            for ((_, words), found) in stated.iter().zip(&mut found).filter(|((of, _), _)| *of == file) {
+                *found |= rest.contains(words);
+                rest = rest.replace(words, " ");
+            }
+            if UNITS.iter().any(|unit| paragraph.contains(unit)) && !numbers(&rest).is_empty() {
+                wrong.push(format!("{file}: {:?} not on record in `{paragraph}`", numbers(&rest)));
+            }
+        }
+    }
+    let missing = stated.iter().zip(found).filter(|(_, found)| !found);
+    wrong.extend(missing.map(|((file, words), _)| format!("{file}: expected `{words}`")));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The chapters on porting assert a range for each figure, and run with the documentation's tests.
+#[test]
+fn differences_of_the_porting_guide_are_within_the_ranges_that_its_chapters_assert() {
+    let table = text("core/guide/porting.md");
+    for (title, chapter) in [
+        ("OpenGL", "opengl"),
+        ("Direct3D", "direct3d"),
+        ("glTF", "gltf"),
+        ("three.js", "three"),
+        ("Godot", "godot"),
+        ("Bevy", "bevy"),
+    ] {
+        let (_, table) = table.split_once("# The comparison").expect("a table");
+        let row = table.lines().find(|line| line.starts_with(&format!("| {title}"))).expect(title);
+        let figures: Vec<f64> = row.split('|').filter_map(|cell| cell.trim().parse().ok()).collect();
+        let chapter = text(format!("core/guide/porting/{chapter}.md"));
+        assert_eq!(figures.len(), 2, "{row}");
+        for (figure, name) in figures.iter().zip(["single", "short"]) {
+            let (before, _) = chapter.split_once(&format!(").contains(&{name})")).expect(title);
+            let (_, range) = before.rsplit_once("((").expect("a range");
+            let (least, most) = range.split_once("..").expect("two ends");
+            let [least, most] = [least, most].map(|end| end.parse::<f64>().expect("a number"));
+            assert!((least..most).contains(figure), "{title}: expected {least} to {most}, found {figure}");
+        }
+    }
+}
