@@ -36,8 +36,9 @@ most one step of a display at every brightness, and its instructions. The displa
 green channel of RGB565) or 1/255 (RGB888) after encoding, before the rounding to steps. sRGB magnifies the errors of
 dark light 13 times, so a hard edge, which is steep where it is dark, needs more than a soft one. *Attenuated* means by
 the inverse square from 16 times full scale at a distance of 1, at distances from 1 to 7; the light is clipped at full scale.
-Errors are searched: the largest of 65,536 points. Instructions are those of a soft edge with a half angle of 21.8°; in a narrow
-cone or under a bright light, more points of `fx16` take its fine evaluation.
+Errors are searched: the largest of 65,536 points, at incidences up to 80°. At grazing incidence close to a bright light they are
+larger: `luminaire pick` searches there, too. Instructions are those of a soft edge with a half angle of 21.8°; in a narrow cone or
+under a bright light, more points of `fx16` take its fine evaluation.
 ";
 
 /// The boards whose instructions are shown, with their titles.

@@ -37,8 +37,8 @@ Errors and costs are of the same functions, which are the crate
 visible on a display. A kernel gets the nearest input of its format, so the rounding of the input is
 part of the error. *Exhaustive* errors are bounds: the 16-bit ramp is constant over intervals of
 versines, the exact value is monotone, and both ends of every interval of the cone are tried. The
-others are *searched*: the largest of 262,144 angles or 65,536 points, hence lower bounds. All are the
-same in every run. Each kernel is compared with its own model: `powf` with the power of the cosine,
+others are *searched*: the largest of 262,144 angles, or of 65,536 points at incidences up to 80°,
+hence lower bounds. All are the same in every run. Each kernel is compared with its own model: `powf` with the power of the cosine,
 `gltf` with the formula without its `max(0.001, ...)`.
 
 **Costs** on microcontrollers are instructions a call, counted exactly under QEMU as
@@ -61,7 +61,8 @@ executes, without constant tables such as those of roots and the 1024 bytes of `
 
 `fx16-quick`, `fx32-quick` and `f32-quick` are the [quick evaluations](NUMERICS.md#the-quick-evaluation).
 `f32-cosine` is the same ramp from `1 - l.s`; `f32-fast` takes micromath's reciprocal root as it is. `f64` reads points of
-f32. `powf-libm`, `powf-micromath` and `powf-std` are the power of the cosine by three libraries, `table-256` by
+f32. `powf-libm`, `powf-micromath` and `powf-std` are the power of the cosine by the crates libm and
+micromath, of the versions in `Cargo.lock`, and by the standard library; `table-256` is the same by
 interpolation in 256 entries, `schlick` by Schlick's rational function; `smoothstep` is GLSL's, `gltf` the specification's
 code. `clamp` is a loop that does next to nothing.
 ";
