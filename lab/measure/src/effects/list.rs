@@ -117,6 +117,12 @@ impl Record for EffectList {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::{check_documents, load};
+
+    #[test]
+    fn documents_are_those_that_the_record_gives() {
+        check_documents(&load::<EffectList>().unwrap().expect("a record")).unwrap();
+    }
 
     #[test]
     fn what_is_written_is_read() {

@@ -122,6 +122,12 @@ impl Record for StageList {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::{check_documents, load};
+
+    #[test]
+    fn documents_are_those_that_the_record_gives() {
+        check_documents(&load::<StageList>().unwrap().expect("a record")).unwrap();
+    }
 
     #[test]
     fn counts_are_added_up_and_compared_by_stage() {

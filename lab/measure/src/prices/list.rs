@@ -240,6 +240,12 @@ impl Record for PriceList {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::{check_documents, load};
+
+    #[test]
+    fn documents_are_those_that_the_record_gives() {
+        check_documents(&load::<PriceList>().unwrap().expect("a record")).unwrap();
+    }
 
     #[test]
     fn what_is_written_is_read_and_all_but_times_compared() {
