@@ -1,23 +1,27 @@
-static inline int NAME_is_outside(const luminaire_offset *offset) {
-    return luminaire_is_outside(offset, NAME_axis, NAME_outside);
+static inline int luminaire_NAME_IsOutside(const luminaire_offset *offset) {
+    return luminaire_is_outside(offset, luminaire_NAME_Axis, luminaire_NAME_Outside);
 }
 
-static inline uint32_t NAME_coarse_share(const luminaire_coarse_ray *ray, uint32_t cosine) {
-    return luminaire_coarse_of(cosine, NAME_coarse_curve(luminaire_coarse_rise(ray, NAME_axis, &NAME_ramp)));
+static inline uint32_t luminaire_NAME_CoarseShare(const luminaire_coarse_ray *ray, uint32_t cosine) {
+    uint32_t rise = luminaire_coarse_rise(ray, luminaire_NAME_Axis, &luminaire_NAME_Ramp);
+    return luminaire_coarse_of(cosine, luminaire_NAME_CoarseCurve(rise));
 }
 
-static inline uint32_t NAME_fine_share(const luminaire_fine_ray *ray, uint32_t cosine) {
-    return luminaire_fine_of(cosine, NAME_fine_curve(luminaire_fine_rise(ray, NAME_axis, &NAME_ramp)));
+static inline uint32_t luminaire_NAME_FineShare(const luminaire_fine_ray *ray, uint32_t cosine) {
+    uint32_t rise = luminaire_fine_rise(ray, luminaire_NAME_Axis, &luminaire_NAME_Ramp);
+    return luminaire_fine_of(cosine, luminaire_NAME_FineCurve(rise));
 }
 
 /* Returns the falloff at a point, from 0 to 2^14. */
 static inline int16_t NAME_falloff(const int32_t point[3]) {
-    luminaire_offset offset = luminaire_offset_between(NAME_position, point);
-    if (luminaire_is_near(&offset, NAME_fine_below)) {
+    luminaire_offset offset = luminaire_offset_between(luminaire_NAME_Position, point);
+    if (luminaire_is_near(&offset, luminaire_NAME_FineBelow)) {
         luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
-        return (int16_t)luminaire_rounded(NAME_fine_curve(luminaire_fine_rise(&ray, NAME_axis, &NAME_ramp)));
+        uint32_t rise = luminaire_fine_rise(&ray, luminaire_NAME_Axis, &luminaire_NAME_Ramp);
+        return (int16_t)luminaire_rounded(luminaire_NAME_FineCurve(rise));
     } else {
         luminaire_coarse_ray ray = luminaire_coarse_ray_of(&offset);
-        return (int16_t)NAME_coarse_curve(luminaire_coarse_rise(&ray, NAME_axis, &NAME_ramp));
+        uint32_t rise = luminaire_coarse_rise(&ray, luminaire_NAME_Axis, &luminaire_NAME_Ramp);
+        return (int16_t)luminaire_NAME_CoarseCurve(rise);
     }
 }

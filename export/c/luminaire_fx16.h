@@ -5,8 +5,8 @@
  * may exceed full scale. The code has no floats, no division, no memory of its own and no loop
  * that depends on a point, except the binary search among knots. It is defined for all inputs.
  *
- * Two evaluations have functions of the same names. `coarse` is the usual one, in 32-bit products:
- * a fraction has 15 fraction bits and a share of the intensity 14. `fine` is for steep cones and
+ * Two evaluations have functions of the same names. The coarse one is usual, in 32-bit products: a
+ * fraction has 15 fraction bits and a share of the intensity 14. The fine one is for steep cones and
  * for points near bright lights: fractions and shares have 31 fraction bits.
  *
  * Licence: MIT OR Apache-2.0, at your choice.
@@ -45,15 +45,15 @@
 #define LUMINAIRE_FULL_SCALE (UINT32_C(1) << 14)    /* 1 as a coarse share */
 #define LUMINAIRE_COARSE_ONE (UINT32_C(1) << 15)    /* 1 as a coarse fraction */
 #define LUMINAIRE_FINE_ONE (UINT32_C(1) << 31)      /* 1 as a fine fraction and share */
-#define LUMINAIRE_ALWAYS_FINE UINT32_C(0xffffffff)  /* of a light whose cone is too steep for `coarse` */
+#define LUMINAIRE_ALWAYS_FINE UINT32_C(0xffffffff)  /* of a light whose cone is too steep for coarse */
 
-/* The factor `mantissa / 2^shift`. */
+/* The factor mantissa / 2^shift. */
 typedef struct {
     uint32_t mantissa;
     int32_t shift;
 } luminaire_gain;
 
-/* The map from a versine, scaled by `4^zoom`, to the falloff's argument. */
+/* The map from a versine, scaled by 4^zoom, to the falloff's argument. */
 typedef struct {
     uint32_t zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa;
 } luminaire_ramp;
@@ -64,13 +64,13 @@ typedef struct {
     int32_t slope;
 } luminaire_knot;
 
-/* The vector from a light to a point: `way >> shift` has 17 bits. `bits` is its unscaled bit length. */
+/* The vector from a light to a point: way >> shift has 17 bits. bits is its unscaled bit length. */
 typedef struct {
     int32_t way[3];
     uint32_t shift, bits;
 } luminaire_offset;
 
-/* The direction to a point with 30 fraction bits, and `2^30` over its length. */
+/* The direction to a point with 30 fraction bits, and 2^30 over its length. */
 typedef struct {
     int32_t direction[3];
     uint32_t bits, squared, reciprocal;
@@ -85,9 +85,9 @@ typedef struct {
 
 /* ---- integers: sums and products wrap ---- */
 
-static inline int32_t luminaire_add(int32_t a, int32_t b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
-static inline int32_t luminaire_sub(int32_t a, int32_t b) { return (int32_t)((uint32_t)a - (uint32_t)b); }
-static inline int32_t luminaire_mul(int32_t a, int32_t b) { return (int32_t)((uint32_t)a * (uint32_t)b); }
+static inline int32_t luminaire_plus(int32_t a, int32_t b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
+static inline int32_t luminaire_minus(int32_t a, int32_t b) { return (int32_t)((uint32_t)a - (uint32_t)b); }
+static inline int32_t luminaire_times(int32_t a, int32_t b) { return (int32_t)((uint32_t)a * (uint32_t)b); }
 static inline int32_t luminaire_shl(int32_t a, uint32_t by) { return (int32_t)((uint32_t)a << by); }
 static inline uint32_t luminaire_min(uint32_t a, uint32_t b) { return a < b ? a : b; }
 
@@ -98,7 +98,7 @@ static inline uint32_t luminaire_below_zero(int32_t a) { return a < 0 ? UINT32_C
 static inline uint32_t luminaire_magnitude(int32_t a) { return a < 0 ? UINT32_C(0) - (uint32_t)a : (uint32_t)a; }
 
 #if !defined(LUMINAIRE_COUNTS_ZEROS)
-/* `floor(log2 n)` for each `n` of seven bits; 0 for 0. */
+/* floor(log2 n) for each n of seven bits; 0 for 0. */
 static const uint8_t luminaire_log2[128] = {
     0, 0, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
     5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5,
@@ -107,7 +107,7 @@ static const uint8_t luminaire_log2[128] = {
 };
 #endif
 
-/* Returns the bit length of `n` from 1 to 127. */
+/* Returns the bit length of n from 1 to 127. */
 static inline uint32_t luminaire_bit_length_of_seven(uint32_t n) {
 #if defined(LUMINAIRE_COUNTS_ZEROS)
     return 32 - (uint32_t)__builtin_clz(n | 1);
@@ -127,7 +127,7 @@ static inline uint32_t luminaire_bit_length(uint32_t n) {
 #endif
 }
 
-/* Returns `a b / 2^32`, rounded down. */
+/* Returns a * b / 2^32, rounded down. */
 static inline uint32_t luminaire_high_half(uint32_t a, uint32_t b) {
 #if defined(LUMINAIRE_BY_PARTS)
     uint32_t ah = a >> 16, al = a & 0xffff, bh = b >> 16, bl = b & 0xffff;
@@ -139,37 +139,37 @@ static inline uint32_t luminaire_high_half(uint32_t a, uint32_t b) {
 #endif
 }
 
-/* Returns `a b / 2^16` for `b` of 16 bits, rounded down. */
+/* Returns a * b / 2^16 for b of 16 bits, rounded down. */
 static inline uint32_t luminaire_high_product(uint32_t a, uint32_t b) {
     return (a >> 16) * b + (((a & 0xffff) * b) >> 16);
 }
 
-/* Returns `a b / 2^16` for `b` of 16 bits, rounded down. */
+/* Returns a * b / 2^16 for b of 16 bits, rounded down. */
 static inline int32_t luminaire_signed_high_product(int32_t a, uint32_t b) {
     uint32_t low = (((uint32_t)a & 0xffff) * b) >> 16;
-    return luminaire_add(luminaire_mul(a >> 16, (int32_t)b), (int32_t)low);
+    return luminaire_plus(luminaire_times(a >> 16, (int32_t)b), (int32_t)low);
 }
 
-/* Returns `a b / 2^32` for numbers of 30 bits and a sign, rounded down. */
+/* Returns a * b / 2^32 for numbers of 30 bits and a sign, rounded down. */
 static inline int32_t luminaire_signed_high_half(int32_t a, int32_t b) {
 #if defined(LUMINAIRE_BY_PARTS)
     int32_t ah = a >> 16, bh = b >> 16;
     uint32_t al = (uint32_t)a & 0xffff, bl = (uint32_t)b & 0xffff;
-    int32_t middle = luminaire_add(luminaire_mul(ah, (int32_t)bl), luminaire_mul((int32_t)al, bh));
-    middle = luminaire_add(middle, (int32_t)((al * bl) >> 16));
-    return luminaire_add(luminaire_mul(ah, bh), middle >> 16);
+    int32_t middle = luminaire_plus(luminaire_times(ah, (int32_t)bl), luminaire_times((int32_t)al, bh));
+    middle = luminaire_plus(middle, (int32_t)((al * bl) >> 16));
+    return luminaire_plus(luminaire_times(ah, bh), middle >> 16);
 #else
     return (int32_t)(((int64_t)a * b) >> 32);
 #endif
 }
 
-/* Returns `a^2 / 2^32` for a number of 31 bits and a sign, rounded down. */
+/* Returns a^2 / 2^32 for a number of 31 bits and a sign, rounded down. */
 static inline uint32_t luminaire_high_square(int32_t a) {
 #if defined(LUMINAIRE_BY_PARTS)
     int32_t high = a >> 16, low = (int32_t)((uint32_t)a & 0xffff);
     uint32_t low_squared = ((uint32_t)low * (uint32_t)low) >> 17;
-    int32_t middle = luminaire_add(luminaire_mul(high, low), (int32_t)low_squared);
-    return (uint32_t)luminaire_add(luminaire_mul(high, high), middle >> 15);
+    int32_t middle = luminaire_plus(luminaire_times(high, low), (int32_t)low_squared);
+    return (uint32_t)luminaire_plus(luminaire_times(high, high), middle >> 15);
 #else
     return (uint32_t)(((int64_t)a * a) >> 32);
 #endif
@@ -181,21 +181,21 @@ static inline uint32_t luminaire_size(const int32_t way[3]) {
         | (uint32_t)(way[2] ^ (way[2] >> 31));
 }
 
-/* Returns `2^31 / sqrt(n)` for `n >= 2^30`, by linear interpolation. */
+/* Returns 2^31 / sqrt(n) for n >= 2^30, by linear interpolation. */
 static inline uint32_t luminaire_guess(uint32_t n) {
     uint32_t here = luminaire_inverse_square_roots[n >> 25], next = luminaire_inverse_square_roots[(n >> 25) + 1];
     return here - (((here - next) * ((n << 7) >> 16)) >> 16);
 }
 
-/* Returns `2^30 / sqrt(n)` for `n >= 2^28`; 0 for 0. */
+/* Returns 2^30 / sqrt(n) for n >= 2^28; 0 for 0. */
 static inline uint32_t luminaire_inverse_sqrt(uint32_t n) {
     return n >> 30 ? (luminaire_guess(n) + 1) >> 1 : luminaire_guess(n << 2);
 }
 
 /* ---- gains ---- */
 
-/* Returns the light `product / 2^shift`, rounded to nearest; saturates. */
-static inline uint32_t luminaire_light(uint32_t product, int32_t shift) {
+/* Returns the light product / 2^shift, rounded to nearest; saturates. */
+static inline uint32_t luminaire_light_of(uint32_t product, int32_t shift) {
     uint32_t but_one = (uint32_t)shift - 1;
     if (but_one < 32) {
         uint32_t doubled = product >> but_one;
@@ -213,7 +213,7 @@ static inline luminaire_gain luminaire_gain_of(uint32_t mantissa, int32_t shift)
     return gain;
 }
 
-/* Returns `bits / 2^shift`, rounded to a mantissa of 16 bits. */
+/* Returns bits / 2^shift, rounded to a mantissa of 16 bits. */
 static inline luminaire_gain luminaire_normalised(uint32_t bits, int32_t shift) {
     int32_t up;
     uint32_t mantissa, rounded, carry;
@@ -241,17 +241,17 @@ static inline luminaire_gain luminaire_gain_plus(luminaire_gain a, luminaire_gai
     return luminaire_normalised(((large.mantissa >> 16) << 15) + aligned, large.shift - 16 + 15);
 }
 
-/* Returns `2^31 / m` for `m` of 16 bits, to the nearest. */
+/* Returns 2^31 / m for m of 16 bits, to the nearest. */
 static inline uint32_t luminaire_inverse(uint32_t m) {
     int32_t inverse = (int32_t)(92521 - ((UINT32_C(61681) * m) >> 16));
     int32_t lack;
     int step;
     for (step = 0; step < 2; ++step) {
         lack = (int32_t)(LUMINAIRE_FINE_ONE - (uint32_t)inverse * m);
-        inverse += luminaire_mul(inverse, lack >> 15) >> 16;
+        inverse += luminaire_times(inverse, lack >> 15) >> 16;
     }
     lack = (int32_t)(LUMINAIRE_FINE_ONE - (uint32_t)inverse * m);
-    return (uint32_t)(inverse + (luminaire_add(luminaire_mul(inverse, lack >> 4), INT32_C(1) << 26) >> 27));
+    return (uint32_t)(inverse + (luminaire_plus(luminaire_times(inverse, lack >> 4), INT32_C(1) << 26) >> 27));
 }
 
 /* Returns the reciprocal of a gain; 1 if that is less. */
@@ -265,7 +265,7 @@ static inline luminaire_gain luminaire_inverse_capped(luminaire_gain gain) {
 static inline uint32_t luminaire_gain_share(luminaire_gain gain) {
     int32_t scale = gain.shift - 16;
     if (gain.mantissa != 0 && scale < 16) { return LUMINAIRE_FULL_SCALE; }
-    return luminaire_light(gain.mantissa >> 16, scale - 14);
+    return luminaire_light_of(gain.mantissa >> 16, scale - 14);
 }
 
 /* ---- offsets and rays ---- */
@@ -285,7 +285,7 @@ static inline luminaire_offset luminaire_offset_between(const int32_t light[3], 
     int32_t way[3];
     uint32_t size, bits;
     int i;
-    for (i = 0; i < 3; ++i) { way[i] = luminaire_sub(point[i], light[i]); }
+    for (i = 0; i < 3; ++i) { way[i] = luminaire_minus(point[i], light[i]); }
     size = luminaire_size(way);
     if (size >> 24) {
         /* A difference that wraps still has more than 24 bits. Halved, it fits. */
@@ -322,7 +322,7 @@ static inline uint32_t luminaire_squared(const luminaire_offset *offset) {
 static inline int32_t luminaire_facing(const luminaire_offset *offset, const int16_t normal[3]) {
     int32_t sum = 0;
     int i;
-    for (i = 0; i < 3; ++i) { sum = luminaire_add(sum, normal[i] * luminaire_part(offset, i)); }
+    for (i = 0; i < 3; ++i) { sum = luminaire_plus(sum, normal[i] * luminaire_part(offset, i)); }
     return sum;
 }
 
@@ -337,7 +337,7 @@ static inline int luminaire_is_near(const luminaire_offset *offset, uint32_t fin
 static inline int luminaire_is_outside(const luminaire_offset *offset, const int32_t axis[3], uint32_t bound) {
     int32_t along = 0;
     int i;
-    for (i = 0; i < 3; ++i) { along = luminaire_add(along, (axis[i] >> 16) * luminaire_part(offset, i)); }
+    for (i = 0; i < 3; ++i) { along = luminaire_plus(along, (axis[i] >> 16) * luminaire_part(offset, i)); }
     along = along >> 14 > 0 ? along >> 14 : 0;
     return (uint32_t)along * (uint32_t)along < (luminaire_squared(offset) >> 14) * bound;
 }
@@ -350,13 +350,13 @@ static inline luminaire_coarse_ray luminaire_coarse_ray_of(const luminaire_offse
     ray.reciprocal = luminaire_inverse_sqrt(ray.squared);
     for (i = 0; i < 3; ++i) {
         /* The bias replaces the bits that the offset lost. */
-        int32_t part = luminaire_mul(offset->way[i] >> offset->shift, (int32_t)((ray.reciprocal + 2) >> 2));
-        ray.direction[i] = luminaire_add(part, 6144);
+        int32_t part = luminaire_times(offset->way[i] >> offset->shift, (int32_t)((ray.reciprocal + 2) >> 2));
+        ray.direction[i] = luminaire_plus(part, 6144);
     }
     return ray;
 }
 
-/* Returns the squared length of a vector that is scaled up by `2^shift`. */
+/* Returns the squared length of a vector that is scaled up by 2^shift. */
 static inline uint32_t luminaire_squared_length(const int32_t vector[3], uint32_t shift) {
     return luminaire_high_square(luminaire_shl(vector[0], shift)) + luminaire_high_square(luminaire_shl(vector[1], shift))
         + luminaire_high_square(luminaire_shl(vector[2], shift));
@@ -373,20 +373,20 @@ static inline luminaire_fine_ray luminaire_fine_ray_of(const luminaire_offset *o
         ray.direction[i] = luminaire_signed_high_product(whole[i], ray.estimate);
     }
     ray.squared = luminaire_squared_length(whole, 0);
-    /* The squared length of the direction is `1 + x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`. */
+    /* The squared length of the direction is 1 + x, and 1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2. */
     over = (int32_t)(luminaire_squared_length(ray.direction, 0) - (UINT32_C(1) << 28));
     coarse = over >> 4;
-    ray.excess = luminaire_sub(over >> 3, luminaire_mul(3, luminaire_mul(coarse, coarse)) >> 25);
+    ray.excess = luminaire_minus(over >> 3, luminaire_times(3, luminaire_times(coarse, coarse)) >> 25);
     for (i = 0; i < 3; ++i) {
         int32_t less = luminaire_signed_high_half(ray.direction[i], luminaire_shl(ray.excess, 16)) >> 10;
-        ray.direction[i] = luminaire_sub(ray.direction[i], less);
+        ray.direction[i] = luminaire_minus(ray.direction[i], less);
     }
     return ray;
 }
 
 /* Returns the length of the offset, which is scaled to 31 bits. */
 static inline uint32_t luminaire_fine_length(const luminaire_fine_ray *ray) {
-    uint32_t less = (uint32_t)(luminaire_mul((int32_t)ray->estimate, ray->excess) >> 11);
+    uint32_t less = (uint32_t)(luminaire_times((int32_t)ray->estimate, ray->excess) >> 11);
     return luminaire_high_half(ray->squared, (ray->estimate << 15) - less) << 3;
 }
 
@@ -398,7 +398,7 @@ static inline luminaire_gain luminaire_fine_distance(const luminaire_fine_ray *r
     return luminaire_normalised(luminaire_fine_length(ray), 47 - ray->bits);
 }
 
-/* Returns the fine fraction `product / 2^shift`, at most 1. */
+/* Returns the fine fraction product / 2^shift, at most 1. */
 static inline uint32_t luminaire_capped(uint32_t product, int32_t shift) {
     uint32_t up = (uint32_t)-shift;
     if (shift >= 0) { return luminaire_min(shift < 32 ? product >> shift : 0, LUMINAIRE_FINE_ONE); }
@@ -417,8 +417,8 @@ static inline uint32_t luminaire_fine_cosine(const luminaire_fine_ray *ray, cons
     int i;
     for (i = 0; i < 3; ++i) {
         int32_t d = ray->direction[i], n = normal[i];
-        along = luminaire_add(along, luminaire_mul(d >> 14, n));
-        along = luminaire_add(along, ((d & 0x3fff) * n) >> 14);
+        along = luminaire_plus(along, luminaire_times(d >> 14, n));
+        along = luminaire_plus(along, ((d & 0x3fff) * n) >> 14);
     }
     return luminaire_capped(luminaire_below_zero(along), -1);
 }
@@ -433,8 +433,8 @@ static inline uint32_t luminaire_coarse_rise(
     int32_t difference[3];
     int i;
     for (i = 0; i < 3; ++i) {
-        int32_t lowered = luminaire_sub(axis[i], (int32_t)(UINT32_C(1) << (shift - 1)));
-        difference[i] = luminaire_sub(ray->direction[i], lowered) >> shift;
+        int32_t lowered = luminaire_minus(axis[i], (int32_t)(UINT32_C(1) << (shift - 1)));
+        difference[i] = luminaire_minus(ray->direction[i], lowered) >> shift;
     }
     versine = UINT32_C(0xffffffff);
     if (luminaire_size(difference) >> 15 == 0) {
@@ -452,7 +452,7 @@ static inline uint32_t luminaire_fine_rise(
     uint32_t versine = UINT32_C(0xffffffff), past, fallen;
     int32_t difference[3];
     int i;
-    for (i = 0; i < 3; ++i) { difference[i] = luminaire_sub(ray->direction[i], axis[i]); }
+    for (i = 0; i < 3; ++i) { difference[i] = luminaire_minus(ray->direction[i], axis[i]); }
     if (luminaire_size(difference) >> (31 - ramp->zoom) == 0) {
         versine = luminaire_squared_length(difference, ramp->zoom);
     }
@@ -480,7 +480,7 @@ static inline luminaire_knot luminaire_knot_at(const luminaire_knot *knots, uint
     return knots[begin > 0 ? begin - 1 : 0];
 }
 
-/* Returns `-log2 x` with 32 fraction bits, for `x = significand / 2^31 / 2^octaves`. */
+/* Returns -log2 x with 32 fraction bits, for x = significand / 2^31 / 2^octaves. */
 static inline uint64_t luminaire_octaves_below_one(uint32_t significand, uint32_t octaves) {
     uint32_t segment = (significand >> 25) & 63;
     int64_t z = ((int64_t)((uint64_t)significand * luminaire_logarithms[segment][0] - (UINT64_C(1) << 62))) >> 30;
@@ -500,7 +500,7 @@ static inline int32_t luminaire_sixth(int32_t n) {
     return n < 0 ? -sixth : sixth;
 }
 
-/* Returns `2^-octaves` with 31 fraction bits. */
+/* Returns 2^-octaves with 31 fraction bits. */
 static inline uint64_t luminaire_power_of_two(uint64_t octaves) {
     uint64_t whole = octaves >> 32;
     uint32_t part = (uint32_t)octaves;
@@ -581,15 +581,15 @@ static inline uint32_t luminaire_fine_smooth(uint32_t x) {
 }
 
 static inline uint32_t luminaire_coarse_quadratic(uint32_t x, int32_t g) {
-    int32_t product = luminaire_mul((int32_t)luminaire_coarse_complement(x), g);
-    int32_t lift = luminaire_add(product, INT32_C(1) << 13) >> 14;
-    /* `1 + lift`, saturated. */
+    int32_t product = luminaire_times((int32_t)luminaire_coarse_complement(x), g);
+    int32_t lift = luminaire_plus(product, INT32_C(1) << 13) >> 14;
+    /* 1 + lift, saturated. */
     uint32_t factor = LUMINAIRE_COARSE_ONE + (uint32_t)lift;
     if (lift < 0 && luminaire_magnitude(lift) > LUMINAIRE_COARSE_ONE) { factor = 0; }
     return luminaire_coarse_capped(x * factor);
 }
 
-/* Returns `x (1 + (1 - x) slope)` for a slope with 28 fraction bits. */
+/* Returns x (1 + (1 - x) slope) for a slope with 28 fraction bits. */
 static inline uint32_t luminaire_fine_lifted(uint32_t x, int32_t slope) {
     uint32_t lift = luminaire_high_half(luminaire_fine_product(x, LUMINAIRE_FINE_ONE - x), luminaire_magnitude(slope));
     uint32_t lifted;
@@ -604,15 +604,15 @@ static inline uint32_t luminaire_fine_quadratic(uint32_t x, int32_t g) {
 }
 
 static inline uint32_t luminaire_coarse_cubic(uint32_t x, int32_t g, int32_t h) {
-    int32_t bend = luminaire_add(luminaire_mul((int32_t)x, h), INT32_C(1) << 14) >> 15;
-    return luminaire_coarse_quadratic(x, luminaire_add(g, bend));
+    int32_t bend = luminaire_plus(luminaire_times((int32_t)x, h), INT32_C(1) << 14) >> 15;
+    return luminaire_coarse_quadratic(x, luminaire_plus(g, bend));
 }
 
 static inline uint32_t luminaire_fine_cubic(uint32_t x, int32_t g, int32_t h) {
     int32_t slope = luminaire_shl(h, 14);
     int32_t bend = (int32_t)(luminaire_high_half(x, luminaire_magnitude(slope)) << 1);
-    if (slope < 0) { bend = luminaire_sub(0, bend); }
-    return luminaire_fine_lifted(x, luminaire_add(luminaire_shl(g, 14), bend));
+    if (slope < 0) { bend = luminaire_minus(0, bend); }
+    return luminaire_fine_lifted(x, luminaire_plus(luminaire_shl(g, 14), bend));
 }
 
 static inline uint32_t luminaire_coarse_real_power(
@@ -656,7 +656,7 @@ static inline uint32_t luminaire_coarse_along(uint32_t x, const luminaire_knot *
     uint32_t place = luminaire_coarse_complement(x) << 1;
     luminaire_knot knot = luminaire_knot_at(knots, count, place);
     int32_t beyond = (int32_t)(place - knot.place);
-    int32_t rise = luminaire_add(luminaire_mul(knot.slope, beyond), INT32_C(1) << 14) >> 15;
+    int32_t rise = luminaire_plus(luminaire_times(knot.slope, beyond), INT32_C(1) << 14) >> 15;
     int32_t value = knot.value + rise;
     return luminaire_coarse_value(value < 0 ? 0 : value > INT32_C(65535) ? INT32_C(65535) : value);
 }
@@ -678,11 +678,11 @@ static inline uint32_t luminaire_rounded(uint32_t share) { return (share + (UINT
 
 /* Returns a share of a gain as light. */
 static inline uint32_t luminaire_coarse_give(uint32_t share, luminaire_gain gain) {
-    return luminaire_light(share * (gain.mantissa >> 16), gain.shift - 16);
+    return luminaire_light_of(share * (gain.mantissa >> 16), gain.shift - 16);
 }
 
 static inline uint32_t luminaire_fine_give(uint32_t share, luminaire_gain gain) {
-    return luminaire_light(luminaire_high_half(share, gain.mantissa), gain.shift - 15);
+    return luminaire_light_of(luminaire_high_half(share, gain.mantissa), gain.shift - 15);
 }
 
 /* Returns a share of a gain by the inverse-square law. */
@@ -690,16 +690,16 @@ static inline uint32_t luminaire_coarse_inverse_square(
     const luminaire_coarse_ray *ray, uint32_t share, luminaire_gain gain
 ) {
     uint32_t mantissa = ((gain.mantissa >> 16) * ((ray->reciprocal * ray->reciprocal) >> 16)) >> 14;
-    return luminaire_light(share * mantissa, gain.shift - 16 + 2 * (int32_t)ray->bits - 32);
+    return luminaire_light_of(share * mantissa, gain.shift - 16 + 2 * (int32_t)ray->bits - 32);
 }
 
 static inline uint32_t luminaire_fine_inverse_square(
     const luminaire_fine_ray *ray, uint32_t share, luminaire_gain gain
 ) {
     uint32_t nearly = luminaire_high_product(luminaire_high_product(gain.mantissa, ray->estimate), ray->estimate);
-    int32_t excess = luminaire_sub(luminaire_mul(2, ray->excess), luminaire_mul(ray->excess, ray->excess) >> 26);
-    uint32_t here = nearly - (uint32_t)(luminaire_mul((int32_t)(nearly >> 17), excess) >> 9);
-    return luminaire_light(luminaire_high_half(share, here), gain.shift + 2 * ray->bits - 49);
+    int32_t excess = luminaire_minus(luminaire_times(2, ray->excess), luminaire_times(ray->excess, ray->excess) >> 26);
+    uint32_t here = nearly - (uint32_t)(luminaire_times((int32_t)(nearly >> 17), excess) >> 9);
+    return luminaire_light_of(luminaire_high_half(share, here), gain.shift + 2 * ray->bits - 49);
 }
 
 /* Returns the gain at a distance by one over a polynomial, at most 1 times the intensity. */
@@ -741,7 +741,7 @@ static inline uint32_t luminaire_fine_cut(uint32_t share, uint32_t squared) {
     return squared == LUMINAIRE_FINE_ONE ? 0 : share;
 }
 
-/* Returns a share times `1 - x^2`, glTF's window. */
+/* Returns a share times 1 - x^2, glTF's window. */
 static inline uint32_t luminaire_coarse_gltf_window(uint32_t share, uint32_t squared) {
     return luminaire_coarse_times(share, luminaire_coarse_rest(luminaire_coarse_times(squared, squared)));
 }
@@ -750,7 +750,7 @@ static inline uint32_t luminaire_fine_gltf_window(uint32_t share, uint32_t squar
     return luminaire_fine_times(share, luminaire_fine_rest(luminaire_fine_times(squared, squared)));
 }
 
-/* Returns a share times `(1 - x^2)^2`, Filament's window. */
+/* Returns a share times (1 - x^2)^2, Filament's window. */
 static inline uint32_t luminaire_coarse_square_window(uint32_t share, uint32_t squared) {
     uint32_t window = luminaire_coarse_rest(luminaire_coarse_times(squared, squared));
     return luminaire_coarse_times(share, luminaire_coarse_times(window, window));

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::name::printable;
+
 /// A light, a name or a language that cannot be exported.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ExportError {
@@ -14,8 +16,10 @@ pub struct ExportError {
 }
 
 impl ExportError {
-    pub(crate) fn new(parameter: &str, value: impl fmt::Display, expected: impl Into<String>) -> Self {
-        Self { parameter: parameter.to_owned(), value: value.to_string(), expected: expected.into() }
+    /// Refuses a value, whose unprintable characters are escaped.
+    pub fn new(parameter: &str, value: impl fmt::Display, expected: impl Into<String>) -> Self {
+        let value = printable(&value.to_string());
+        Self { parameter: parameter.to_owned(), value, expected: expected.into() }
     }
 }
 

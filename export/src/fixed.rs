@@ -13,6 +13,7 @@ use luminaire::{Fx16, Rgb};
 pub(crate) use self::attenuation::FixedAttenuation;
 use self::attenuation::{Law, Precision, gain_of};
 use crate::error::ExportError;
+use crate::name::global;
 use crate::trace::Trace;
 use crate::{head, models};
 
@@ -45,11 +46,11 @@ pub fn c_header() -> String {
     let logarithms = logarithms.iter().map(pair).collect::<Vec<_>>().join(",\n    ");
     let powers = rows(powers.iter().map(|power| format!("UINT32_C({power})")).collect());
     let tables = format!(
-        "/* `2^31 / sqrt(n)` at multiples of 2^25, lowered to the middle between chord and curve. */\n\
+        "/* 2^31 / sqrt(n) at multiples of 2^25, lowered to the middle between chord and curve. */\n\
          static const uint16_t luminaire_inverse_square_roots[129] = {{\n    {roots}\n}};\n\n\
-         /* `1 / c` with 31 fraction bits and `log2 c` with 32, for the middles of 64 parts of [1, 2). */\n\
+         /* 1 / c with 31 fraction bits and log2 c with 32, for the middles of 64 parts of [1, 2). */\n\
          static const uint32_t luminaire_logarithms[64][2] = {{\n    {logarithms}\n}};\n\n\
-         /* `2^-c` with 32 fraction bits, for the middles of 64 parts of [0, 1). */\n\
+         /* 2^-c with 32 fraction bits, for the middles of 64 parts of [0, 1). */\n\
          static const uint32_t luminaire_powers[64] = {{\n    {powers}\n}};\n"
     );
     HEADER.replace(TABLES, &tables)
@@ -95,8 +96,9 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
             if result.contains("ray,") || result.contains("(ray)") { "" } else { "    (void)ray;\n" };
         let _ = write!(
             text,
-            "\nstatic inline uint32_t {name}_{precision}_attenuated(const luminaire_{precision}_ray *ray, \
-             uint32_t share) {{\n{unused}    return {result};\n}}\n"
+            "\nstatic inline uint32_t {}(const luminaire_{precision}_ray *ray, \
+             uint32_t share) {{\n{unused}    return {result};\n}}\n",
+            global(name, &format!("{precision}_attenuated"))
         );
     }
     let _ = write!(text, "\n{}", LIGHT.replace(NAME, name));
@@ -112,7 +114,8 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
 fn constants(name: &str, color: Rgb<f32>, parts: &Parts<Fx16, AnyAttenuation>) -> String {
     let mut text = String::new();
     let mut define = |kind: &str, part: &str, value: String, doc: &str| {
-        let _ = writeln!(text, "/* {doc} */\nstatic const {kind} {name}_{part} = {value};");
+        let (part, size) = part.split_at(part.find('[').unwrap_or(part.len()));
+        let _ = writeln!(text, "/* {doc} */\nstatic const {kind} {}{size} = {value};", global(name, part));
     };
     let list = |values: Vec<String>| format!("{{ {} }}", values.join(", "));
     let position: [_; 3] = parts.position.into();

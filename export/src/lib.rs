@@ -11,7 +11,7 @@
 //! let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
 //! let key = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
 //! let shader = export(key, "key", Language::Glsl)?;
-//! assert!(shader.contains("float key_irradiance(vec3 point, vec3 normal) {"));
+//! assert!(shader.contains("float key_irradiance(highp vec3 point, highp vec3 normal) {"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -63,7 +63,7 @@
 //! slope]`: a line starts at `u = place / 65536` and rises by `slope / 32768` per unit of `place`.
 #![forbid(unsafe_code)]
 
-// Modules, lowest first: `error`, `language`, `trace`, `json`, `fixed`, `shader`, `models`, `rust`,
+// Modules, lowest first: `name`, `error`, `language`, `trace`, `json`, `fixed`, `shader`, `models`, `rust`,
 // `script`. The three before `models` take an attenuation from there, which is an object of their
 // traits.
 
@@ -72,6 +72,7 @@ mod fixed;
 mod json;
 mod language;
 mod models;
+mod name;
 mod rust;
 mod script;
 mod shader;
@@ -83,19 +84,21 @@ use luminaire::{Fx16, Fx32};
 pub use crate::error::ExportError;
 pub use crate::fixed::c_header;
 pub use crate::language::Language;
+pub use crate::name::{check_text, printable};
 use crate::shader::Syntax;
 
 /// Returns a light as source of a language.
 ///
-/// `name` begins the names of all constants and functions. Lights of different names can be in one
-/// program.
+/// `name` begins the names of the functions and constants for users, and `luminaire_` and `name` those
+/// of all others. Lights of different names can be in one file, also with `luminaire.h` of
+/// `luminaire-c`.
 ///
 /// # Errors
 /// A light that the number format of the language cannot hold, with the error of its `compile`. A
-/// name that is not an identifier in every language. A table with more than 1,024 entries in a
+/// name that is not an identifier in every language, or begins with `luminaire`. A table with more than 1,024 entries in a
 /// language with `float`. A directional light in [`Language::CFixed`].
 pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Result<String, ExportError> {
-    check(name)?;
+    name::check_identifier(name)?;
     let light = light.into();
     match language {
         Language::Json => json::export(&light, name),
@@ -110,33 +113,10 @@ pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Res
     }
 }
 
-/// Returns an error if a name is not an identifier in every language.
-fn check(name: &str) -> Result<(), ExportError> {
-    let is_word = |word: &str| {
-        !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit())
-    };
-    let begins = name.bytes().next().is_some_and(|byte| byte.is_ascii_lowercase());
-    if begins && name.split('_').all(is_word) && !name.starts_with("gl_") && !RUST.contains(&name) {
-        return Ok(());
-    }
-    let expected = "lower-case letters, digits and single underscores between them, beginning with a letter; \
-                    no keyword of Rust and not `gl_`";
-    Err(ExportError::new("name", name, expected))
-}
-
-/// The keywords of Rust, which cannot name a module.
-const RUST: [&str; 49] = [
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
-    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
-    "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static",
-    "struct", "super", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual",
-    "while",
-];
-
 /// Returns the lines of the comment that begins a file.
 fn head(light: &AnyLight, name: &str) -> Vec<String> {
     let version = env!("CARGO_PKG_VERSION");
-    let mut lines = vec![format!("The light `{name}`, written by luminaire-export {version}: do not edit.")];
+    let mut lines = vec![format!("The light {name}, written by luminaire-export {version}: do not edit.")];
     if let AnyLight::Spot(spot) = light {
         let cone = spot.cone();
         let [beam, field, outer] = [cone.beam(), cone.field(), cone.outer()].map(|angle| angle.to_degrees());

@@ -50,8 +50,8 @@ pub fn {name}() -> Result<{kind}, Error> {{
 }}
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {{
-    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("{name}.rs");
     let light = {name}()?.compile::<Fx16>(){checked};
+    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("{name}.rs");
     Ok(std::fs::write(file, as_source(&light).to_string())?)
 }}
 "#,

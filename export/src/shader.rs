@@ -20,7 +20,7 @@ pub(crate) fn export(light: &AnyLight, name: &str, syntax: Syntax) -> Result<Str
     let text = syntax.program(names, &light::program(names, light)?);
     let mut head = head(light, name);
     if syntax == Syntax::Glsl {
-        head.push("GLSL ES 3.00, after `precision highp float;`.".to_owned());
+        head.push("GLSL ES 3.00, GLSL 1.30 and later, and without a table GLSL ES 1.00.".to_owned());
     }
     Ok(match syntax {
         Syntax::Glsl | Syntax::Wgsl => {

@@ -7,8 +7,9 @@ use std::fs;
 use std::path::Path;
 
 use fastrand::Rng;
+use luminaire::attenuation::SmoothRange;
 use luminaire::dynamic::AnyLight;
-use luminaire::{Fx16, Length, Vec3};
+use luminaire::{Angle, Cone, Fx16, Length, SpotLight, Vec3};
 use luminaire_export::{Language, c_header, export};
 
 use support::compiler::{compile, run};
@@ -168,6 +169,44 @@ fn conformance_vectors_have_their_bits() {
     assert!(vectors.len() > 500, "{} vectors", vectors.len());
     // Each vector is a light of its own: an optimising compiler would take a minute.
     compare(&lights, &places, &expected, &[("cc", "-std=c99 -O0")]);
+}
+
+/// Names that begin with another's, or that are words of the code or of the library: all in one file,
+/// as integers and as floats, after the header of the static library.
+#[test]
+fn lights_of_any_names_share_a_file_with_the_library() {
+    const NAMES: [&str; 12] = [
+        "key",
+        "key_near",
+        "key_fine",
+        "key_squared",
+        "key_color",
+        "key_irradiance",
+        "key_is",
+        "is",
+        "coarse",
+        "coarse_smooth",
+        "spot",
+        "light",
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("luminaire_fx16.h"), c_header()).expect("a folder");
+    let cone = Cone::soft(Angle::degrees(40.0)).expect("a cone");
+    let light = SpotLight::new([0.0, 3.0, 0.0], [0.0, -1.0, 0.0], cone).expect("a light");
+    let light = light.with_attenuation(SmoothRange::new(9.0).expect("a range"));
+    let file = folder.path().join("all.c");
+    for turn in 0..2 {
+        let mut text = include_str!("../../capi/include/luminaire.h").to_owned();
+        for (index, name) in NAMES.iter().enumerate() {
+            let language = [Language::CFixed, Language::CFloat][(index + turn) % 2];
+            text += &export(light, name, language).expect("a light");
+        }
+        fs::write(&file, text).expect("a folder");
+        for (compiler, standard) in [("cc", "c99"), ("c++", "c++11")] {
+            let flags = format!("-std={standard} -Wno-unused-variable -c");
+            compile(compiler, &flags, &file, &folder.path().join("all.o"));
+        }
+    }
 }
 
 /// The smallest processors that are supported compile all models without a warning, without floats

@@ -8,7 +8,7 @@ use luminaire::codegen::as_source;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Cubic, Falloff, Formula, InvertedRealPower, Table};
 use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3};
-use luminaire_export::{Language, export};
+use luminaire_export::{Language, c_header, check_text, export};
 use luminaire_oracle::{DVec3, versine_between};
 use serde_json::Value;
 
@@ -257,7 +257,9 @@ fn what_cannot_be_exported_is_named() {
     let told = |light: AnyLight, name: &str, language| {
         export(light, name, language).expect_err("a refusal").to_string()
     };
-    for name in ["", "Key", "1st", "a__b", "a_", "gl_light", "fn", "a b", "é"] {
+    for name in
+        ["", "Key", "1st", "a__b", "a_", "gl_light", "fn", "main", "luminaire", "luminaire_is", "a b", "é"]
+    {
         let told = told(light.into(), name, Language::Glsl);
         assert!(told.starts_with(&format!("name = {name}: expected lower-case letters")), "{told}");
     }
@@ -275,10 +277,27 @@ fn what_cannot_be_exported_is_named() {
 }
 
 #[test]
+fn names_never_become_source_or_steer_a_terminal() {
+    let light = PointLight::new([0.0; 3]).expect("a light");
+    for hostile in ["a\nb", "a*/b", "a`b", "a\"b", "a\u{202e}b", "a\u{2066}b", "a\u{1b}[2Jb", "a\u{2028}b"] {
+        for &language in Language::ALL {
+            let told = export(light, hostile, language).expect_err("a refusal").to_string();
+            assert!(
+                !told.contains(|c: char| c.is_control() || "\u{202e}\u{2066}\u{2028}".contains(c)),
+                "{told:?}"
+            );
+        }
+        assert!(check_text("name", hostile).is_err(), "{hostile:?}");
+    }
+    assert!(check_text("name", "Fresnel 2 (left): Bühne, 36.5").is_ok());
+}
+
+#[test]
 fn every_language_has_a_name() {
     for &language in Language::ALL {
         assert_eq!(language.to_string().parse(), Ok(language));
     }
+    assert!(!c_header().contains('`'));
     let told = "pascal".parse::<Language>().expect_err("a refusal").to_string();
     assert!(told.starts_with("language = pascal: expected one of json, glsl, wgsl"), "{told}");
     let axis = Vec3::new(0.0, -1.0, 0.0);
@@ -287,5 +306,7 @@ fn every_language_has_a_name() {
     for &language in Language::ALL {
         let text = export(light, "key", language).expect("a light");
         assert!(text.contains("key") && text.ends_with('\n'), "{language}");
+        // A shader is pasted into the string of a script, which a backtick would end.
+        assert!(!text.contains('`'), "{text}");
     }
 }

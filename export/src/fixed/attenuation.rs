@@ -10,6 +10,8 @@ use luminaire::attenuation::{
 };
 use luminaire::codegen::Gain16;
 
+use crate::name::global;
+
 /// Which of the two evaluations of the format: `coarse` or `fine`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Precision(pub(super) &'static str);
@@ -26,9 +28,14 @@ pub(crate) struct Law<'a> {
 }
 
 impl Law<'_> {
+    /// Returns the name of the gain of the intensity.
+    fn intensity(&self) -> String {
+        global(self.name, "intensity")
+    }
+
     /// Defines a gain, and returns its name.
     fn gain(&mut self, part: &str, gain: Gain16) -> String {
-        let name = format!("{}_{part}", self.name);
+        let name = global(self.name, part);
         self.constants.push(format!("static const luminaire_gain {name} = {};", gain_of(gain)));
         name
     }
@@ -50,26 +57,27 @@ pub(crate) trait FixedAttenuation {
 
 impl FixedAttenuation for NoAttenuation {
     fn attenuate(&self, law: &mut Law<'_>, share: String) {
-        let (Precision(precision), name) = (law.precision, law.name);
-        law.result = format!("luminaire_{precision}_give({share}, {name}_intensity)");
+        let (Precision(precision), intensity) = (law.precision, law.intensity());
+        law.result = format!("luminaire_{precision}_give({share}, {intensity})");
     }
 }
 
 impl FixedAttenuation for InverseSquare {
     fn attenuate(&self, law: &mut Law<'_>, share: String) {
-        let (Precision(precision), name) = (law.precision, law.name);
-        law.result = format!("luminaire_{precision}_inverse_square(ray, {share}, {name}_intensity)");
+        let (Precision(precision), intensity) = (law.precision, law.intensity());
+        law.result = format!("luminaire_{precision}_inverse_square(ray, {share}, {intensity})");
     }
 }
 
 impl FixedAttenuation for Polynomial {
     fn attenuate(&self, law: &mut Law<'_>, share: String) {
-        let (Precision(precision), name) = (law.precision, law.name);
+        let (Precision(precision), intensity) = (law.precision, law.intensity());
+        let divisor = global(law.name, "divisor");
         let gains = Attenuation::constants::<Fx16>(*self).map(gain_of).join(", ");
-        law.constants.push(format!("static const luminaire_gain {name}_divisor[3] = {{ {gains} }};"));
+        law.constants.push(format!("static const luminaire_gain {divisor}[3] = {{ {gains} }};"));
         law.result = format!(
             "luminaire_{precision}_give({share}, luminaire_polynomial(luminaire_{precision}_distance(ray), \
-             {name}_divisor, {name}_intensity))"
+             {divisor}, {intensity}))"
         );
     }
 }
@@ -78,11 +86,11 @@ impl FixedAttenuation for SmoothRange {
     fn attenuate(&self, law: &mut Law<'_>, share: String) {
         let [near, squared] = Attenuation::constants::<Fx16>(*self);
         let (near, squared) = (law.gain("range", near), law.gain("squared_range", squared));
-        let (Precision(precision), name) = (law.precision, law.name);
+        let (Precision(precision), intensity) = (law.precision, law.intensity());
         law.result = format!(
             "luminaire_{precision}_give(luminaire_{precision}_smooth_range({share}, \
              luminaire_{precision}_near(ray, {near}), luminaire_{precision}_squared_near(ray, {squared})), \
-             {name}_intensity)"
+             {intensity})"
         );
     }
 }

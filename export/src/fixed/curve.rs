@@ -5,6 +5,7 @@ use std::fmt::Write;
 use luminaire::Fx16;
 
 use super::attenuation::Precision;
+use crate::name::global;
 use crate::trace::{Operation, Trace};
 
 /// Returns the function of a falloff's argument in one of the two evaluations.
@@ -29,7 +30,8 @@ pub(super) fn curve(name: &str, trace: &Trace<Fx16>, precision: Precision) -> St
         None => result.clone(),
     };
     format!(
-        "static inline uint32_t {name}_{precision}_curve(uint32_t t) {{\n{body}    return {result};\n}}\n"
+        "static inline uint32_t {}(uint32_t t) {{\n{body}    return {result};\n}}\n",
+        global(name, &format!("{precision}_curve"))
     )
 }
 
@@ -60,10 +62,10 @@ fn expression(name: &str, operation: &Operation<Fx16>, precision: &str, results:
             call("cubic", &[of(x), &g.to_bits().to_string(), &h.to_bits().to_string()])
         }
         Operation::Sample(x, ref samples) => {
-            call("sample", &[of(x), &format!("{name}_table"), &samples.len().to_string()])
+            call("sample", &[of(x), &global(name, "table"), &samples.len().to_string()])
         }
         Operation::Along(x, ref knots) => {
-            call("along", &[of(x), &format!("{name}_table"), &knots.len().to_string()])
+            call("along", &[of(x), &global(name, "table"), &knots.len().to_string()])
         }
     }
 }
@@ -83,7 +85,8 @@ pub(super) fn table(name: &str, trace: &Trace<Fx16>) -> String {
         };
         let values: Vec<String> = values;
         return format!(
-            "static const {kind} {name}_table[{}] = {{\n    {}\n}};\n",
+            "static const {kind} {}[{}] = {{\n    {}\n}};\n",
+            global(name, "table"),
             values.len(),
             rows(values)
         );

@@ -12,16 +12,17 @@ use super::expression::{
 use super::falloff;
 use crate::error::ExportError;
 use crate::models;
+use crate::name::global;
 use crate::trace::Trace;
 
-/// The names of a light's constants and functions, which begin with the name of the light.
+/// The names of a light's constants and functions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Names<'a>(pub(crate) &'a str);
 
 impl Names<'_> {
     /// Returns a name.
     pub(crate) fn of(&self, part: &str) -> String {
-        format!("{}_{part}", self.0)
+        global(self.0, part)
     }
 
     fn constant(&self, part: &str, doc: &'static str, value: Value) -> Constant {

@@ -44,14 +44,14 @@ impl Syntax {
         let comment = if self == Self::C { format!("/* {doc} */") } else { format!("// {doc}") };
         let _ = match (self, value) {
             (Self::Glsl, Value::Number(x)) => {
-                writeln!(out, "const float {name} = {}; {comment}", self.literal(*x))
+                writeln!(out, "const highp float {name} = {}; {comment}", self.literal(*x))
             }
             (Self::Glsl, Value::Vector(v)) => {
-                writeln!(out, "const vec3 {name} = vec3({}); {comment}", list(v))
+                writeln!(out, "const highp vec3 {name} = vec3({}); {comment}", list(v))
             }
             (Self::Glsl, Value::Table(table)) => {
                 let n = table.len();
-                writeln!(out, "const float {name}[{n}] = float[{n}]( {comment}\n    {});", list(table))
+                writeln!(out, "const highp float {name}[{n}] = float[{n}]( {comment}\n    {});", list(table))
             }
             (Self::Wgsl, Value::Number(x)) => {
                 writeln!(out, "const {name}: f32 = {}; {comment}", self.literal(*x))
@@ -85,8 +85,8 @@ impl Syntax {
         let Function { doc, name, parameters, body, result } = function;
         let writer = Writer { syntax: self, names };
         let parameters = parameters.iter().map(|&(kind, name)| match (self, kind) {
-            (Self::Glsl, Type::Number) => format!("float {name}"),
-            (Self::Glsl, Type::Vector) => format!("vec3 {name}"),
+            (Self::Glsl, Type::Number) => format!("highp float {name}"),
+            (Self::Glsl, Type::Vector) => format!("highp vec3 {name}"),
             (Self::Wgsl, Type::Number) => format!("{name}: f32"),
             (Self::Wgsl, Type::Vector) => format!("{name}: vec3<f32>"),
             (Self::C, Type::Number) => format!("float {name}"),
@@ -94,7 +94,7 @@ impl Syntax {
         });
         let parameters = parameters.collect::<Vec<_>>().join(", ");
         let (comment, head) = match self {
-            Self::Glsl => (format!("// {doc}"), format!("float {name}({parameters})")),
+            Self::Glsl => (format!("// {doc}"), format!("highp float {name}({parameters})")),
             Self::Wgsl => (format!("// {doc}"), format!("fn {name}({parameters}) -> f32")),
             Self::C => (format!("/* {doc} */"), format!("static inline float {name}({parameters})")),
         };
@@ -149,13 +149,13 @@ impl Writer<'_> {
             Statement::Let(Type::Number, name, value) => {
                 let value = self.outer(value);
                 match syntax {
-                    Syntax::Glsl => format!("    float {name} = {value};\n"),
+                    Syntax::Glsl => format!("    highp float {name} = {value};\n"),
                     Syntax::Wgsl => format!("    let {name} = {value};\n"),
                     Syntax::C => format!("    const float {name} = {value};\n"),
                 }
             }
             Statement::Let(Type::Vector, name, value) => match syntax {
-                Syntax::Glsl => format!("    vec3 {name} = {};\n", self.outer(value)),
+                Syntax::Glsl => format!("    highp vec3 {name} = {};\n", self.outer(value)),
                 Syntax::Wgsl => format!("    let {name} = {};\n", self.outer(value)),
                 Syntax::C => {
                     let [x, y, z] = [0, 1, 2].map(|axis| self.component(value, axis));
@@ -165,7 +165,7 @@ impl Writer<'_> {
             Statement::Index(name, value) => {
                 let value = self.outer(value);
                 match syntax {
-                    Syntax::Glsl => format!("    int {name} = int({value});\n"),
+                    Syntax::Glsl => format!("    highp int {name} = int({value});\n"),
                     Syntax::Wgsl => format!("    let {name} = u32({value});\n"),
                     Syntax::C => format!("    const int {name} = (int)({value});\n"),
                 }
@@ -173,7 +173,8 @@ impl Writer<'_> {
             Statement::Find(name, (table, length), value) => {
                 let value = self.outer(value);
                 let (index, next) = match syntax {
-                    Syntax::Glsl | Syntax::C => (format!("int {name} = 0"), "int k = 1; k < "),
+                    Syntax::Glsl => (format!("highp int {name} = 0"), "highp int k = 1; k < "),
+                    Syntax::C => (format!("int {name} = 0"), "int k = 1; k < "),
                     Syntax::Wgsl => (format!("var {name} = 0u"), "var k = 1u; k < "),
                 };
                 let unit = if syntax == Syntax::Wgsl { "u" } else { "" };

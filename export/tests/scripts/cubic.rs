@@ -1,4 +1,4 @@
-// The light `cubic`, written by luminaire-export 0.1.0.
+// The light cubic, written by luminaire-export 0.1.0.
 // A spotlight: falloff cubic, full angles in degrees: beam 18.61, field 37.93, outer 40.00.
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 
@@ -18,7 +18,7 @@ pub fn cubic() -> Result<SpotLight<Cubic, FilamentRange>, Error> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("cubic.rs");
     let light = cubic()?.compile::<Fx16>()?;
+    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("cubic.rs");
     Ok(std::fs::write(file, as_source(&light).to_string())?)
 }

@@ -1,4 +1,4 @@
-// The light `point`, written by luminaire-export 0.1.0.
+// The light point, written by luminaire-export 0.1.0.
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 
 // build.rs, with luminaire among the build-dependencies. The constant in the program is
@@ -16,7 +16,7 @@ pub fn point() -> Result<PointLight<SmoothRange>, Error> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("point.rs");
     let light = point()?.compile::<Fx16>()?;
+    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("point.rs");
     Ok(std::fs::write(file, as_source(&light).to_string())?)
 }

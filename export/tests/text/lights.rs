@@ -1,4 +1,4 @@
-// The light `cubic`, written by luminaire-export 0.1.0: do not edit.
+// The light cubic, written by luminaire-export 0.1.0: do not edit.
 // A spotlight: falloff cubic, full angles in degrees: beam 17.51, field 37.86, outer 40.00.
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 
@@ -35,7 +35,7 @@ CompiledSpotLight::<Fx16, _, Ranged<SquareWindow, InverseSquare>>::from_parts(
 )
 };
 }
-// The light `table`, written by luminaire-export 0.1.0: do not edit.
+// The light table, written by luminaire-export 0.1.0: do not edit.
 // A spotlight: falloff table, full angles in degrees: beam 30.67, field 38.31, outer 40.00.
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 
@@ -66,7 +66,7 @@ CompiledSpotLight::<f32, _, InverseSquare>::from_parts(
 )
 };
 }
-// The light `real`, written by luminaire-export 0.1.0: do not edit.
+// The light real, written by luminaire-export 0.1.0: do not edit.
 // A spotlight: falloff inverted-real-power, full angles in degrees: beam 31.69, field 38.61, outer 40.00.
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 
@@ -104,7 +104,7 @@ CompiledSpotLight::<Fx16, _, Ranged<Cut, Polynomial>>::from_parts(
 )
 };
 }
-// The light `point`, written by luminaire-export 0.1.0: do not edit.
+// The light point, written by luminaire-export 0.1.0: do not edit.
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 
 pub mod point {
@@ -130,7 +130,7 @@ CompiledPointLight::<Fx32, SmoothRange>::from_parts(
 )
 };
 }
-// The light `sun`, written by luminaire-export 0.1.0: do not edit.
+// The light sun, written by luminaire-export 0.1.0: do not edit.
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 
 pub mod sun {

@@ -143,8 +143,8 @@ fn shader(spot: &Spot, language: Language) -> Result<String> {
     let light = export(*spot, "light", language)?;
     if language == Language::Glsl {
         return Ok(format!(
-            "#version 300 es\nprecision highp float;\nprecision highp sampler2D;\n\
-             uniform sampler2D places;\nout uvec4 words;\n{light}\n\
+            "#version 300 es\n{light}\nprecision highp float;\nprecision highp sampler2D;\n\
+             uniform sampler2D places;\nout uvec4 words;\n\
              void main() {{\n    \
              vec3 point = texelFetch(places, ivec2(gl_FragCoord.x, 0), 0).xyz;\n    \
              vec3 normal = texelFetch(places, ivec2(gl_FragCoord.x, 1), 0).xyz;\n    \
