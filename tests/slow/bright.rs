@@ -37,6 +37,7 @@ struct Errors {
 
 impl Errors {
     fn add(&mut self, found: f64, exact: f64, direction: f64) {
+        assert!(!found.is_nan());
         let error = 255.0 * (found.min(1.0) - exact.min(1.0)).abs();
         self.total = self.total.max(error);
         self.rounding = self.rounding.max(error - 255.0 * direction);

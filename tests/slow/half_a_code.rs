@@ -282,7 +282,7 @@ impl Worst {
         for _ in 0..16 {
             let scene = domain.scene(rng, angles.limit);
             let Some(light) = beam.light(&scene) else { continue };
-            let error = light.error(scene.point);
+            let error = oracle::counted(light.error(scene.point));
             if best.is_none_or(|best| error > best.error) {
                 best = Some(climb::Worst { input: (scene, light), error });
             }

@@ -187,9 +187,12 @@ fn largest<A: Attenuation + Sync>(half: f32, model: A, attenuation: oracle::Atte
             let sine = (1.0 - along * along).max(0.0).sqrt().max(angle.sin());
             let seen = across * nearest * oracle.spot.attenuation.at(nearest) / sine;
             let truth = oracle.in_scattering(&ray);
-            let error = (f64::from(beam.in_scattering(&view)) - truth).abs() / truth.max(seen);
+            let error = (f64::from(beam.in_scattering(&view)) - truth).abs();
             // Where there is no light there is no error either.
-            if error.is_nan() { 0.0 } else { error / (1.0 + distance / height.max(body)) }
+            if error == 0.0 {
+                return 0.0;
+            }
+            oracle::counted(error / truth.max(seen) / (1.0 + distance / height.max(body)))
         });
         let error = errors.fold(0.0, f64::max);
         let mut largest = largest.lock().expect("no other processor has failed");

@@ -42,7 +42,10 @@ fn errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2
             let ideal = exact.falloff(2.0 * (off_axis / 2.0).sin().powi(2));
             let found = compiled.falloff(sweep::single(point).map(S::length));
             let code = f64::from(encode_srgb(found)) - oracle::srgb_code(ideal);
-            worst = [worst[0].max(255.0 * (found.exact() - ideal).abs()), worst[1].max(code.abs())];
+            worst = [
+                worst[0].max(oracle::counted(255.0 * (found.exact() - ideal).abs())),
+                worst[1].max(code.abs()),
+            ];
         }
     }
     worst

@@ -87,7 +87,7 @@ impl<S: Format> Beam<S> {
         let attenuated = f64::from(INTENSITY) / (distance * distance);
         let falling = S::exact_light(self.falling.irradiance(point, normal)) - share * attenuated;
         let falling = if attenuated <= 1.0 { falling.abs() } else { 0.0 };
-        level.max(falling) / self.bound
+        oracle::counted(level).max(oracle::counted(falling)) / self.bound
     }
 }
 

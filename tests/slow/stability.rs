@@ -238,7 +238,9 @@ impl<A: Attenuation> Kind<A> {
                 let cosine = -to.dot(S::exact_normal(normals[i])) / distance;
                 let share = exact.falloff(oracle::versine_between(to, axis)) * cosine.max(0.0);
                 let truth = (f64::from(scene.intensity) * (self.gain)(distance) * share).min(1.0);
-                let found = S::exact_light(spot.irradiance(point, normals[i])).min(1.0);
+                let found = S::exact_light(spot.irradiance(point, normals[i]));
+                assert!(!found.is_nan());
+                let found = found.min(1.0);
                 let trend = trend.get_or_insert(Trend::new(found, truth));
                 worst = worst.max(trend.reversal(found, truth));
             }

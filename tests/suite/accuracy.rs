@@ -9,6 +9,7 @@ use support::with_every_shape;
 use support::{
     bounds::{self, REFUSE},
     format::Format,
+    oracle::counted,
     profiles::Shape,
     sweep::{self, HALF_ANGLES},
 };
@@ -37,6 +38,7 @@ fn falloff_error<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
             (falloff.at(versine).exact() - exact.falloff(stored)).abs() / f64::from(S::STEP)
         })
     })
+    .map(counted)
     .fold(0.0, f64::max)
 }
 
@@ -71,8 +73,8 @@ fn spot_errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f
             let spot = (compiled.falloff(site.point).exact() - exact.falloff(point)).abs();
             let lit = S::exact_light(compiled.irradiance(site.point, site.normal))
                 - exact.irradiance(point, normal);
-            worst_spot = worst_spot.max(spot);
-            worst_lit = worst_lit.max(lit.abs() / full_scale);
+            worst_spot = worst_spot.max(counted(spot));
+            worst_lit = worst_lit.max(counted(lit.abs() / full_scale));
         }
     }
     [worst_spot, worst_lit]

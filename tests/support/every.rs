@@ -1,6 +1,7 @@
 //! Visits the inputs of a domain, in chunks on all processors: every input if `LUMINAIRE_FULL` is
 //! set, else one in [`STRIDE`].
 
+use super::oracle;
 use std::ops::RangeInclusive;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -43,9 +44,7 @@ impl Seen {
     #[inline(always)]
     fn see(&mut self, before: f64, found: f64, exact: &[f64]) {
         for exact in exact {
-            let error = (found - exact).abs();
-            // A NaN difference counts as infinite.
-            let error = if error.is_nan() { f64::INFINITY } else { error };
+            let error = oracle::counted((found - exact).abs());
             if error > self.error {
                 self.error = error;
             }

@@ -4,6 +4,8 @@ use std::vec::Vec;
 
 use fastrand::Rng;
 
+use crate::counted;
+
 /// A search by climbing. It is generic over the input: `f32`, an array, a light with a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Search {
@@ -41,7 +43,7 @@ impl Search {
         error: impl Fn(T) -> f64,
     ) -> Option<Worst<T>> {
         let mut rng = Rng::with_seed(self.seed);
-        let start = |input| Worst { input, error: error(input) };
+        let start = |input| Worst { input, error: counted(error(input)) };
         let mut starts: Vec<_> = (0..self.starts).map(|_| start(somewhere(&mut rng))).collect();
         starts.sort_by(|a, b| b.error.total_cmp(&a.error));
         let worst = starts.into_iter().take(self.climbs);
@@ -60,9 +62,10 @@ pub fn climb<T: Copy>(
     moved: impl Fn(&mut Rng, T) -> T,
     error: impl Fn(T) -> f64,
 ) -> Worst<T> {
+    worst.error = counted(worst.error);
     for _ in 0..steps {
         let input = moved(rng, worst.input);
-        let error = error(input);
+        let error = counted(error(input));
         if error >= worst.error {
             worst = Worst { input, error };
         }
@@ -116,6 +119,14 @@ mod tests {
             let found = search.worst(somewhere, |rng, c| ulp_step(rng)(c), |c| 1.0 / (1e-9 + distance(c)));
             assert_eq!(found.map(|found| found.input.to_bits()), Some(planted.to_bits()), "{planted}");
         }
+    }
+
+    #[test]
+    fn climb_counts_nan_as_an_infinite_error() {
+        let search = Search { starts: 4, climbs: 1, steps: 100, seed: 1 };
+        let error = |x: f32| if x > 3.0 { f64::NAN } else { 1.0 };
+        let found = search.worst(|_| 1.0, |rng, x| x + rng.f32(), error).map(|found| found.error);
+        assert_eq!(found, Some(f64::INFINITY));
     }
 
     #[test]

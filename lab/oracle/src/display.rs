@@ -16,7 +16,11 @@ pub fn srgb_linear(code: f64) -> f64 {
 /// The error of a light in linear codes: 1 is 1/255 of full scale, or of the light itself where that
 /// is more. NaN counts as an infinite error.
 pub fn linear_codes(found: f64, exact: f64) -> f64 {
-    let error = 255.0 * (found - exact).abs() / exact.max(1.0);
+    counted(255.0 * (found - exact).abs() / exact.max(1.0))
+}
+
+/// Returns an error for a maximum, which would ignore NaN: NaN is an infinite error.
+pub fn counted(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 

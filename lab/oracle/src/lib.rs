@@ -59,7 +59,7 @@ pub mod sweep;
 pub mod vector;
 
 pub use attenuation::Attenuation;
-pub use display::{linear_codes, srgb_code, srgb_linear};
+pub use display::{counted, linear_codes, srgb_code, srgb_linear};
 pub use falloff::*;
 pub use glam::DVec3;
 pub use light::SpotLight;

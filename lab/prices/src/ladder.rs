@@ -3,7 +3,7 @@
 use luminaire_kernels::scene::Site;
 use luminaire_kernels::truth::Point;
 use luminaire_kernels::{Kernel, Row, Setting, Shape, Value, Visitor, rungs};
-use luminaire_oracle::{Cone, linear_codes, srgb_code};
+use luminaire_oracle::{Cone, counted, linear_codes, srgb_code};
 use serde::Serialize;
 
 use crate::accuracy::four_digits;
@@ -69,7 +69,7 @@ impl Visitor for Search {
             let lights = [kernel.evaluate(&kernel.input(&site)).exact(), truth.at(&site)];
             let [found, exact] = lights.map(|light| light.clamp(0.0, 1.0));
             largest.codes = largest.codes.max(linear_codes(found, exact));
-            largest.rgb888 = largest.rgb888.max((srgb_code(found) - srgb_code(exact)).abs());
+            largest.rgb888 = largest.rgb888.max(counted((srgb_code(found) - srgb_code(exact)).abs()));
         }
         largest.rgb565 = largest.rgb888 * 63.0 / 255.0;
         self.note(row, Some(largest));
