@@ -2,6 +2,7 @@
 
 use luminaire::falloff::{Cubic, Falloff, FittedFalloff, Formula, Hard, Quadratic, Soft};
 use luminaire::{Angle, Cone, Error, Rgb, SpotLight, Vec3};
+use luminaire_export::check_text;
 use luminaire_oracle as oracle;
 use serde::{Deserialize, Serialize};
 
@@ -36,7 +37,7 @@ named! {
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Light {
-    /// The name in texts.
+    /// The name in texts and in the comment of the code: what [`check_text`] accepts.
     pub name: String,
     /// The position, in the unit of the distances. Each coordinate is rounded to a multiple of
     /// 2^-16.
@@ -222,6 +223,7 @@ impl Light {
 
     /// Returns an error if a parameter of the light is invalid.
     pub(crate) fn check(&self) -> Result<(), Refusal> {
+        check_text("name", &self.name)?;
         let distances = self.near > 0.0 && self.far >= self.near && self.far.is_finite();
         if !distances {
             return Err(Refusal::parameter(
@@ -230,8 +232,29 @@ impl Light {
                 "more than 0, the near one first".to_owned(),
             ));
         }
+        self.check_grid()?;
         let cone = self.cone()?;
         shaped!(cone, cone => self.spot(cone, self.axis).map(|_| ()))?;
         Ok(())
+    }
+
+    /// Returns an error if the coordinates of the nearest points have steps of more than a 16th of
+    /// their distance. Their steps are 2^-16, or those of `f32` where these are larger.
+    fn check_grid(&self) -> Result<(), Refusal> {
+        const LEAST: f32 = 16.0 / 65_536.0;
+        if self.near < LEAST {
+            let expected = format!("at least {LEAST}: points have steps of 2^-16; use a smaller unit");
+            return Err(Refusal::parameter("near", self.near.to_string(), expected));
+        }
+        // The power of two at or below `near`: a 16th of it times the 24 bits of `f32`.
+        let limit = f32::from_bits(self.near.to_bits() & 0x7f80_0000) * 1_048_576.0 - self.near;
+        match self.position.into_iter().find(|c| c.abs() > limit) {
+            None => Ok(()),
+            Some(c) => Err(Refusal::parameter(
+                "position",
+                c.to_string(),
+                format!("coordinates of at most {limit}, or a larger near distance: f32 is too coarse there"),
+            )),
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use luminaire_export::ExportError;
 use serde::Serialize;
 
 use crate::evaluation::Evaluation;
@@ -191,6 +192,12 @@ impl From<luminaire::Error> for Refusal {
         let (value, expected) = text.split_once(": expected ").unwrap_or((&text, ""));
         let value = value.split_once(" = ").map_or(value, |(_, value)| value);
         Self::parameter(&error.parameter.to_string(), value.to_owned(), expected.to_owned())
+    }
+}
+
+impl From<ExportError> for Refusal {
+    fn from(ExportError { parameter, value, expected }: ExportError) -> Self {
+        Self { parameter, value, expected }
     }
 }
 

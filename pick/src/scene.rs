@@ -106,11 +106,12 @@ impl Request {
             let fx16 = offers.iter().find(|offer| offer.evaluation == Evaluation::Fx16);
             fx16.map(|offer| offer.price.instructions)
         });
-        let instructions_fx16 = fx16.sum();
+        // Without lights a sum is -0.
+        let instructions_fx16 = fx16.sum::<Option<f64>>().map(|sum| 0.0 + sum);
         let instructions = choice.instructions;
         let lights: Vec<_> =
             offers.iter().zip(&choice.offers).map(|(offers, &number)| offers[number].clone()).collect();
-        let sum = lights.iter().map(|answer| answer.bound.value).sum();
+        let sum = 0.0 + lights.iter().map(|answer| answer.bound.value).sum::<f64>();
         let budget =
             Budget { lights: sum, materials: choice.error - sum, total: choice.error, display_rounding: 0.5 };
         Ok(SceneAnswer { lights, budget, instructions, instructions_fx16 })

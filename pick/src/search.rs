@@ -22,7 +22,7 @@ pub const MARGIN: f64 = 2.0;
 /// A bound of an error, and how the bound was found.
 ///
 /// The bound holds for every axis of the light, and for every surface within the distances of the
-/// light. The coordinates of points are multiples of 2^-16, which every format can represent.
+/// light. The coordinates of points are multiples of 2^-16 that `f32` represents, as every format does.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct Bound {
     /// The bound, in the unit of the tolerance.

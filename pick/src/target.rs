@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use luminaire_oracle::{linear_codes, srgb_code};
+use luminaire_oracle::{counted, linear_codes, srgb_code};
 use serde::{Deserialize, Serialize};
 
 /// Declares an enum whose variants have names in texts and in JSON.
@@ -103,7 +103,7 @@ impl Tolerance {
     pub(crate) fn error(self, display: Display, found: f64, exact: f64) -> f64 {
         let [found, exact] = [found, exact].map(|light| light.clamp(0.0, 1.0));
         match self {
-            Self::Steps(_) => (srgb_code(found) - srgb_code(exact)).abs() * display.steps() / 255.0,
+            Self::Steps(_) => counted((srgb_code(found) - srgb_code(exact)).abs() * display.steps() / 255.0),
             Self::Codes(_) => linear_codes(found, exact),
         }
     }
@@ -122,6 +122,20 @@ impl fmt::Display for Tolerance {
         match self {
             Self::Steps(amount) => write!(f, "{amount} steps"),
             Self::Codes(amount) => write!(f, "{amount} linear codes"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nan_is_an_infinite_error() {
+        for tolerance in [Tolerance::Steps(1.0), Tolerance::Codes(1.0)] {
+            for [found, exact] in [[f64::NAN, 0.5], [0.5, f64::NAN]] {
+                assert_eq!(tolerance.error(Display::Rgb565, found, exact), f64::INFINITY);
+            }
         }
     }
 }

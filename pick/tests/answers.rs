@@ -47,6 +47,19 @@ fn refusals_name_the_parameter_and_what_can_be_had() {
         (Light { outer: Some(30.0), inner: Some(30.0), ..Light::default() }, "inner angle = 30"),
         (Light { outer: Some(30.0), field: Some(20.0), ..Light::default() }, "outer angle = 30: expected no"),
         (Light { near: 2.0, far: 1.0, ..Light::default() }, "distances = 2 to 1"),
+        (Light { near: 1e-5, ..Light::default() }, "near = 0.00001: expected at least 0.00024"),
+        (
+            Light { position: [1e9, 0.0, 0.0], ..Light::default() },
+            "position = 1000000000: expected coordinates",
+        ),
+        (
+            Light { name: "key`\npub fn evil() {}".to_owned(), ..Light::default() },
+            "name = key`\\npub fn evil() {}: ",
+        ),
+        (
+            Light { name: "\u{202e}\u{1b}".to_owned(), ..Light::default() },
+            "name = \\u{202e}\\u{1b}: expected letters",
+        ),
         (Light { intensity: -1.0, ..Light::default() }, "intensity = -1"),
         (Light { axis: [0.0; 3], ..Light::default() }, "axis"),
     ] {
