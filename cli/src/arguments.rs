@@ -1,19 +1,27 @@
 //! The command line.
 
+use std::path::PathBuf;
+
 use luminaire::falloff::AnyFalloff;
 use luminaire_export::Language;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
 use crate::model::{self, Law, Window};
 
-/// The commands.
+/// Spotlights from the angles of a data sheet: their cheapest evaluation on a chip, and their source in
+/// other languages.
 #[derive(Debug, clap::Parser)]
-#[command(name = "luminaire", disable_help_subcommand = true, arg_required_else_help = true)]
+#[command(name = "luminaire", version, disable_help_subcommand = true, arg_required_else_help = true)]
 pub(crate) enum Command {
     /// Pick the cheapest evaluation of a spotlight whose error is small enough for a display
     Pick(Box<Pick>),
     /// Write a spotlight as source of another language
     Export(Box<Export>),
+    /// Write the library for Arduino's IDE into a new folder
+    Arduino {
+        /// The folder
+        folder: PathBuf,
+    },
 }
 
 /// The angles, the intensity and the place of a spotlight.
@@ -73,7 +81,9 @@ pub(crate) struct Pick {
     #[command(flatten)]
     spot: Spot,
     /// The lights of a JSON file, or of the example scene `show`, in place of one light
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["edge", "beam", "field", "outer", "inner"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = [
+        "edge", "beam", "field", "outer", "inner", "attenuation", "intensity", "near", "far", "position", "axis",
+    ])]
     pub(crate) scene: Option<String>,
     /// Pick each light of the scene by itself: the tolerance is that of each light
     #[arg(long, requires = "scene")]
@@ -87,8 +97,8 @@ pub(crate) struct Pick {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Export {
     /// json, glsl, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16
-    #[arg(long, value_name = "LANGUAGE")]
-    pub(crate) to: Language,
+    #[arg(long, value_name = "LANGUAGE", required_unless_present = "header")]
+    pub(crate) to: Option<Language>,
     /// The name that begins all names in the source
     #[arg(long, default_value = "light")]
     pub(crate) name: String,

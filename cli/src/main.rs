@@ -1,5 +1,6 @@
 //! `luminaire pick`: the cheapest evaluation of a spotlight whose error is small enough for a
-//! display. `luminaire export`: a spotlight as source of another language.
+//! display. `luminaire export`: a spotlight as source of another language. `luminaire arduino`: the
+//! library for Arduino's IDE.
 #![forbid(unsafe_code)]
 
 mod arguments;
@@ -8,53 +9,70 @@ mod show;
 mod text;
 
 use std::fs;
+use std::io::{self, ErrorKind, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
-use luminaire_export::ExportError;
+use luminaire_export::{ExportError, printable};
 use luminaire_pick::{Refusal, Request, Scene};
 
 use arguments::{Command, Export, Pick};
 
 fn main() -> ExitCode {
-    let pick = match Command::parse() {
-        Command::Pick(pick) => pick,
-        Command::Export(options) => return export(&options),
+    let (text, is_done) = match Command::parse() {
+        Command::Pick(pick) => match answer(&pick) {
+            Ok(text) => (text, true),
+            Err(refusal) if pick.json => (format!("{}\n", serde_json::json!({ "refused": refusal })), false),
+            Err(refusal) => return refuse(&refusal),
+        },
+        Command::Export(options) => match export(&options) {
+            Ok(text) => (text, true),
+            Err(error) => return refuse(&error),
+        },
+        Command::Arduino { folder } => match arduino(&folder) {
+            Ok(text) => (text, true),
+            Err(error) => return refuse(&error),
+        },
     };
-    match answer(&pick) {
-        Ok(text) => {
-            print!("{text}");
-            ExitCode::SUCCESS
-        }
-        Err(refusal) => {
-            if pick.json {
-                println!("{}", serde_json::json!({ "refused": refusal }));
-            } else {
-                eprintln!("error: {refusal}");
-            }
-            ExitCode::FAILURE
-        }
+    match io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush()) {
+        // A reader that has read enough closes its end.
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => refuse(&format!("output: {error}")),
+        _ if is_done => ExitCode::SUCCESS,
+        _ => ExitCode::FAILURE,
     }
 }
 
-/// Writes a light as source, or the reason why not.
-fn export(options: &Export) -> ExitCode {
-    let source = || -> Result<String, ExportError> {
-        if options.header {
-            return Ok(luminaire_export::c_header());
+/// Writes why not. Nothing can be done if that fails.
+fn refuse(reason: &dyn std::fmt::Display) -> ExitCode {
+    let _ = writeln!(io::stderr(), "error: {reason}");
+    ExitCode::FAILURE
+}
+
+/// Returns a light as source.
+fn export(options: &Export) -> Result<String, ExportError> {
+    match options.to {
+        Some(language) if !options.header => {
+            luminaire_export::export(model::light(options)?, &options.name, language)
         }
-        luminaire_export::export(model::light(options)?, &options.name, options.to)
-    };
-    match source() {
-        Ok(source) => {
-            print!("{source}");
-            ExitCode::SUCCESS
-        }
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
+        _ => Ok(luminaire_export::c_header()),
     }
+}
+
+/// Writes the library for Arduino's IDE. Returns what there is to say.
+fn arduino(folder: &Path) -> Result<String, String> {
+    let library = luminaire_export::arduino().map_err(|error| error.to_string())?;
+    for (name, text) in &library {
+        let file = folder.join(name);
+        let write = || {
+            fs::create_dir_all(file.parent().unwrap_or(folder))?;
+            fs::File::create_new(&file)?.write_all(text.as_bytes())
+        };
+        write().map_err(|error| printable(&format!("{}: {error}", file.display())))?;
+    }
+    let has_address = library.iter().any(|(_, text)| text.contains("\nurl="));
+    let note = "note: without url, because Cargo.toml has no repository; the Library Manager requires it\n";
+    Ok(if has_address { String::new() } else { note.to_owned() })
 }
 
 /// Returns the answer as text or JSON.
@@ -91,8 +109,8 @@ fn answer(pick: &Pick) -> Result<String, Refusal> {
 fn read(file: &str) -> Result<Scene, Refusal> {
     let refused = |found: String| Refusal {
         parameter: "scene".to_owned(),
-        value: file.to_owned(),
-        expected: format!("`show`, or a JSON file of lights: {found}"),
+        value: printable(file),
+        expected: format!("`show`, or a JSON file of lights: {}", printable(&found)),
     };
     let text = fs::read_to_string(file).map_err(|error| refused(error.to_string()))?;
     serde_json::from_str(&text).map_err(|error| refused(error.to_string()))

@@ -1,5 +1,6 @@
 //! The light of `luminaire export`, with any falloff and any attenuation.
 
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use luminaire::attenuation::{
@@ -32,9 +33,18 @@ pub(crate) enum Window {
 
 /// Splits `name=1,2` into the name and the numbers.
 fn split(text: &str) -> Result<(&str, Vec<f32>), String> {
-    let (name, numbers) = text.split_once('=').unwrap_or((text, ""));
-    let numbers = numbers.split(',').filter(|number| !number.is_empty()).map(|number| number.trim().parse());
+    let Some((name, numbers)) = text.split_once('=') else { return Ok((text, Vec::new())) };
+    let numbers = numbers.split(',').map(|number| number.trim().parse());
     Ok((name, numbers.collect::<Result<_, _>>().map_err(|_| format!("expected numbers after `{name}=`"))?))
+}
+
+/// Returns a whole number of a range. A cast alone would round and saturate.
+fn whole(parameter: &str, number: f32, range: RangeInclusive<u32>) -> Result<u32, String> {
+    let value = number as u32;
+    if value as f32 == number && range.contains(&value) {
+        return Ok(value);
+    }
+    Err(format!("{parameter} = {number}: expected a whole number from {} to {}", range.start(), range.end()))
 }
 
 macro_rules! samples {
@@ -48,21 +58,24 @@ macro_rules! samples {
 pub(crate) fn falloff(text: &str) -> Result<AnyFalloff, String> {
     let (name, numbers) = split(text)?;
     let told = |error: Error| error.to_string();
-    let whole = |number: f32| number as u32;
+    let exponent = |number| whole("exponent", number, 1..=1_024);
     let found: Result<AnyFalloff, Error> = match (name, &numbers[..]) {
         ("quadratic", &[slope]) => Quadratic::new(slope).map(Into::into),
         ("cubic", &[edge, middle]) => Cubic::with_slopes(edge, middle).map(Into::into),
-        ("power", &[n]) if n.fract() == 0.0 => IntegerPower::new(whole(n)).map(Into::into),
-        ("inverted-power", &[n]) if n.fract() == 0.0 => InvertedIntegerPower::new(whole(n)).map(Into::into),
-        ("mixed-power", &[n, m, share]) => MixedPower::new([n, m].map(whole), share).map(Into::into),
+        ("power", &[n]) => IntegerPower::new(exponent(n)?).map(Into::into),
+        ("inverted-power", &[n]) => InvertedIntegerPower::new(exponent(n)?).map(Into::into),
+        ("mixed-power", &[n, m, share]) => {
+            MixedPower::new([exponent(n)?, exponent(m)?], share).map(Into::into)
+        }
         ("inverted-mixed-power", &[n, m, share]) => {
-            InvertedMixedPower::new([n, m].map(whole), share).map(Into::into)
+            InvertedMixedPower::new([exponent(n)?, exponent(m)?], share).map(Into::into)
         }
         ("real-power", &[exponent]) => RealPower::new(exponent).map(Into::into),
         ("inverted-real-power", &[exponent]) => InvertedRealPower::new(exponent).map(Into::into),
         ("table", samples) => {
+            let sample = |&sample| whole("sample", sample, 0..=65_535).map(|whole| whole as u16);
             // The light lives as long as the command.
-            Table::new(Vec::leak(samples.iter().map(|&sample| sample as u16).collect())).map(Into::into)
+            Table::new(Vec::leak(samples.iter().map(sample).collect::<Result<_, _>>()?)).map(Into::into)
         }
         ("quadratic" | "cubic" | "power" | "inverted-power" | "mixed-power" | "inverted-mixed-power", _)
         | ("real-power" | "inverted-real-power", _) => {

@@ -72,7 +72,8 @@ pub(crate) fn lights(answers: &[Answer]) -> String {
             unit(answer)
         );
     }
-    let sum: f64 = answers.iter().map(|answer| answer.price.instructions).sum();
+    // Without lights the sum is -0.
+    let sum = 0.0 + answers.iter().map(|answer| answer.price.instructions).sum::<f64>();
     let _ = writeln!(text, "sum {sum:.1} instructions");
     text
 }

@@ -1,5 +1,6 @@
 //! `luminaire export`.
 
+use std::path::Path;
 use std::process::{Command, Output};
 
 fn export(arguments: &str) -> Output {
@@ -52,7 +53,19 @@ fn export_writes_every_language_and_falloff() {
         let name = falloff.split('=').next().expect("a name");
         assert!(text(&format!("--to json --falloff {falloff}")).contains(&format!("\"name\": \"{name}\"")));
     }
-    assert!(text("--to c-fx16 --header").contains("luminaire_inverse_square_roots[129] = {\n    0,"));
+    assert!(text("--header").contains("luminaire_inverse_square_roots[129] = {\n    0,"));
+}
+
+#[test]
+fn arduino_writes_a_library_once() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("arduino-{}", std::process::id()));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
+    command.arg("arduino").arg(&folder);
+    assert!(command.status().expect("the program runs").success());
+    assert!(folder.join("src/luminaire_fx16.h").is_file() && folder.join("LICENSE").is_file());
+    let told = command.output().expect("the program runs");
+    assert!(!told.status.success() && String::from_utf8_lossy(&told.stderr).contains("library.properties: "));
+    std::fs::remove_dir_all(folder).expect("a folder");
 }
 
 #[test]
@@ -64,6 +77,16 @@ fn export_refusals_name_the_parameter() {
         ("--to glsl --beam 20 --field 30 --falloff soft", "error: falloff = given: expected no falloff"),
         ("--to glsl --falloff bowl", "expected one of soft, hard"),
         ("--to glsl --falloff quadratic", "expected other parameters of `quadratic`"),
+        ("--to glsl --falloff table=70000,0", "sample = 70000: expected a whole number from 0 to 65535"),
+        ("--to glsl --falloff table=9,-5", "sample = -5: expected"),
+        ("--to glsl --falloff table=9,nan", "sample = NaN: expected"),
+        ("--to glsl --falloff table=9,,0", "expected numbers after `table=`"),
+        (
+            "--to glsl --falloff mixed-power=2.7,3,0.5",
+            "exponent = 2.7: expected a whole number from 1 to 1024",
+        ),
+        ("--to glsl --falloff power=-3", "exponent = -3: expected"),
+        ("--to glsl --falloff inverted-power=5e9", "exponent = 5000000000: expected"),
         ("--to glsl --falloff quadratic=9", "edge slope = 9: expected a finite number from 0 to 2"),
         ("--to glsl --falloff soft=1", "`soft` has no parameters"),
         ("--to glsl --attenuation smooth-range", "error: range = none: expected a distance"),

@@ -1,6 +1,8 @@
 //! The command line.
 
-use std::process::{Command, Output};
+use std::fs::File;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
 
 fn pick(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
@@ -40,6 +42,49 @@ fn pick_refusal_is_named_and_fails() {
     assert!(!output.status.success() && told.contains("outer angle = 400: expected"), "{told}");
     assert_eq!(json(&["--outer", "400", "--json"])["refused"]["parameter"], "outer angle");
     assert!(!pick(&["--steps", "x"]).status.success());
+}
+
+#[test]
+fn version_and_help_say_what_the_program_is() {
+    let told = |option| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
+        String::from_utf8(command.arg(option).output().expect("the program runs").stdout).unwrap()
+    };
+    assert_eq!(told("--version"), concat!("luminaire ", env!("CARGO_PKG_VERSION"), "\n"));
+    assert!(told("--help").starts_with("Spotlights from the angles of a data sheet"));
+}
+
+#[test]
+fn closed_output_ends_quietly_and_a_full_one_with_a_reason() {
+    let to = |output: Stdio| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
+        command.args(["export", "--header"]).stdout(output).output().expect("the program runs")
+    };
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let closed = to(writer.into());
+    assert!(closed.status.success() && closed.stderr.is_empty(), "{closed:?}");
+    if let Ok(full) = File::options().write(true).open("/dev/full") {
+        let full = to(full.into());
+        assert_eq!(full.status.code(), Some(1));
+        assert!(String::from_utf8(full.stderr).unwrap().starts_with("error: output: "));
+    }
+}
+
+#[test]
+fn pick_scene_of_a_file_steers_no_terminal_and_sums_to_zero() {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("scene-{}.json", std::process::id()));
+    let answer = |scene: &str| {
+        std::fs::write(&file, scene).unwrap();
+        pick(&["--scene", file.to_str().unwrap()])
+    };
+    let none = String::from_utf8(answer(r#"{"lights":[]}"#).stdout).unwrap();
+    assert!(none.starts_with("sum 0.0 instructions") && !none.contains('-'), "{none}");
+    for scene in [r#"{"lights":[{"\u001b[2J\u202e":1}]}"#, r#"{"lights":[{"name":"\u001b[2J\u202e"}]}"#] {
+        let told = String::from_utf8(answer(scene).stderr).unwrap();
+        assert!(told.starts_with("error: ") && !told.contains(['\u{1b}', '\u{202e}']), "{told:?}");
+    }
+    std::fs::remove_file(file).unwrap();
 }
 
 #[test]

@@ -67,6 +67,7 @@
 // `script`. The three before `models` take an attenuation from there, which is an object of their
 // traits.
 
+mod arduino;
 mod error;
 mod fixed;
 mod json;
@@ -81,6 +82,7 @@ mod trace;
 use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Fx32};
 
+pub use crate::arduino::arduino;
 pub use crate::error::ExportError;
 pub use crate::fixed::c_header;
 pub use crate::language::Language;

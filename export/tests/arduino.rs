@@ -1,16 +1,14 @@
-//! The library for Arduino: its files are what the crate writes, and its sketch draws what the kernel
-//! computes.
+//! The library for Arduino: its sketch draws what the kernel computes.
 
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 #[allow(dead_code, reason = "this test runs its program itself")]
 mod compiler;
 
-use std::path::{Path, PathBuf};
+use std::fs;
 use std::process::Command;
-use std::{env, fs};
 
 use luminaire::{Angle, Cone, Fx16, Length, SpotLight, Vec3, falloff::Soft};
-use luminaire_export::{Language, c_header, export};
+use luminaire_export::arduino;
 
 use compiler::compile;
 
@@ -25,40 +23,37 @@ struct Port {
 static Port Serial;
 ";
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("arduino")
-}
-
 fn key() -> SpotLight<Soft> {
     let cone = Cone::soft(Angle::degrees(40.0)).expect("a cone");
     let key = SpotLight::new([2.5, 1.0, 3.0], [0.0, 0.0, -1.0], cone).expect("a light");
     key.with_intensity(9.0).expect("a light")
 }
 
-#[test]
-fn files_are_what_the_crate_writes() {
-    let light = export(key(), "key", Language::CFixed).expect("a light");
-    for (file, text) in [("src/luminaire_fx16.h", c_header().to_owned()), ("examples/Wall/key.h", light)] {
-        let file = folder().join(file);
-        if env::var_os("LUMINAIRE_BLESS").is_some() {
-            fs::write(&file, &text).expect("a file");
-        }
-        let found = fs::read_to_string(&file).unwrap_or_default();
-        assert!(found == text, "{}: run the test with LUMINAIRE_BLESS=1", file.display());
+/// Writes the library, and checks its properties.
+fn library() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text) in arduino().expect("a library") {
+        let file = folder.path().join(name);
+        fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
+        fs::write(file, text).expect("a folder");
     }
-    let properties = fs::read_to_string(folder().join("library.properties")).expect("properties");
+    let properties = fs::read_to_string(folder.path().join("library.properties")).expect("properties");
     assert!(properties.contains(concat!("version=", env!("CARGO_PKG_VERSION"), "\n")), "{properties}");
+    let url = concat!("url=", env!("CARGO_PKG_REPOSITORY"), "\n");
+    assert_eq!(properties.contains(url), url != "url=\n", "{properties}");
+    folder
 }
 
 #[test]
 fn the_sketch_draws_what_the_kernel_computes() {
     let build = tempfile::tempdir().expect("a folder");
-    let sketch = fs::read_to_string(folder().join("examples/Wall/Wall.ino")).expect("a sketch");
+    let library = library();
+    let sketch = fs::read_to_string(library.path().join("examples/Wall/Wall.ino")).expect("a sketch");
     let program = build.path().join("wall");
     let main = build.path().join("wall.cpp");
     fs::write(&main, format!("{CORE}{sketch}int main() {{ setup(); loop(); return 0; }}\n"))
         .expect("a folder");
-    let include = |path: &str| format!("-I{}", folder().join(path).display());
+    let include = |path: &str| format!("-I{}", library.path().join(path).display());
     let options = ["-std=c++11", &include("src"), &include("examples/Wall")].join(" ");
     let small = format!("{options} -Os -mcpu=cortex-m0 -mthumb -ffreestanding -c");
     compile("arm-none-eabi-g++", &small, &main, &build.path().join("wall.o"));
