@@ -8,7 +8,11 @@
 /* Lights, points and pixels of luminaire, in integers. Written by cbindgen: do not edit.
  *
  * A coordinate has steps of 2^-16, a normal, a part and a colour steps of 2^-14, a direction steps
- * of 2^-30, and light steps of 2^-14 of full scale, which it may exceed. */
+ * of 2^-30, and light steps of 2^-14 of full scale, which it may exceed.
+ *
+ * Pointers are aligned as their types are. A null pointer is an empty array, a dark light or
+ * nothing to change. What a function writes does not overlap what it reads, but luminaire_spot_zoom
+ * takes one light twice. A bool is true with any byte but 0. */
 
 // Linear light, in steps of 2^-14 of full scale, which it may exceed.
 typedef struct {
@@ -189,6 +193,9 @@ void luminaire_spot_tint(luminaire_spot *spot, int16_t red, int16_t green, int16
 
 // Gives the light a cone between its own (`part` 0) and that of another light (`part` 2^14). The
 // edge of the light keeps its shape.
+//
+// # Safety
+// Each pointer is null or points to a light, which may be the same.
 void luminaire_spot_zoom(luminaire_spot *spot, const luminaire_spot *other, int16_t part);
 
 #ifdef __cplusplus

@@ -2,7 +2,8 @@
 //!
 //! The crate is a static library with the header `luminaire.h`, which cbindgen writes. A light is a
 //! structure of words that the program owns; the library has no memory of its own. Every function is
-//! defined for all bits, so a light that is not set up is not dangerous: it lights something.
+//! defined for all bits and for null pointers, so a light that is not set up is not dangerous: it
+//! lights something.
 //!
 //! | quantity | type | step |
 //! |---|---|---|
@@ -18,6 +19,12 @@ mod edge;
 mod many;
 mod setup;
 mod spot;
+
+/// `bool` of C, which the header calls it: a program may write any byte, and all but 0 are true. A
+/// `bool` of Rust has two values, and any other is undefined behaviour.
+#[repr(transparent)]
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct luminaire_bool(pub u8);
 
 pub use self::display::*;
 pub use self::many::*;

@@ -8,7 +8,7 @@ use luminaire::{
     light::Row,
 };
 
-use crate::{luminaire_light, luminaire_normal, luminaire_point, luminaire_spot};
+use crate::{luminaire_bool, luminaire_light, luminaire_normal, luminaire_point, luminaire_spot, or_dark};
 
 /// A vertex: a point and a normal of unit length.
 #[repr(C)]
@@ -82,11 +82,12 @@ pub unsafe extern "C" fn luminaire_vertices(
 /// `lights` points to `count` elements.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn luminaire_row_add(
-    row: &luminaire_row,
-    spot: &luminaire_spot,
+    row: Option<&luminaire_row>,
+    spot: Option<&luminaire_spot>,
     lights: *mut luminaire_light,
     count: usize,
 ) {
+    let Some(row) = row else { return };
     // SAFETY: as the caller promises.
     let lights = unsafe { elements_mut(lights, count) };
     let (first, step) = (row.first, row.step);
@@ -95,7 +96,7 @@ pub unsafe extern "C" fn luminaire_row_add(
     let points = Row::new(row.normal.vector(), |i| {
         Vec3::new(at(i, first.x, step.x), at(i, first.y, step.y), at(i, first.z, step.z))
     });
-    points.light(&[spot.light()], lights, |sum, _, light| {
+    points.light(&[or_dark(spot).light()], lights, |sum, _, light| {
         *sum = luminaire_light::of(sum.sum().plus::<Fx16>(light));
     });
 }
@@ -111,14 +112,14 @@ pub unsafe extern "C" fn luminaire_row_rgb565(
     pixels: *mut u16,
     count: usize,
     row: u32,
-    is_big_endian: bool,
+    is_big_endian: luminaire_bool,
 ) {
     // SAFETY: as the caller promises.
     let (lights, pixels) = unsafe { (elements(lights, count), elements_mut(pixels, count)) };
     for ((column, light), pixel) in (0..).zip(lights).zip(pixels) {
         if *light != luminaire_light::default() {
             let code = Rgb565::from_linear_dithered(clip::<Fx16>(light.sum()), column, row).0;
-            *pixel = if is_big_endian { code.swap_bytes() } else { code };
+            *pixel = if is_big_endian.0 != 0 { code.swap_bytes() } else { code };
         }
     }
 }

@@ -7,7 +7,7 @@ use core::slice;
 use luminaire::{Angle, Cone, Error, Rgb, SpotLight, falloff::SoftOrHard};
 
 use crate::edge::{CompiledEdge, Edge};
-use crate::luminaire_spot;
+use crate::{luminaire_bool, luminaire_spot};
 
 /// A spotlight in metres, degrees and linear colour.
 #[repr(C)]
@@ -30,12 +30,12 @@ pub struct luminaire_spot_description {
     /// Whether the edge is hard, as of a profile, instead of soft, as of a Fresnel. Not read if both
     /// angles are given, which determine the edge. With one angle, the beam angle is about 0.86 of
     /// the field angle with a hard edge and 0.65 with a soft one.
-    pub is_hard: bool,
+    pub is_hard: luminaire_bool,
 }
 
 impl luminaire_spot_description {
     fn cone(&self) -> Result<Cone<Edge>, Error> {
-        let edge = Edge::Given(if self.is_hard { SoftOrHard::Hard } else { SoftOrHard::Soft });
+        let edge = Edge::Given(if self.is_hard.0 != 0 { SoftOrHard::Hard } else { SoftOrHard::Soft });
         let [beam, field] = [self.beam_degrees, self.field_degrees].map(Angle::degrees);
         if self.beam_degrees == 0.0 {
             return Cone::from_field(edge, field);
@@ -66,11 +66,12 @@ impl luminaire_spot_description {
 /// `message` is null or points to `capacity` bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn luminaire_spot_set_up(
-    spot: &mut luminaire_spot,
-    description: &luminaire_spot_description,
+    spot: Option<&mut luminaire_spot>,
+    description: Option<&luminaire_spot_description>,
     message: *mut c_char,
     capacity: usize,
 ) -> bool {
+    let (Some(spot), Some(description)) = (spot, description) else { return false };
     match description.compile() {
         Ok(light) => {
             *spot = light;

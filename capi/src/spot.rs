@@ -150,28 +150,34 @@ impl luminaire_spot {
         let [.., kind, g, h, _, _, _, _, _] = self.words;
         [kind, g, h]
     }
+}
 
-    fn change(&mut self, change: impl FnOnce(Light) -> Light) {
-        *self = Self::of(change(self.light()), self.edge());
-    }
+/// The light at a pointer, or a dark one at a null pointer.
+pub(crate) fn or_dark(spot: Option<&luminaire_spot>) -> &luminaire_spot {
+    const DARK: &luminaire_spot = &luminaire_spot { words: [0; 23] };
+    spot.unwrap_or(DARK)
+}
 
-    fn try_to(&mut self, change: impl FnOnce(Light) -> Option<Light>) -> bool {
-        let changed = change(self.light());
-        changed.is_some_and(|light| {
-            *self = Self::of(light, self.edge());
-            true
-        })
-    }
+fn change(spot: Option<&mut luminaire_spot>, change: impl FnOnce(Light) -> Light) {
+    try_to(spot, |light| Some(change(light)));
+}
+
+fn try_to(spot: Option<&mut luminaire_spot>, change: impl FnOnce(Light) -> Option<Light>) -> bool {
+    let Some(spot) = spot else { return false };
+    change(spot.light()).is_some_and(|light| {
+        *spot = luminaire_spot::of(light, spot.edge());
+        true
+    })
 }
 
 /// Returns the irradiance at a surface point, before the light's colour.
 #[unsafe(no_mangle)]
 pub extern "C" fn luminaire_spot_irradiance(
-    spot: &luminaire_spot,
+    spot: Option<&luminaire_spot>,
     point: luminaire_point,
     normal: luminaire_normal,
 ) -> u32 {
-    spot.light().irradiance(point.place(), normal.vector()).to_bits()
+    or_dark(spot).light().irradiance(point.place(), normal.vector()).to_bits()
 }
 
 /// Returns the light at a surface point: the irradiance times the light's colour.
@@ -180,66 +186,83 @@ pub extern "C" fn luminaire_spot_irradiance(
 /// for many points.
 #[unsafe(no_mangle)]
 pub extern "C" fn luminaire_spot_light(
-    spot: &luminaire_spot,
+    spot: Option<&luminaire_spot>,
     point: luminaire_point,
     normal: luminaire_normal,
 ) -> luminaire_light {
-    let light = spot.light();
+    let light = or_dark(spot).light();
     luminaire_light::of(Rgb::lit(light.irradiance(point.place(), normal.vector()), light.color()))
 }
 
 /// Returns the falloff of the cone at a point, from 0 to 2^14.
 #[unsafe(no_mangle)]
-pub extern "C" fn luminaire_spot_falloff(spot: &luminaire_spot, point: luminaire_point) -> i16 {
-    spot.light().falloff(point.place()).to_bits()
+pub extern "C" fn luminaire_spot_falloff(spot: Option<&luminaire_spot>, point: luminaire_point) -> i16 {
+    or_dark(spot).light().falloff(point.place()).to_bits()
 }
 
 /// Returns whether the light may reach points within `radius` of `center`; the radius has steps of
 /// 2^-16.
 #[unsafe(no_mangle)]
 pub extern "C" fn luminaire_spot_can_reach(
-    spot: &luminaire_spot,
+    spot: Option<&luminaire_spot>,
     center: luminaire_point,
     radius: i32,
 ) -> bool {
-    spot.light().can_reach(center.place(), Length::from_bits(radius))
+    or_dark(spot).light().can_reach(center.place(), Length::from_bits(radius))
 }
 
 /// Moves the light; its axis stays.
 #[unsafe(no_mangle)]
-pub extern "C" fn luminaire_spot_move(spot: &mut luminaire_spot, position: luminaire_point) {
-    spot.change(|light| light.moved_to(position.place()));
+pub extern "C" fn luminaire_spot_move(spot: Option<&mut luminaire_spot>, position: luminaire_point) {
+    change(spot, |light| light.moved_to(position.place()));
 }
 
 /// Aims the light at a point. Returns false, and leaves the light as it is, if the point is the
 /// light's position.
 #[unsafe(no_mangle)]
-pub extern "C" fn luminaire_spot_aim(spot: &mut luminaire_spot, point: luminaire_point) -> bool {
-    spot.try_to(|light| light.aimed_at(point.place()))
+pub extern "C" fn luminaire_spot_aim(spot: Option<&mut luminaire_spot>, point: luminaire_point) -> bool {
+    try_to(spot, |light| light.aimed_at(point.place()))
 }
 
 /// Aims the light along a vector of any length. Returns false, and leaves the light as it is, if the
 /// vector is zero.
 #[unsafe(no_mangle)]
-pub extern "C" fn luminaire_spot_aim_along(spot: &mut luminaire_spot, x: i32, y: i32, z: i32) -> bool {
-    spot.try_to(|light| light.aimed_along(Vec3::new(x, y, z).map(Fx32::from_bits)))
+pub extern "C" fn luminaire_spot_aim_along(
+    spot: Option<&mut luminaire_spot>,
+    x: i32,
+    y: i32,
+    z: i32,
+) -> bool {
+    try_to(spot, |light| light.aimed_along(Vec3::new(x, y, z).map(Fx32::from_bits)))
 }
 
 /// Dims the light to a part of its intensity, in steps of 2^-14 from 0 to 2^14.
 #[unsafe(no_mangle)]
-pub extern "C" fn luminaire_spot_dim(spot: &mut luminaire_spot, part: i16) {
-    spot.change(|light| light.dimmed(Fx16::from_bits(part)));
+pub extern "C" fn luminaire_spot_dim(spot: Option<&mut luminaire_spot>, part: i16) {
+    change(spot, |light| light.dimmed(Fx16::from_bits(part)));
 }
 
 /// Gives the light a linear colour, in steps of 2^-14 from 0 to 2^14.
 #[unsafe(no_mangle)]
-pub extern "C" fn luminaire_spot_tint(spot: &mut luminaire_spot, red: i16, green: i16, blue: i16) {
-    spot.change(|light| light.with_color(Rgb::new(red, green, blue).map(Fx16::from_bits)));
+pub extern "C" fn luminaire_spot_tint(spot: Option<&mut luminaire_spot>, red: i16, green: i16, blue: i16) {
+    change(spot, |light| light.with_color(Rgb::new(red, green, blue).map(Fx16::from_bits)));
 }
 
 /// Gives the light a cone between its own (`part` 0) and that of another light (`part` 2^14). The
 /// edge of the light keeps its shape.
+///
+/// # Safety
+/// Each pointer is null or points to a light, which may be the same.
 #[unsafe(no_mangle)]
-pub extern "C" fn luminaire_spot_zoom(spot: &mut luminaire_spot, other: &luminaire_spot, part: i16) {
-    spot.change(|light| light.zoomed(&other.light(), Fx16::from_bits(part)));
+pub unsafe extern "C" fn luminaire_spot_zoom(
+    spot: *mut luminaire_spot,
+    other: *const luminaire_spot,
+    part: i16,
+) {
+    // SAFETY: as the caller promises; nothing is written before both are read.
+    let (Some(from), Some(to)) = (unsafe { spot.as_ref() }, unsafe { other.as_ref() }) else { return };
+    let light = from.light().zoomed(&to.light(), Fx16::from_bits(part));
+    let zoomed = luminaire_spot::of(light, from.edge());
+    // SAFETY: as the caller promises.
+    unsafe { spot.write(zoomed) };
 }

@@ -1,4 +1,5 @@
 /* Calls every function of the library, and prints what they return. The host's Rust prints the same. */
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -20,6 +21,7 @@ static luminaire_point somewhere(void) {
 }
 
 int main(void) {
+    static const luminaire_normal up = { 0, 1 << 14, 0 };
     /* Beam angle, field angle and whether the edge is hard: one angle, and two that need a quadratic, a
      * hotspot and a cubic. */
     static const float sheets[5][3] = {
@@ -60,7 +62,6 @@ int main(void) {
     }
     for (i = 0; i < 1000; ++i) {
         luminaire_point point = somewhere(), target = somewhere();
-        luminaire_normal up = { 0, 1 << 14, 0 };
         luminaire_light light;
         changed = spot;
         luminaire_spot_zoom(&changed, &wide, (int16_t)(i << 4));
@@ -78,7 +79,6 @@ int main(void) {
     }
     for (i = 0; i < 1000; ++i) {
         luminaire_point point = somewhere(), target = somewhere(), beside = target;
-        luminaire_normal up = { 0, 1 << 14, 0 };
         luminaire_spot moved = printed[i % 5];
         point.x >>= 2;
         point.z >>= 2;
@@ -119,6 +119,26 @@ int main(void) {
             printf("%u %u\n", (unsigned)lights[i].green, pixels[i]);
         }
         luminaire_vertices(NULL, 0, NULL, NULL, 0);
+        luminaire_row_add(NULL, NULL, row_lights, 64);
+        luminaire_row_add(&row, NULL, row_lights, 64);
+        if (memcmp(lights, row_lights, sizeof lights) != 0) { return 1; }
+    }
+    /* Null pointers, a light twice, and bools of any byte. */
+    if (luminaire_spot_set_up(NULL, NULL, message, sizeof message) || luminaire_spot_irradiance(NULL, somewhere(), up) != 0
+        || luminaire_spot_aim(NULL, somewhere())) { return 1; }
+    luminaire_spot_dim(NULL, 1);
+    luminaire_spot_zoom(NULL, &spot, 1);
+    changed = printed[0] = wide;
+    luminaire_spot_zoom(&changed, &changed, 1 << 13);
+    luminaire_spot_zoom(&printed[0], &wide, 1 << 13);
+    if (memcmp(&changed, &printed[0], sizeof changed) != 0) { return 1; }
+    description.field_degrees = 30.0f;
+    description.beam_degrees = 0.0f;
+    for (i = 1; i < 256; ++i) {
+        memset((char *)&description + offsetof(luminaire_spot_description, is_hard), i, 1);
+        if (!luminaire_spot_set_up(&changed, &description, message, sizeof message)) { return 1; }
+        if (i > 1 && memcmp(&changed, &spot, sizeof spot) != 0) { return 1; }
+        spot = changed;
     }
     return 0;
 }

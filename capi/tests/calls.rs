@@ -158,7 +158,8 @@ fn printed(compiler: &str, options: &str, source: &Path, folder: &Path) -> Optio
     Some(String::from_utf8(found.stdout).expect("text"))
 }
 
-const C99: (&str, &str) = ("cc", "-std=c99 -x c");
+/// In C with sanitizers: they see what the library does to the program's memory at its borders.
+const C99: (&str, &str) = ("cc", "-std=c99 -fsanitize=address,undefined -fno-sanitize-recover=all -x c");
 const CPP11: (&str, &str) = ("c++", "-std=c++11 -x c++");
 
 #[test]
