@@ -19,6 +19,7 @@ pub fn scanline(row: i32, pixels: &mut [u16]) {
         for light in &LIGHTS {
             sum = sum.plus::<Fx16>(Rgb::lit(light.irradiance(point, NORMAL), light.color()));
         }
-        *pixel = Rgb565::from_linear(clip::<Fx16>(sum)).0;
+        // Most displays take the high byte first.
+        *pixel = Rgb565::from_linear(clip::<Fx16>(sum)).0.to_be();
     }
 }
