@@ -27,7 +27,7 @@ pub(crate) fn reach(cone: &Cone<AnyFalloff>) -> f32 {
 
 /// Returns the intensity of another falloff with this full beam angle in degrees, at angles off the
 /// axis: `power`, a power of the cosine; `smooth`, smoothstep over the cosine; `linear`, a linear
-/// ramp over it. Empty if there is none.
+/// ramp over it. Empty if there is none that `f32` holds.
 pub(crate) fn other(name: &str, beam: f32, angles: &[f32]) -> Result<Vec<f32>, Refusal> {
     let falloff = match name {
         "power" => return Ok(power(beam, angles)),
@@ -37,10 +37,8 @@ pub(crate) fn other(name: &str, beam: f32, angles: &[f32]) -> Result<Vec<f32>, R
     };
     let design = Design::of(Mark::Beam, beam);
     let cone = Cone::from_field(falloff, luminaire::Angle::degrees(1.0))?;
-    Ok(match design.cone(Some(falloff), cone) {
-        Ok(cone) => Format::F32.intensities(&cone, angles)?,
-        Err(_) => Vec::new(),
-    })
+    let curve = |cone| Format::F32.intensities(&cone, angles);
+    Ok(design.cone(Some(falloff), cone).and_then(curve).unwrap_or_default())
 }
 
 /// Returns `cos(angle)^n`, which is 1/2 at half the beam angle.
@@ -67,8 +65,9 @@ mod tests {
                 }
             }
         }
-        assert_eq!(other("power", 181.0, &[0.0]), Ok(Vec::new()));
-        assert_eq!(other("linear", 170.0, &[0.0]), Ok(Vec::new()));
+        for (name, beam) in [("power", 181.0), ("linear", 170.0), ("smooth", 1e-6), ("linear", f32::NAN)] {
+            assert_eq!(other(name, beam, &[0.0]), Ok(Vec::new()), "{name} of {beam}");
+        }
         assert!(other("cubic", 20.0, &[0.0]).is_err());
     }
 }
