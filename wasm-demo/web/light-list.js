@@ -64,7 +64,8 @@ export class LightList {
     box.setAttribute("aria-label", `Light ${light + 1} on`);
     item.classList.toggle("off", !on);
     item.style.setProperty("--light", color);
-    find(item, ".name").textContent = `${light + 1} ${name}`;
+    const title = find(item, ".name");
+    title.textContent = title.title = `${light + 1} ${name}`;
   }
 
   /** Adds a light and selects it. */
