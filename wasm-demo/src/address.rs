@@ -97,7 +97,13 @@ pub(crate) fn parse_in(scene: Example, lights: usize, text: &str) -> (State, Vec
         return (state, refused);
     }
     for (name, value) in pairs(text) {
-        refused.extend(take(&mut state, lights, name, value).err());
+        if name == "lights" {
+            let (read, bad) = read_lights(value, lights);
+            state.lights = read.unwrap_or(state.lights);
+            refused.extend(bad);
+        } else {
+            refused.extend(take(&mut state, name, value).err());
+        }
     }
     (state, refused)
 }
@@ -117,8 +123,8 @@ pub(crate) fn scene_named(name: &str) -> Result<Example, Refusal> {
     Example::named(name).ok_or_else(|| Refusal::name("scene", name, "one of those on the list"))
 }
 
-/// Takes one parameter of an address.
-fn take(state: &mut State, lights: usize, name: &str, value: &str) -> Result<(), Refusal> {
+/// Takes one parameter of an address other than the lights.
+fn take(state: &mut State, name: &str, value: &str) -> Result<(), Refusal> {
     let refused = |name, expected| Refusal::name(name, value, expected);
     match name {
         // Both are read first.
@@ -136,7 +142,6 @@ fn take(state: &mut State, lights: usize, name: &str, value: &str) -> Result<(),
             let plays = PLAYS.iter().find(|(name, _)| *name == value);
             state.plays = plays.ok_or_else(|| refused("play", "none, lights, camera or both"))?.1;
         }
-        "lights" => state.lights = read_lights(value, lights)?,
         "effects" => {
             for word in value.split('/') {
                 let (name, on) = word.strip_prefix('-').map_or((word, true), |name| (name, false));
@@ -206,25 +211,27 @@ fn light_text(setting: &Setting) -> String {
     text
 }
 
-fn read_lights(text: &str, count: usize) -> Result<Vec<Setting>, Refusal> {
-    let mut lights = Vec::new();
-    // No light at all is an empty text.
+/// Reads the lights. A bad light is as the scene has it, or left out if the scene has no such light. If
+/// all are left out, the scene keeps its own lights.
+fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>) {
+    let (mut lights, mut refused) = (Vec::new(), Vec::new());
+    // No light at all is an empty text. A light that was added follows those of the scene.
     for word in text.split(';').filter(|word| !word.is_empty()) {
-        // A light that was added follows those of the scene.
-        let read = read_light(word).filter(|read| read.iter().all(|setting| setting.of <= count));
-        lights.extend(
-            read.ok_or_else(|| Refusal::name("lights", word, "a light of the scene and its settings"))?,
-        );
-        if lights.len() > LIGHTS {
-            return Err(Refusal::outside(
-                "number of lights",
-                lights.len() as f32,
-                [0.0, LIGHTS as f32],
-                "lights",
-            ));
+        if let Some(read) = read_light(word).filter(|read| read.iter().all(|setting| setting.of <= count)) {
+            lights.extend(read);
+        } else {
+            refused.push(Refusal::name("lights", word, "a light of the scene and its settings"));
+            let number = word.split(':').next().and_then(|number| number.parse().ok());
+            lights.extend(number.filter(|&number| number <= count).map(Setting::of));
         }
     }
-    Ok(lights)
+    if lights.len() > LIGHTS {
+        let range = [0.0, LIGHTS as f32];
+        refused.push(Refusal::outside("number of lights", lights.len() as f32, range, "lights"));
+        lights.truncate(LIGHTS);
+    }
+    let is_kept = lights.is_empty() && !refused.is_empty();
+    ((!is_kept).then_some(lights), refused)
 }
 
 /// Reads a light with its settings, or a range of lights.
@@ -394,6 +401,32 @@ mod tests {
         }
         let (state, refused) = parse("v=2&scene=grid&all=1", Example::Show).unwrap();
         assert!(refused[0].to_string().contains("v = \"2\"") && !state.is_everything);
+    }
+
+    #[test]
+    fn one_bad_light_leaves_the_others() {
+        let mut desk = Desk::new(Example::ThreePoint).unwrap();
+        for (text, bad, words) in [
+            ("lights=0:x;1:q;2:c00ff00", 1, "lights = \"1:q\""),
+            ("lights=0:x;1:b400;2:c00ff00", 1, "light 2 is as the scene has it: beam angle = 400"),
+            ("lights=0:x;1:i1000000000000;2:c00ff00", 1, "light 2 is as the scene has it: intensity"),
+            ("format=fx16&lights=0:x;1:b0.1;2:c00ff00", 1, "16-bit fixed point cannot hold light 2"),
+        ] {
+            let refused: Vec<_> = desk.recall(text).unwrap().iter().map(ToString::to_string).collect();
+            assert!(refused.len() == 1 && refused[0].contains(words), "{text}: {refused:?}");
+            let lights = &desk.state().lights;
+            assert_eq!((lights.len(), lights[bad]), (3, Setting::of(bad)), "{text}");
+            assert!(!lights[0].is_on && lights[2].color == Some([0, 255, 0]), "{text}");
+        }
+        // Lights that the scene does not have are left out.
+        for (text, count) in
+            [("lights=0;77;2", 2), ("lights=77", 3), ("lights=", 0), ("lights=0-2;0-2;9-1", 6)]
+        {
+            desk.recall(text).unwrap();
+            assert_eq!(desk.state().lights.len(), count, "{text}");
+        }
+        assert_eq!(desk.recall(&format!("lights={}", "0;".repeat(90))).unwrap().len(), 1);
+        assert_eq!(desk.state().lights.len(), LIGHTS);
     }
 
     /// States that no light or format can have, and texts that are no states.

@@ -25,7 +25,8 @@ const GAP: f32 = 1.15;
 /// Number of neighbouring rays below which a surface that they meet is left out of the outline.
 const FEWEST: usize = 20;
 
-fn plus(point: Vec3<f32>, factor: f32, direction: Vec3<f32>) -> Vec3<f32> {
+/// Returns `point + factor * direction`.
+pub(crate) fn plus(point: Vec3<f32>, factor: f32, direction: Vec3<f32>) -> Vec3<f32> {
     point.zip(direction, |point, along| point + factor * along)
 }
 
@@ -97,14 +98,6 @@ impl Desk {
             lux = throw.map(|throw| candela * spot.attenuation().exact(throw.into()) as f32);
             aim = coordinates(setting.target.or(Some(point)));
         }
-        let own_flux = match setting.fixture.and_then(|fixture| fixture.lumens) {
-            Some(lumens) => Some(lumens),
-            None => lumens_of(original.light(), full_scale * original.light().intensity()),
-        };
-        let own_intensity = match (on, own_flux) {
-            (AnyLight::Spot(spot), Some(lumens)) => spot.cone().candela(lumens),
-            _ => full_scale * original.light().intensity(),
-        };
         Ok(LightState {
             name: original.name.to_owned(),
             on: setting.is_on,
@@ -115,7 +108,6 @@ impl Desk {
             own_edge: own_edge.to_owned(),
             intensity: candela,
             unit: if matches!(on, AnyLight::Directional(_)) { "lx" } else { "cd" }.to_owned(),
-            own_intensity,
             lumens: lumens_of(on, candela),
             throw,
             lux,
@@ -123,7 +115,7 @@ impl Desk {
             aim,
             sweeps: original.sweeps() && setting.target.is_none(),
             moved: setting.position.is_some() || setting.target.is_some(),
-            ..LightState::of(on, self.state().format)
+            ..LightState::of(on)
         })
     }
 
@@ -180,16 +172,19 @@ impl Desk {
         aspect: f32,
         is_level: bool,
     ) -> Result<(), Refusal> {
-        let camera = self.camera();
-        let position = position_of(&self.lit(light)?);
-        let Some((position, [_, _, depth])) = position.and_then(|p| Some((p, camera.project(p, aspect)?)))
-        else {
-            return Ok(());
-        };
-        let (eye, toward) = (camera.eye(), camera.toward(place, aspect));
-        let level = (position.y - eye.y) / toward.y;
-        let depth = if is_level && level > 0.0 && level < 3.0 * depth { level } else { depth };
-        self.place_light(light, plus(eye, depth, toward))
+        self.within_gesture(|desk| {
+            let camera = desk.camera();
+            let position = position_of(&desk.lit(light)?);
+            let Some((position, [_, _, depth])) =
+                position.and_then(|p| Some((p, camera.project(p, aspect)?)))
+            else {
+                return Ok(());
+            };
+            let (eye, toward) = (camera.eye(), camera.toward(place, aspect));
+            let level = (position.y - eye.y) / toward.y;
+            let depth = if is_level && level > 0.0 && level < 3.0 * depth { level } else { depth };
+            desk.place_light(light, plus(eye, depth, toward))
+        })
     }
 
     /// Moves a light to a position.
@@ -206,13 +201,15 @@ impl Desk {
     /// Aims a light at what is seen at a place of the picture. Where nothing is seen, the point is as
     /// far from the eye as the point that the light aims at.
     pub(crate) fn drag_aim(&mut self, light: usize, place: [f32; 2], aspect: f32) -> Result<(), Refusal> {
-        let Some(aim) = self.aims()?.get(light).copied().flatten() else { return Ok(()) };
-        let camera = self.camera();
-        let (eye, toward) = (camera.eye(), camera.toward(place, aspect));
-        let depth = Surfaces::of(self.rig().scene()).first(eye, toward);
-        let depth = depth.or_else(|| camera.project(aim, aspect).map(|[_, _, depth]| depth));
-        let Some(depth) = depth else { return Ok(()) };
-        self.aim_light(light, plus(eye, depth, toward))
+        self.within_gesture(|desk| {
+            let Some(aim) = desk.aims()?.get(light).copied().flatten() else { return Ok(()) };
+            let camera = desk.camera();
+            let (eye, toward) = (camera.eye(), camera.toward(place, aspect));
+            let depth = Surfaces::of(desk.rig().scene()).first(eye, toward);
+            let depth = depth.or_else(|| camera.project(aim, aspect).map(|[_, _, depth]| depth));
+            let Some(depth) = depth else { return Ok(()) };
+            desk.aim_light(light, plus(eye, depth, toward))
+        })
     }
 
     /// Aims a light at a point. This ends a sweep.

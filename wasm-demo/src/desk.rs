@@ -4,7 +4,7 @@ use crate::{
     address,
     photometry::full_scale,
     refusal::Refusal,
-    rig::{self, Rig},
+    rig::Rig,
     setting::Setting,
     state::{EXPOSURES, LIGHTS, SWITCHABLE, State},
 };
@@ -16,9 +16,6 @@ use luminaire_render::{
 /// Largest number of states to return to.
 const PAST: usize = 200;
 
-/// Places of lights that are added, in turn: see [`rig::place_in_view`].
-const PLACES: [f32; 3] = [0.5, 0.1, 0.9];
-
 /// The state and what follows from it. A change is either taken or refused as a whole, so that the
 /// state can always be drawn.
 #[derive(Clone, Debug)]
@@ -29,6 +26,9 @@ pub(crate) struct Desk {
     past: Vec<State>,
     /// States that were undone, the last of which comes next.
     future: Vec<State>,
+    /// The lights as they were when the visitor's gesture began: its values are computed from them, and
+    /// not from those that it has passed.
+    grip: Option<Vec<Setting>>,
 }
 
 impl Desk {
@@ -40,7 +40,7 @@ impl Desk {
     /// Opens a scene with other lights than its own.
     pub(crate) fn with_rig(scene: Example, rig: Rig) -> Self {
         let state = State::of(scene, rig.lights());
-        Self { past: vec![state.clone()], state, rig, future: Vec::new() }
+        Self { past: vec![state.clone()], state, rig, future: Vec::new(), grip: None }
     }
 
     /// The state.
@@ -95,10 +95,45 @@ impl Desk {
         self.change_light(light, |setting| act(setting, &original))
     }
 
-    /// Sets a number of a light: see [`Setting::set_number`].
+    /// Begins a gesture of the visitor, which lasts until the next one begins.
+    pub(crate) fn grip(&mut self) {
+        self.grip = Some(self.state.lights.clone());
+    }
+
+    /// Does a step of a gesture, from the lights as they were when it began. A refusal changes nothing.
+    pub(crate) fn within_gesture(
+        &mut self,
+        act: impl FnOnce(&mut Self) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
+        let Some(grip) = self.grip.take() else { return act(self) };
+        let before = (self.state.clone(), self.rig.clone());
+        let restored = if self.state.lights == grip {
+            Ok(())
+        } else {
+            self.adopt(State { lights: grip.clone(), ..self.state.clone() })
+        };
+        let outcome = restored.and_then(|()| act(self));
+        if outcome.is_err() {
+            (self.state, self.rig) = before;
+        }
+        self.grip = Some(grip);
+        outcome
+    }
+
+    /// The setting of a light as it was when the visitor's gesture began.
+    pub(crate) fn held(&self, light: usize) -> Result<&Setting, Refusal> {
+        let lights = self.grip.as_ref().unwrap_or(&self.state.lights);
+        lights.get(light).ok_or(Refusal::Number { value: light, count: lights.len() })
+    }
+
+    /// Sets a number of a light, as a step of a gesture: see [`Setting::set_number`].
     pub(crate) fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);
-        self.change_original(light, |setting, original| setting.set_number(name, value, original, full_scale))
+        self.within_gesture(|desk| {
+            desk.change_original(light, |setting, original| {
+                setting.set_number(name, value, original, full_scale)
+            })
+        })
     }
 
     /// Sets a choice of a light: see [`Setting::set_choice`].
@@ -112,22 +147,13 @@ impl Desk {
         self.change_original(light, |setting, original| setting.zoom(factor, original))
     }
 
-    /// Adds a spotlight in view that aims at the middle of the picture.
-    pub(crate) fn add_light(&mut self) -> Result<(), Refusal> {
-        let of = self.rig.lights();
-        let before = self.state.lights.iter().filter(|setting| setting.of == of).count();
-        let [position, target] =
-            rig::place_in_view(self.rig.scene(), &self.camera(), PLACES[before % PLACES.len()]);
-        let added = Setting { position: Some(position), target: Some(target), ..Setting::of(of) };
-        self.insert_light(self.state.lights.len(), added)
-    }
-
     /// Adds a copy of a light behind it.
     pub(crate) fn copy_light(&mut self, light: usize) -> Result<(), Refusal> {
         self.insert_light(light + 1, *self.setting(light)?)
     }
 
-    fn insert_light(&mut self, place: usize, setting: Setting) -> Result<(), Refusal> {
+    /// Inserts a light, if there are not too many.
+    pub(crate) fn insert_light(&mut self, place: usize, setting: Setting) -> Result<(), Refusal> {
         let count = self.state.lights.len() + 1;
         if count > LIGHTS {
             return Err(Refusal::outside("number of lights", count as f32, [0.0, LIGHTS as f32], "lights"));
@@ -212,8 +238,16 @@ impl Desk {
 
     /// Takes the state of an address. Returns what was refused; the rest is taken.
     pub(crate) fn recall(&mut self, query: &str) -> Result<Vec<Refusal>, Refusal> {
-        let (asked, mut refused) = address::parse(query, self.state.scene)?;
+        let (mut asked, mut refused) = address::parse(query, self.state.scene)?;
         let scene = asked.scene;
+        let rig = Rig::new(scene.setup()?)?;
+        let others = State { lights: Vec::new(), ..asked.clone() };
+        for (light, setting) in asked.lights.iter_mut().enumerate() {
+            if let Err(refusal) = rig.accept(&others, light, setting) {
+                refused.push(Refusal::Opened { light, reason: refusal.to_string() });
+                *setting = Setting::of(setting.of);
+            }
+        }
         if let Err(refusal) = self.adopt(asked) {
             refused.push(refusal);
             self.adopt(State::of(scene, scene.setup()?.fixtures.len()))?;
@@ -255,6 +289,15 @@ impl Desk {
         Ok(())
     }
 
+    /// Returns to the last marked state, as if the changes since then had not been. Returns whether there
+    /// were any.
+    pub(crate) fn cancel(&mut self) -> Result<bool, Refusal> {
+        let marked = self.past.last().filter(|marked| !marked.is_same_setting(&self.state)).cloned();
+        let is_changed = marked.is_some();
+        self.return_to(marked)?;
+        Ok(is_changed)
+    }
+
     /// Returns to the state that was undone last, or does nothing if there is none.
     pub(crate) fn redo(&mut self) -> Result<(), Refusal> {
         let next = self.future.pop();
@@ -275,10 +318,11 @@ impl Desk {
         let is_another = next.scene != self.state.scene;
         let rig =
             if is_another { Rig::new(next.scene.setup()?)?.fitted(&next) } else { self.rig.fitted(&next) }?;
-        if let Some(format) = next.other {
-            rig.fitted(&State { format, ..next.clone() })?;
-        }
         (self.state, self.rig) = (next, rig);
+        // What is no step of a gesture begins another one.
+        if let Some(grip) = &mut self.grip {
+            grip.clone_from(&self.state.lights);
+        }
         Ok(())
     }
 }

@@ -32,6 +32,8 @@
 //! - `rig`: a scene with the settings of a state
 //! - `desk`: the state, its scene, and earlier states to return to
 //! - `aim`: the lights in the picture, and what a pointer moves
+//! - `dial`: the ends of a light's dials
+//! - `add`: the light that a visitor adds
 //! - `job`: a picture to draw, as text for a worker
 //! - `equality`: comparison of the scene's picture with the one of all effects
 //! - `painter`: the JavaScript class that draws a share of a picture
@@ -60,6 +62,8 @@
     allow(dead_code, unused_imports, reason = "each part uses some of what they share")
 )]
 
+#[cfg(feature = "stage")]
+mod add;
 #[cfg(feature = "state")]
 mod address;
 #[cfg(feature = "stage")]
@@ -81,6 +85,8 @@ mod decimal;
 mod design;
 #[cfg(feature = "stage")]
 mod desk;
+#[cfg(feature = "stage")]
+mod dial;
 #[cfg(feature = "comparison")]
 mod difference;
 mod display;
@@ -150,6 +156,6 @@ pub use {equality::Equality, painter::Painter, times::Times};
 #[cfg(feature = "state")]
 pub use {
     fixture::FixtureState,
-    light::LightState,
+    light::{DialEnds, LightState},
     scene_state::{AccountState, EffectState, ExampleState, SwitchState},
 };

@@ -2,10 +2,9 @@
 
 use crate::{
     design::{beams, fields},
-    format::Format,
     refusal::Refusal,
 };
-use luminaire::{Angle, Cone, Rgb, Vec3, display::encode_srgb, dynamic::AnyLight, falloff::AnyFalloff};
+use luminaire::{Cone, Rgb, Vec3, display::encode_srgb, dynamic::AnyLight, falloff::AnyFalloff};
 use wasm_bindgen::prelude::*;
 
 /// The angle that a cone is designed from. The kernel computes the others.
@@ -29,20 +28,8 @@ pub struct LightState {
     pub is_spot: bool,
     /// The full beam angle in degrees.
     pub beam: f32,
-    /// Narrowest beam angle with this edge and this number format.
-    #[wasm_bindgen(js_name = narrowestBeam)]
-    pub narrowest_beam: f32,
-    /// Widest beam angle with this edge.
-    #[wasm_bindgen(js_name = widestBeam)]
-    pub widest_beam: f32,
     /// The full field angle in degrees.
     pub field: f32,
-    /// Narrowest field angle with this edge and this number format.
-    #[wasm_bindgen(js_name = narrowestField)]
-    pub narrowest_field: f32,
-    /// Widest field angle with this edge.
-    #[wasm_bindgen(js_name = widestField)]
-    pub widest_field: f32,
     /// The full outer angle in degrees.
     pub outer: f32,
     /// The least and the largest beam angle with this field angle, and the least and the largest
@@ -59,10 +46,6 @@ pub struct LightState {
     pub intensity: f32,
     /// `cd`, or `lx` for a directional light.
     pub unit: String,
-    /// The intensity on the axis, at this cone, of the flux that the fixture is published with, or
-    /// else of the flux that the light has in the scene.
-    #[wasm_bindgen(js_name = ownIntensity)]
-    pub own_intensity: f32,
     /// The luminous flux in lumens; nothing for a directional light.
     pub lumens: Option<f32>,
     /// The distance in metres to the surface that the light aims at; nothing without one.
@@ -87,11 +70,26 @@ pub struct LightState {
     pub zoom: Option<f32>,
 }
 
+/// The ends of the dials of a light: the least and the largest value of each, both of which are
+/// accepted. Empty for a dial that the light does not have.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct DialEnds {
+    /// Of the full beam angle in degrees.
+    pub beam: Vec<f32>,
+    /// Of the full field angle in degrees.
+    pub field: Vec<f32>,
+    /// Of the fixture's published angle in degrees.
+    pub zoom: Vec<f32>,
+    /// Of the intensity on the axis, in the unit of the light.
+    pub intensity: Vec<f32>,
+}
+
 impl LightState {
-    /// The state of a light in a format.
-    pub(crate) fn of(light: &AnyLight, format: Format) -> Self {
+    /// The state of a light.
+    pub(crate) fn of(light: &AnyLight) -> Self {
         match light {
-            AnyLight::Spot(spot) => Self::colored(light).with_cone(spot.cone(), format),
+            AnyLight::Spot(spot) => Self::colored(light).with_cone(spot.cone()),
             _ => Self::colored(light),
         }
     }
@@ -101,20 +99,11 @@ impl LightState {
         Self { color: hex_of(light.color()), ..Self::default() }
     }
 
-    fn with_cone(self, cone: Cone<AnyFalloff>, format: Format) -> Self {
-        let edge = cone.profile();
-        // The ends of the sliders are the kernel's narrowest and widest outer angle, converted to
-        // the other angles.
-        let least = Cone::from_outer(edge, format.narrowest(edge)).unwrap_or(cone);
-        let most = Cone::from_outer(edge, Angle::degrees(180.0)).unwrap_or(cone);
+    fn with_cone(self, cone: Cone<AnyFalloff>) -> Self {
         Self {
             is_spot: true,
             beam: cone.beam().to_degrees(),
-            narrowest_beam: least.beam().to_degrees(),
-            widest_beam: most.beam().to_degrees(),
             field: cone.field().to_degrees(),
-            narrowest_field: least.field().to_degrees(),
-            widest_field: most.field().to_degrees(),
             outer: cone.outer().to_degrees(),
             reach: match (beams(cone.field().to_degrees()), fields(cone.beam().to_degrees())) {
                 (Some(beams), Some(fields)) => [beams, fields].concat(),

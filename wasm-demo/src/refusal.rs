@@ -25,6 +25,8 @@ pub(crate) enum Refusal {
     },
     /// An unknown name for a choice.
     Name { parameter: &'static str, value: String, expected: &'static str },
+    /// The settings of a light in an address, which opens with that light as the scene has it.
+    Opened { light: usize, reason: String },
     /// An index of a light that does not exist.
     Number { value: usize, count: usize },
     /// A zoom angle outside the range of the fixture.
@@ -87,6 +89,9 @@ impl fmt::Display for Refusal {
             }
             Self::Name { parameter, value, expected } => {
                 write!(f, "{parameter} = \"{value}\": expected {expected}")
+            }
+            Self::Opened { light, reason } => {
+                write!(f, "light {} is as the scene has it: {reason}", light + 1)
             }
             Self::Number { value, count } => {
                 write!(f, "light = {value}: expected a number from 0 to {}", count - 1)

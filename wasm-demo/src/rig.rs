@@ -82,30 +82,39 @@ impl Rig {
     /// # Errors
     /// A setting that a light or the state's number format can't have.
     pub(crate) fn fitted(&self, state: &State) -> Result<Self, Refusal> {
-        let has = |effect| self.has(state, effect);
-        let adds_shadows = has(Effect::Shadow) && !self.effects.has(Effect::Shadow);
-        let gain = state.exposure.exp2();
-        let fit = |setting: &Setting| {
-            let original = self.original(setting.of)?;
-            let mut fixture = setting.applied(original, gain)?;
-            if !has(Effect::Gobo) {
-                fixture = fixture.without_gobo();
-            }
-            if !has(Effect::Shadow) {
-                fixture = fixture.without_shadow();
-            }
-            if adds_shadows && takes_shadow(&fixture) {
-                fixture = fixture.with_shadow(self.shadow_side);
-            }
-            Ok(fixture)
-        };
-        let fixtures = state.lights.iter().map(fit).collect::<Result<_, Refusal>>()?;
+        let fixtures =
+            state.lights.iter().map(|setting| self.fixture(state, setting)).collect::<Result<Vec<_>, _>>()?;
+        for (light, fixture) in fixtures.iter().enumerate() {
+            check(state, light, fixture)?;
+        }
         let fitted = (state.switched, state.exposure);
-        let scene =
-            if self.fitted == fitted { Rc::clone(&self.scene) } else { self.scene_of(state, gain)?.into() };
-        let rig = Self { scene, fixtures, fitted, ..self.clone() };
-        rig.check(state)?;
-        Ok(rig)
+        let is_kept = self.fitted == fitted;
+        let scene = if is_kept {
+            Rc::clone(&self.scene)
+        } else {
+            self.scene_of(state, state.exposure.exp2())?.into()
+        };
+        Ok(Self { scene, fixtures, fitted, ..self.clone() })
+    }
+
+    /// Checks whether a light of a state can have a setting.
+    pub(crate) fn accept(&self, state: &State, light: usize, setting: &Setting) -> Result<(), Refusal> {
+        check(state, light, &self.fixture(state, setting)?)
+    }
+
+    /// A light with its setting and the effects of a state.
+    pub(crate) fn fixture(&self, state: &State, setting: &Setting) -> Result<MovingLight, Refusal> {
+        let has = |effect| self.has(state, effect);
+        let mut fixture = setting.applied(self.original(setting.of)?, state.exposure.exp2())?;
+        if !has(Effect::Gobo) {
+            fixture = fixture.without_gobo();
+        }
+        if !has(Effect::Shadow) {
+            fixture = fixture.without_shadow();
+        } else if !self.effects.has(Effect::Shadow) && takes_shadow(&fixture) {
+            fixture = fixture.with_shadow(self.shadow_side);
+        }
+        Ok(fixture)
     }
 
     /// The scene without the effects that are switched off, and with those that are added.
@@ -120,17 +129,6 @@ impl Rig {
             scene.set_haze(if has_haze { Some(Haze::new(HAZE)?) } else { None });
         }
         Ok(scene)
-    }
-
-    /// Checks whether the number format can hold every light at this time.
-    fn check(&self, state: &State) -> Result<(), Refusal> {
-        let format = state.format;
-        for (light, moving) in self.fixtures.iter().enumerate() {
-            let fixture = moving.at(state.seconds[0])?;
-            let refused = |error| Refusal::Format { format, light, name: moving.name, error };
-            format.check_fixture(&fixture).map_err(refused)?;
-        }
-        Ok(())
     }
 
     /// The scene with its switches applied.
@@ -234,6 +232,15 @@ impl Rig {
     }
 }
 
+/// Checks whether the number formats of a state can hold a light at its time.
+fn check(state: &State, light: usize, moving: &MovingLight) -> Result<(), Refusal> {
+    let fixture = moving.at(state.seconds[0])?;
+    [Some(state.format), state.other].into_iter().flatten().try_for_each(|format| {
+        let refused = |error| Refusal::Format { format, light, name: moving.name, error };
+        format.check_fixture(&fixture).map_err(refused)
+    })
+}
+
 /// Returns whether the lights and the camera of a scene change over time.
 fn moves(setup: &Setup) -> [bool; 2] {
     let lights = |seconds| setup.fixtures_at(seconds).ok();
@@ -244,11 +251,11 @@ fn moves(setup: &Setup) -> [bool; 2] {
 }
 
 /// Returns a place in the upper part of a camera's picture, nearer than its middle, and the middle:
-/// position and target of a light that a visitor adds. The place is `x` of the width of a square
-/// picture, from the left, and no surface lies between it and the eye.
-pub(crate) fn place_in_view(scene: &Scene, camera: &Camera, x: f32) -> [Vec3<f32>; 2] {
+/// position and target of a light that a visitor adds. `place` is in shares of the width and the height
+/// of a square picture, and no surface lies between it and the eye.
+pub(crate) fn place_in_view(scene: &Scene, camera: &Camera, place: [f32; 2]) -> [Vec3<f32>; 2] {
     let (eye, distance) = (camera.eye(), camera.distance());
-    let [middle, top, toward] = [[0.5, 0.5], [0.5, 0.0], [x, 0.15]].map(|place| camera.toward(place, 1.0));
+    let [middle, top, toward] = [[0.5, 0.5], [0.5, 0.0], place].map(|place| camera.toward(place, 1.0));
     let up = top.zip(middle, |top, middle| distance * (top - middle));
     let nearer = distance - 0.7 * up.dot(up).sqrt();
     let free = Surfaces::of(scene).first(eye, toward).map_or(nearer, |depth| 0.9 * depth);
@@ -258,7 +265,7 @@ pub(crate) fn place_in_view(scene: &Scene, camera: &Camera, x: f32) -> [Vec3<f32
 
 /// Returns a spotlight that aims at the middle of a scene's picture and lights it to full scale.
 fn added(setup: &Setup) -> Result<MovingLight, Error> {
-    let [position, target] = place_in_view(&setup.scene, &setup.camera, 0.5);
+    let [position, target] = place_in_view(&setup.scene, &setup.camera, [0.5, 0.15]);
     let way = target.zip(position, |to, from| to - from);
     let spot = SpotLight::new(position, way, Cone::from_field(Soft, Angle::degrees(FIELD))?)?;
     Ok(MovingLight::new("added spot", spot.with_intensity(way.dot(way))?))

@@ -122,7 +122,8 @@ impl Setting {
         })
     }
 
-    /// Changes the cone, which the change gets, and conserves the flux.
+    /// Changes the cone, which the change gets, and conserves the flux. An intensity beyond the largest
+    /// is refused when the setting is applied: cut, it would be a flux that no change brings back.
     fn reshape(&mut self, original: &MovingLight, change: &Reshape) -> Result<(), Refusal> {
         let AnyLight::Spot(spot) = original.light() else {
             return Err(Refusal::name("light", original.name, "a spotlight, which has angles and an edge"));
@@ -132,7 +133,7 @@ impl Setting {
         change(self, &before)?;
         let after = self.cone(spot.cone())?;
         if after != before {
-            self.intensity = Some(after.candela(flux).min(BRIGHTEST));
+            self.intensity = Some(after.candela(flux));
         }
         Ok(())
     }
@@ -203,7 +204,7 @@ impl Setting {
         let lumens = self.fixture.and_then(|fixture| fixture.lumens);
         if let (Some(lumens), AnyLight::Spot(spot)) = (lumens, original.light()) {
             let candela = self.cone(spot.cone())?.candela(lumens);
-            self.intensity = Some((candela / full_scale).min(BRIGHTEST));
+            self.intensity = Some(candela / full_scale);
         }
         Ok(())
     }
@@ -246,8 +247,10 @@ impl Setting {
             },
             AnyLight::Directional(sun) => sun.into(),
         };
-        let intensity = if self.is_on { self.intensity.unwrap_or(light.intensity()) } else { 0.0 };
-        let fixture = original.with_light(self.emitting(light, gain * intensity)?);
+        let light = self.emitting(light, self.intensity.unwrap_or(light.intensity()))?;
+        // Beyond the largest intensity the exposure changes no displayed code.
+        let intensity = if self.is_on { (gain * light.intensity()).min(BRIGHTEST) } else { 0.0 };
+        let fixture = original.with_light(self.emitting(light, intensity)?);
         Ok(if self.target.is_some() { fixture.aimed() } else { fixture })
     }
 

@@ -16,7 +16,7 @@ use crate::{
 };
 use luminaire::dynamic::Effect;
 use luminaire_fixtures::FIXTURES;
-use luminaire_render::scenes::Example;
+use luminaire_render::{LARGEST, scenes::Example};
 use wasm_bindgen::{Clamped, prelude::*};
 
 /// The scene that the page opens with.
@@ -24,6 +24,9 @@ const FIRST: Example = Example::Show;
 
 /// Largest number of pixels of a picture at rest. The painters need about 70 bytes for each.
 const REST: u32 = 8_000_000;
+
+/// Largest number of pixels that an address can ask for: 7680 x 4320.
+const PIXELS: u32 = 33_177_600;
 
 /// A scene that is composed for fewer columns shows a small display, whose pixels should be seen.
 const SMALL: u32 = 320;
@@ -49,10 +52,25 @@ pub struct Stage {
 impl Stage {
     /// Opens the first scene. Its pictures have this width and height or, without these, the size
     /// that a scene is composed for.
+    ///
+    /// # Errors
+    /// A width or a height that a picture cannot have.
     #[wasm_bindgen(constructor)]
     pub fn new(width: Option<u32>, height: Option<u32>) -> Result<Self, JsValue> {
         panic::tell_the_page();
         let fixed = width.zip(height);
+        if (width, height) != (None, None) {
+            // One without the other has no pixels.
+            let [width, height] = [width, height].map(Option::unwrap_or_default);
+            let largest = LARGEST as u32;
+            for (name, side, most) in
+                [("width", width, largest), ("height", height, largest.min(PIXELS / width.max(1)))]
+            {
+                if !(1..=most).contains(&side) {
+                    return Err(Refusal::outside(name, side as f32, [1.0, most as f32], "pixels").into());
+                }
+            }
+        }
         Ok(Self { desk: Desk::new(FIRST)?, load: None, fixed, rest: None, map: Map::new(), mapped: None })
     }
 
@@ -109,6 +127,11 @@ impl Stage {
     /// Marks the state as one to return to.
     pub fn mark(&mut self) {
         self.desk.mark();
+    }
+
+    /// Returns to the last marked state, if it is another one. Returns whether it is.
+    pub fn cancel(&mut self) -> Result<bool, JsValue> {
+        Ok(self.desk.cancel()?)
     }
 
     /// Whether there is a state to undo.

@@ -64,8 +64,8 @@ export class CameraView {
       canvas.addEventListener(end, (event) => this.#pointers.delete(event.pointerId));
     }
     canvas.addEventListener("dblclick", () => camera.reset());
-    // Not passive: the wheel over the stage moves the camera, not the page.
-    canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
+    // Over all that lies on the picture. Not passive: it may move the camera, not the page.
+    canvas.parentElement?.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.#key(event));
     document.addEventListener("visibilitychange", () => this.request());
   }
@@ -176,14 +176,18 @@ export class CameraView {
     return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
   }
 
-  /** @param {WheelEvent} event */
+  /**
+   * Zooms if the picture has the focus or fills the screen, or with Ctrl. Otherwise the page scrolls.
+   * @param {WheelEvent} event
+   */
   #wheel(event) {
-    // With a modifier the wheel is the browser's own zoom.
-    if (event.ctrlKey || event.metaKey) return;
+    const isAsked = event.ctrlKey || event.metaKey;
+    const isChosen = this.#canvas.parentElement?.contains(document.activeElement) || document.fullscreenElement;
+    if (!isAsked && !isChosen) return;
     // A notch is about 100 pixels, 3 lines or a fraction of a page, depending on the browser.
     const notches = Math.max(-MOST, Math.min(event.deltaY / ([100, 3, 1][event.deltaMode] ?? 100), MOST));
-    // At its limit the camera stays, and the page scrolls.
-    if (this.#camera.zoom(NEARER ** -notches)) event.preventDefault();
+    // At its limit the camera stays, and the page scrolls; with Ctrl the browser would zoom the page.
+    if (this.#camera.zoom(NEARER ** -notches) || isAsked) event.preventDefault();
   }
 
   /** @param {KeyboardEvent} event */

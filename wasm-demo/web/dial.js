@@ -2,19 +2,26 @@
 import { tidy } from "./numbers.js";
 
 /**
- * Connects a number field: `set` gets the typed value; `leave` is called when there is nothing to
- * set.
+ * Connects a number field: `set` gets what was typed when the field is left or Enter pressed, because
+ * the 1 of 12 would be a value, too. `leave` is called when there is nothing to set.
  * @param {HTMLInputElement} field
  * @param {(value: number, field: HTMLInputElement) => void} set
- * @param {(field?: HTMLInputElement) => void} leave with the field if it is empty
+ * @param {(field: HTMLInputElement | undefined, isSet: boolean) => void} leave with the field if it is
+ *   empty, and whether it has just set a value, whose refusal nobody has read yet
  */
 export function joinNumber(field, set, leave) {
-  field.addEventListener("input", () => {
-    // An empty field is about to be filled. The browser returns NaN for any other invalid text.
-    if (field.value === "" && !field.validity.badInput) leave(field);
-    else set(field.valueAsNumber, field);
+  let isSet = false;
+  // The browser returns NaN for invalid text. An empty field is about to be filled.
+  const isEmpty = () => field.value === "" && !field.validity.badInput;
+  field.addEventListener("input", () => isEmpty() && leave(field, false));
+  field.addEventListener("change", () => {
+    if (isEmpty()) return;
+    isSet = true;
+    // A field that is left sets its value in the task in which it loses the focus.
+    setTimeout(() => (isSet = false));
+    set(field.valueAsNumber, field);
   });
-  field.addEventListener("blur", () => leave());
+  field.addEventListener("blur", () => leave(undefined, isSet));
 }
 
 /**
@@ -37,9 +44,9 @@ export class Dial {
    * @param {HTMLInputElement} slider
    * @param {HTMLInputElement} number
    * @param {(value: number, control: HTMLInputElement) => void} set called on a change, NaN for no number
-   * @param {(number: HTMLInputElement, source?: HTMLInputElement) => void} leave called when
-   *   the number is empty, with itself as the source, and when it loses focus: its refusal ends, and
-   *   it shows the current value
+   * @param {(number: HTMLInputElement, source: HTMLInputElement | undefined, isSet: boolean) => void} leave
+   *   called when the number is empty, with itself as the source, and when it loses focus: it shows the
+   *   current value, and its refusal ends unless it has just been set
    * @param {string} unit for people who hear the value of the slider
    */
   constructor(slider, number, set, leave, unit) {
@@ -47,7 +54,7 @@ export class Dial {
     this.#number = number;
     this.#unit = unit;
     slider.addEventListener("input", () => set(this.#ofSlider(), slider));
-    joinNumber(number, set, (source) => leave(number, source));
+    joinNumber(number, set, (source, isSet) => leave(number, source, isSet));
   }
 
   /**

@@ -19,9 +19,9 @@ export class HalfAngle {
     this.#set = set;
     /** @type {(value: number, source: HTMLInputElement) => void} */
     const take = (value, source) => this.take(value, source);
-    /** @type {(_: HTMLInputElement, source?: HTMLInputElement) => void} */
-    const leave = (_, source) => {
-      this.#tell("");
+    /** @type {(_: HTMLInputElement, source: HTMLInputElement | undefined, isSet: boolean) => void} */
+    const leave = (_, source, isSet) => {
+      if (!isSet) this.#tell("");
       this.show(this.#value, source);
     };
     this.#dial = new Dial(element("half-angle", HTMLInputElement), this.#number, take, leave, "°");

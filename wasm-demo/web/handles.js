@@ -1,5 +1,5 @@
 // The lights in the picture: a small fixture where each hangs, and the pool of the selected one. A
-// fixture moves its light, the pool aims it, and the wheel over the pool zooms it.
+// fixture moves its light, the pool aims it, and the wheel over the pool of a light with the focus zooms it.
 import { element } from "./elements.js";
 import { tidy } from "./numbers.js";
 import { plain } from "./plain.js";
@@ -58,7 +58,6 @@ export class Handles {
    * @type {{ act: Start["act"], offset: Place, press: Press, to?: Target, isLevel?: boolean } | undefined}
    */
   #drag;
-  #isMoving = false;
 
   /** Called with a change of the state. */
   onchange = /** @type {(act: () => void) => void} */ (() => {});
@@ -86,15 +85,20 @@ export class Handles {
   }
 
   /**
-   * Draws the lights over the picture. While the picture moves they are shown only where the
-   * pointer is over it or a light has the focus.
+   * Called after each picture. While the picture moves, the lights over it are shown and follow it only
+   * where the pointer is over it or a light has the focus.
+   * @param {boolean} isMoving
    */
-  show(isMoving = this.#isMoving) {
-    this.#isMoving = isMoving;
+  follow(isMoving) {
     this.#frame.classList.toggle("moves", isMoving);
+    if (!isMoving || this.#frame.matches(":hover, :focus-within")) this.show();
+  }
+
+  /** Draws the lights over the picture. */
+  show() {
     const isShown = this.#stage.showsHandles && this.#stage.lightCount > 0;
     this.#svg.toggleAttribute("hidden", !isShown);
-    if (!isShown || (isMoving && !this.#frame.matches(":hover, :focus-within"))) return;
+    if (!isShown) return;
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
     this.#size = { width, height };
@@ -159,6 +163,10 @@ export class Handles {
     const isBeside = !(at.x >= 0 && at.x <= width && at.y >= 0 && at.y <= height);
     const isShown = !Number.isNaN(at.x) && (!isBeside || isSelected);
     body.toggleAttribute("hidden", !isShown);
+    // Chromium tells of hidden parts of a drawing, too.
+    body.setAttribute("tabindex", isSelected ? "0" : "-1");
+    body.setAttribute("aria-label", `Position of light ${light + 1}, ${name}`);
+    tellPlace(body, position);
     if (!isShown) return;
     /** @type {(value: number, end: number) => number} */
     const inside = (value, end) => Math.min(Math.max(value, MARGIN), end - MARGIN);
@@ -169,9 +177,6 @@ export class Handles {
     body.classList.toggle("selected", isSelected);
     body.classList.toggle("beside", isBeside);
     body.classList.toggle("off", !on);
-    body.setAttribute("tabindex", isSelected ? "0" : "-1");
-    body.setAttribute("aria-label", `Position of light ${light + 1}, ${name}`);
-    tellPlace(body, position);
   }
 
   /** @param {number} aspect */
@@ -181,10 +186,10 @@ export class Handles {
     const place = this.#pixels(2 * light + 1);
     const isSeen = isSpot && !Number.isNaN(place.x);
     for (const part of [this.#aim, this.#area, ...this.#sides]) part.toggleAttribute("hidden", !isSeen);
-    if (!isSeen) return;
-    this.#aim.setAttribute("transform", `translate(${place.x.toFixed(1)} ${place.y.toFixed(1)})`);
     this.#aim.setAttribute("aria-label", `Aim of light ${light + 1}`);
     tellPlace(this.#aim, aim);
+    if (!isSeen) return;
+    this.#aim.setAttribute("transform", `translate(${place.x.toFixed(1)} ${place.y.toFixed(1)})`);
     const pool = this.#stage.pool(light, aspect);
     const [ends, outline] = [pool.slice(0, 4), pool.slice(4)];
     const { width, height } = this.#size;
@@ -227,6 +232,9 @@ export class Handles {
     target.addEventListener("pointermove", (event) => {
       if (this.#drag && target.hasPointerCapture(event.pointerId)) this.#follow(event);
     });
+    target.addEventListener("pointercancel", () => {
+      if (this.#drag) this.#drag.to = undefined;
+    });
     target.addEventListener("lostpointercapture", () => (this.#drag = undefined));
     target.addEventListener("keydown", (event) => this.#key(event, start));
   }
@@ -260,11 +268,15 @@ export class Handles {
     return this.#size.width / this.#size.height;
   }
 
-  /** @param {WheelEvent} event */
+  /**
+   * Zooms the light if a light has the focus. Otherwise the wheel moves the camera or the page.
+   * @param {WheelEvent} event
+   */
   #wheel(event) {
-    if (event.ctrlKey || event.metaKey) return;
+    if (event.ctrlKey || event.metaKey || !this.#svg.contains(document.activeElement)) return;
     const notches = Math.max(-MOST, Math.min(event.deltaY / ([100, 3, 1][event.deltaMode] ?? 100), MOST));
     event.preventDefault();
+    event.stopPropagation();
     this.#zoom(WIDER ** notches);
   }
 
@@ -308,7 +320,7 @@ function slider(kind, parts) {
  * @param {SVGElement} handle
  * @param {Float32Array} place
  */
-function tellPlace(handle, [x, y, z]) {
+function tellPlace(handle, [x = 0, y = 0, z = 0]) {
   handle.setAttribute("aria-valuenow", String(tidy(x)));
   handle.setAttribute("aria-valuetext", `x ${tidy(x)}, height ${tidy(y)}, z ${tidy(z)} metres`);
 }

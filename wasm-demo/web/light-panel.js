@@ -16,20 +16,11 @@ const input = (name) => find(`light-${name}`, HTMLInputElement);
 /** @param {string} name */
 const select = (name) => find(`light-${name}`, HTMLSelectElement);
 
-/** The ends of the slider of the intensity, as multiples of the light's own intensity. */
-const INTENSITIES = [0.01, 10];
-
-/** The same for a fixture whose flux is published, which is its most. */
-const DIMMED = [0.001, 1];
-
 /**
  * The fields of a position and of an aim.
  * @type {Record<"position" | "aim", string[]>}
  */
 const PLACES = { position: ["x", "y", "z"], aim: ["aim-x", "aim-y", "aim-z"] };
-
-/** Least angle of the zoom's slider, as a share of the largest. */
-const LEAST_ZOOM = 0.01;
 
 export class LightPanel {
   #stage;
@@ -37,6 +28,11 @@ export class LightPanel {
   #panel = find("panel");
   #error = element("error");
   #dials;
+  /**
+   * The angle that was typed last, and the light as it was then.
+   * @type {{ name: string, light: number, angles: string } | undefined}
+   */
+  #typed;
 
   /** Called when the light has changed, with the control that the change comes from. */
   onchange = /** @type {(source: Element) => void} */ (() => {});
@@ -102,14 +98,15 @@ export class LightPanel {
   #showDials(state, source) {
     const { beam, field, zoom, intensity } = this.#dials;
     const fixture = findFixture(state.fixture);
-    const [least, most] = fixture?.flux ? DIMMED : INTENSITIES;
-    intensity.range(least * state.ownIntensity, most * state.ownIntensity);
+    const ends = plain(this.#stage.dialEnds(this.#light));
+    for (const name of /** @type {const} */ (["beam", "field", "zoom", "intensity"])) {
+      const [least, most] = ends[name];
+      if (most !== undefined) this.#dials[name].range(least, most);
+    }
     intensity.show(Number(state.intensity.toPrecision(4)), source);
     element("unit").textContent = state.unit;
     if (!state.isSpot) return;
-    beam.range(state.narrowestBeam, state.widestBeam);
     beam.show(state.beam, source);
-    field.range(state.narrowestField, state.widestField);
     field.show(state.field, source);
     element("outer").textContent = degrees(state.outer);
     if (source !== input("fixture")) input("fixture").value = state.fixture;
@@ -118,8 +115,6 @@ export class LightPanel {
     if (!fixture) return;
     element("angle").textContent = fixture.angle;
     select("reading").value = state.reading;
-    const narrowest = state.reading === "beam" ? state.narrowestBeam : state.narrowestField;
-    zoom.range(Math.max(fixture.narrow, narrowest, LEAST_ZOOM * fixture.wide), fixture.wide);
     zoom.show(state.zoom ?? fixture.wide, source);
   }
 
@@ -154,7 +149,7 @@ export class LightPanel {
         const [x, y, z] = plain(this.#stage.light(this.#light))[place].with(i, value);
         set([x, y, z]);
       };
-      joinNumber(field, (value) => this.#set(field, () => change(value)), (source) => this.#leave(field, source));
+      joinNumber(field, (value) => this.#set(field, () => change(value)), (source, isSet) => this.#leave(field, source, isSet));
     }
   }
 
@@ -171,10 +166,33 @@ export class LightPanel {
   /** @param {string} name */
   #dial(name) {
     /** @type {(value: number, control: HTMLInputElement) => void} */
-    const set = (value, control) => this.#set(control, () => this.#stage.setNumber(this.#light, name, value));
-    /** @type {(control: HTMLInputElement, source?: HTMLInputElement) => void} */
-    const leave = (control, source) => this.#leave(control, source);
+    const set = (value, control) =>
+      this.#set(control, () => {
+        if (control.type === "number" && (name === "beam" || name === "field")) this.#type(name, value);
+        else this.#stage.setNumber(this.#light, name, value);
+      });
+    /** @type {(control: HTMLInputElement, source: HTMLInputElement | undefined, isSet: boolean) => void} */
+    const leave = (control, source, isSet) => this.#leave(control, source, isSet);
     return new Dial(input(name), input(`${name}-number`), set, leave, name === "intensity" ? "" : "°");
+  }
+
+  /**
+   * Sets a typed angle. It keeps the other one, if that was typed just before and there is a light with
+   * both; else the edge gives the other one.
+   * @param {"beam" | "field"} name
+   * @param {number} value
+   */
+  #type(name, value) {
+    const angles = () => {
+      const { beam, field, edge, reach } = plain(this.#stage.light(this.#light));
+      return { text: [beam, field, edge].join(), reach: reach.slice(name === "beam" ? 0 : 2) };
+    };
+    const { text, reach: [least, most] } = angles();
+    const typed = this.#typed;
+    const isOther = typed?.light === this.#light && typed.name !== name && typed.angles === text;
+    const keeps = isOther && value >= least && value <= most;
+    this.#stage.setNumber(this.#light, keeps ? `fit-${name}` : name, value);
+    this.#typed = { name, light: this.#light, angles: angles().text };
   }
 
   /**
@@ -197,12 +215,14 @@ export class LightPanel {
 
   /**
    * Called when a number field is empty or loses focus: clears its error and shows the current
-   * value, unless it is edited.
+   * value, unless it is edited. A refusal that nobody has read yet stays.
    * @param {HTMLInputElement} control
-   * @param {HTMLInputElement} [source]
+   * @param {HTMLInputElement | undefined} source
+   * @param {boolean} isSet
    */
-  #leave(control, source) {
-    if (control.hasAttribute("aria-invalid")) this.#refuse(control, "");
+  #leave(control, source, isSet) {
+    if (isSet) control.removeAttribute("aria-invalid");
+    else if (control.hasAttribute("aria-invalid")) this.#refuse(control, "");
     this.show(this.#light, source);
   }
 

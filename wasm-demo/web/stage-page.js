@@ -272,26 +272,48 @@ export class StagePage {
       };
       handles.onchange = (act) => this.#set(act);
       this.#handles = handles;
-      handles.show(this.#last !== undefined);
+      handles.show();
+      handles.follow(this.#last !== undefined);
     };
     later("curve.js", joinCurve).catch(reportError);
     later("handles.js", joinHandles).catch(reportError);
   }
 
-  /** Makes one step to undo of what the visitor drags, from where a pointer goes down. */
+  /**
+   * Makes one step to undo of what the visitor drags, from where the first pointer goes down. Where the
+   * browser takes the pointer for itself, as for a swipe that scrolls, there was no step.
+   */
   #joinSteps() {
-    element("stage-page").addEventListener("pointerdown", () => {
+    const page = element("stage-page");
+    page.addEventListener("pointerdown", ({ isPrimary }) => {
+      if (!isPrimary) return;
       this.#stage.mark();
       this.#isHeld = true;
+      this.#grip();
     }, true);
+    // A field is changed before it loses the focus, and that is where the next gesture begins.
+    for (const turn of ["focusin", "focusout"]) page.addEventListener(turn, () => this.#grip());
+    window.addEventListener("pointercancel", ({ isPrimary }) => {
+      if (isPrimary && this.#isHeld && this.#stage.cancel()) this.#changed();
+    });
     for (const end of ["pointerup", "pointercancel", "blur"]) {
       window.addEventListener(end, () => {
         if (this.#isHeld) {
           this.#isHeld = false;
+          this.#grip();
           this.#remember();
         }
       });
     }
+  }
+
+  /** Begins a gesture, and shows where its dials end. A number that is being typed stays. */
+  #grip() {
+    this.#stage.grip();
+    // While the list of lights is renewed, the selected one may be gone.
+    if (this.#lights.selected >= this.#stage.lightCount) return;
+    const field = document.activeElement;
+    this.#panel.show(this.#lights.selected, field?.matches("input:not([type=range])") ? field : undefined);
   }
 
   /**
@@ -516,7 +538,7 @@ export class StagePage {
     this.#account.add(account, pixels);
     this.#price.add(this.#lighting, account);
     this.#effects.show();
-    this.#handles?.show(isPlaying);
+    this.#handles?.follow(isPlaying);
   }
 
   async #copyLink() {
@@ -543,7 +565,10 @@ export class StagePage {
   async #fillScreen() {
     try {
       if (document.fullscreenElement) await document.exitFullscreen();
-      else await element("frame").requestFullscreen();
+      else {
+        await element("frame").requestFullscreen();
+        element("view").focus();
+      }
     } catch {
       element("told").textContent = "The browser does not let this page fill the screen.";
     }

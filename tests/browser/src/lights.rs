@@ -34,6 +34,7 @@ pub(crate) fn are_zoomed_by_wheel(visitor: &mut Visitor) -> Result<()> {
     page.ask(
         "addEventListener('wheel', (event) => (window.notches = event.deltaY / [100, 3, 1][event.deltaMode]), true)",
     )?;
+    page.ask("document.getElementById('handle-aim').focus()")?;
     page.change("the wheel", |page| page.wheel(aim, 100.0))?;
     let notches = page.number("window.notches")?;
     ensure!(notches.abs() > 0.1, "the wheel turns by {notches} notches");

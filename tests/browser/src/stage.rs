@@ -269,7 +269,8 @@ pub(crate) fn camera_is_moved(visitor: &mut Visitor) -> Result<()> {
     page.must_be_content()
 }
 
-/// At the limit of the zoom the wheel scrolls the page, and a swipe always does.
+/// At the limit of the zoom the wheel scrolls the page also while the picture has the focus, and a swipe
+/// always does.
 pub(crate) fn page_scrolls_over_the_picture(visitor: &mut Visitor) -> Result<()> {
     let mut page = visitor.ready()?;
     let taken = |page: &mut Page, by: i32| {
@@ -278,6 +279,7 @@ pub(crate) fn page_scrolls_over_the_picture(visitor: &mut Visitor) -> Result<()>
                 new WheelEvent('wheel', {{ deltaY: {by}, cancelable: true, bubbles: true }}))"
         ))
     };
+    page.ask("document.getElementById('view').focus()")?;
     ensure!(taken(&mut page, 100)?, "the wheel does not zoom");
     let mut turns = 0..20;
     ensure!(turns.any(|_| taken(&mut page, 1000).is_ok_and(|is_taken| !is_taken)), "the wheel is swallowed");

@@ -1,8 +1,13 @@
 //! The lights of the stage, for JavaScript.
 
 use super::Stage;
-use crate::{curve, edge, light::LightState, photometry, refusal::Refusal};
-use luminaire::{Vec3, dynamic::AnyLight};
+use crate::{
+    curve, edge,
+    light::{DialEnds, LightState},
+    photometry,
+    refusal::Refusal,
+};
+use luminaire::{Cone, Vec3, dynamic::AnyLight, falloff::AnyFalloff};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -22,6 +27,18 @@ impl Stage {
     /// Returns the state of a light.
     pub fn light(&self, light: usize) -> Result<LightState, JsValue> {
         Ok(self.desk.light_state(light)?)
+    }
+
+    /// Returns the ends of the dials of a light.
+    #[wasm_bindgen(js_name = dialEnds)]
+    pub fn dial_ends(&self, light: usize) -> Result<DialEnds, JsValue> {
+        Ok(self.desk.dial_ends(light)?)
+    }
+
+    /// Begins a gesture, such as the drag of a slider. Until the next one begins, numbers and drags of a
+    /// light are computed from the light as it is now.
+    pub fn grip(&mut self) {
+        self.desk.grip();
     }
 
     /// Switches a light on or off.
@@ -119,7 +136,7 @@ impl Stage {
         })?)
     }
 
-    /// Adds a spotlight behind the others: in view, and aimed at the middle of the picture.
+    /// Adds a spotlight behind the others, which is in view and lights a surface in view.
     #[wasm_bindgen(js_name = addLight)]
     pub fn add_light(&mut self) -> Result<(), JsValue> {
         Ok(self.desk.add_light()?)
@@ -190,17 +207,20 @@ impl Stage {
         name: &str,
     ) -> Result<Vec<f32>, JsValue> {
         let angles = curve::angles(reach, samples)?;
-        let beam = self.desk.light_state(light)?.beam;
-        Ok(paired(&angles, &curve::other(name, beam, &angles)?))
+        let Some(cone) = self.cone(light)? else { return Ok(Vec::new()) };
+        Ok(paired(&angles, &curve::other(name, cone.beam().to_degrees(), &angles)?))
     }
 }
 
 impl Stage {
+    /// The cone of a spotlight.
+    fn cone(&self, light: usize) -> Result<Option<Cone<AnyFalloff>>, Refusal> {
+        let light = self.desk.rig().described(self.desk.state(), light)?;
+        Ok(if let AnyLight::Spot(spot) = light { Some(spot.cone()) } else { None })
+    }
+
     fn trace(&self, light: usize, samples: usize, reach: Option<f32>) -> Result<Vec<f32>, Refusal> {
-        let setting = self.desk.setting(light)?;
-        let fixture = setting.applied(self.desk.rig().original(setting.of)?, 1.0)?;
-        let AnyLight::Spot(spot) = fixture.light() else { return Ok(Vec::new()) };
-        let cone = spot.cone();
+        let Some(cone) = self.cone(light)? else { return Ok(Vec::new()) };
         let angles = curve::angles(reach.unwrap_or_else(|| curve::reach(&cone)), samples)?;
         Ok(paired(&angles, &self.desk.state().format.intensities(&cone, &angles)?))
     }

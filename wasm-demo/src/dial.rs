@@ -1,0 +1,83 @@
+//! The ends of a light's dials, found by the checks that take the values between them.
+
+use crate::{
+    desk::Desk,
+    fixture,
+    light::{DialEnds, lumens_of},
+    photometry::full_scale,
+    refusal::Refusal,
+    setting::Setting,
+};
+use luminaire::{Angle, Cone, dynamic::AnyLight};
+
+/// The ends of the dial of the intensity, as multiples of the light's own intensity.
+const INTENSITIES: [f32; 2] = [0.01, 10.0];
+
+/// The same for a fixture whose flux is published, which is its most.
+const DIMMED: [f32; 2] = [0.001, 1.0];
+
+/// Number of halvings between a value that is taken and one that is refused.
+const HALVINGS: usize = 20;
+
+impl Desk {
+    /// Returns the ends of the dials of a light. They stay the same during a gesture.
+    pub(crate) fn dial_ends(&self, light: usize) -> Result<DialEnds, Refusal> {
+        let setting = Setting { is_on: true, ..*self.held(light)? };
+        let original = self.rig().original(setting.of)?;
+        let full_scale = full_scale(self.state().scene);
+        let ends = |name: &str, value: f32, ends: [f32; 2]| {
+            let is_taken = |value: f32| {
+                let mut next = setting;
+                next.set_number(name, value, original, full_scale)
+                    .and_then(|()| self.rig().accept(self.state(), light, &next))
+                    .is_ok()
+            };
+            ends.map(|end| farthest(value, end, is_taken)).into()
+        };
+        let on = *setting.applied(original, 1.0)?.light();
+        let published = setting.fixture.and_then(|fixture| fixture.lumens);
+        let own = original.light().intensity();
+        let flux = published.or_else(|| lumens_of(original.light(), full_scale * own));
+        let own = match (on, flux) {
+            (AnyLight::Spot(spot), Some(flux)) => spot.cone().candela(flux),
+            _ => full_scale * own,
+        };
+        // A light that is dark in its scene has the dial of one at full scale.
+        let own = if own > 0.0 { own } else { full_scale };
+        let shares = if published.is_some() { DIMMED } else { INTENSITIES };
+        let mut dials = DialEnds {
+            intensity: ends("intensity", own, shares.map(|share| share * own)),
+            ..DialEnds::default()
+        };
+        if let AnyLight::Spot(spot) = on {
+            let (cone, edge) = (spot.cone(), spot.cone().profile());
+            let outer = [self.state().format.narrowest(edge), Angle::degrees(180.0)]
+                .map(|outer| Cone::from_outer(edge, outer).unwrap_or(cone));
+            let angle = |name, of: fn(&Cone<_>) -> Angle| {
+                ends(name, of(&cone).to_degrees(), outer.each_ref().map(|cone| of(cone).to_degrees()))
+            };
+            dials.beam = angle("beam", |cone| cone.beam());
+            dials.field = angle("field", |cone| cone.field());
+        }
+        if let (Some(fixture), Some((_, zoom))) = (setting.fixture, setting.design.one()) {
+            dials.zoom = ends("zoom", zoom, fixture::zooms(fixture));
+        }
+        Ok(dials)
+    }
+}
+
+/// Returns the end, or the value nearest to it that is taken, between the end and the light's own value.
+fn farthest(value: f32, end: f32, is_taken: impl Fn(f32) -> bool) -> f32 {
+    if is_taken(end) {
+        return end;
+    }
+    // A light at an end of its dial may be a rounding error beyond it.
+    let inside = [1.0, 1.0 + 1e-6, 1.0 - 1e-6, 1.0 + 1e-5, 1.0 - 1e-5].map(|share| share * value);
+    let Some(mut taken) = inside.into_iter().find(|&value| is_taken(value)) else { return value };
+    let mut refused = end;
+    for _ in 0..HALVINGS {
+        let middle = (taken * refused).sqrt();
+        if is_taken(middle) { taken = middle } else { refused = middle }
+    }
+    taken
+}
