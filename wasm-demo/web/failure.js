@@ -20,6 +20,12 @@ export function fail(cause) {
 }
 
 /**
+ * Tells the visitor what the page does without.
+ * @param {string} text
+ */
+export const notice = (text) => tell("trouble", text);
+
+/**
  * Does something that no picture depends on. A failure is reported, and the rest continues.
  * @param {() => void} act
  */

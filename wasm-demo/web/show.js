@@ -1,6 +1,7 @@
 // Starts the demo: loads the module and connects the views.
 import { initSync, Stage } from "./pkg/wasm_demo.js";
 import { element } from "./elements.js";
+import { notice } from "./failure.js";
 import { Meter } from "./meter.js";
 import { compile } from "./module.js";
 import { Pool } from "./pool.js";
@@ -12,13 +13,14 @@ import { cores } from "./workers.js";
 
 /** Starts the demo. The other views are opened when they are first requested. */
 export async function open() {
-  const { width, height, workers = cores(), rests } = requested(location.search);
+  const { width, height, workers = cores(), rests, refused } = requested(location.search);
   // Compiled once for the page and all workers, which load their scripts in the meantime.
   const compiling = compile(new URL("pkg/wasm_demo_bg.wasm", import.meta.url));
   const pool = new Pool(compiling, workers);
   const module = await compiling;
   const { memory } = initSync({ module });
-  const stage = new Stage(width, height);
+  const stage = sized(width, height, refused);
+  if (refused.length > 0) notice(`${refused.join(". ")}. The page goes on without that.`);
   const screen = new Screen(element("view", HTMLCanvasElement), element("map", HTMLCanvasElement));
   const page = new StagePage(stage, pool, screen, module, { rests });
   const meter = new Meter(stage, page, module, memory);
@@ -52,4 +54,22 @@ export async function open() {
       ["chip", chip],
     ]),
   ).show();
+}
+
+/**
+ * Returns the stage with pictures of a size, or without if the module refuses it.
+ * @param {number | undefined} width
+ * @param {number | undefined} height
+ * @param {string[]} refused
+ */
+function sized(width, height, refused) {
+  // One of them has been refused.
+  if (refused.length > 0 && (width === undefined || height === undefined)) return new Stage();
+  try {
+    return new Stage(width, height);
+  } catch (refusal) {
+    if (typeof refusal !== "string") throw refusal;
+    refused.push(refusal);
+    return new Stage();
+  }
 }

@@ -45,29 +45,24 @@ export async function load(file) {
 }
 
 /**
- * The size of the picture and the number of workers, `?width=&height=&workers=`, else undefined; and
- * with `?rest=0` that pictures at rest have the size of those that move.
+ * The size of the picture and the number of workers, `?width=&height=&workers=`, else undefined; with
+ * `?rest=0` that pictures at rest have the size of those that move; and in words what was refused. The
+ * module checks the range of a size.
  * @param {string} search
  */
 export function requested(search) {
   const query = new URLSearchParams(search);
-  const [width, height] = ["width", "height"].map((name) => count(query, name, "pixels"));
-  const workers = count(query, "workers", "workers");
-  if (workers !== undefined && workers > MOST_WORKERS) {
-    throw new Error(`workers = ${workers}: expected 0 to ${MOST_WORKERS} workers`);
-  }
-  return { width, height, workers, rests: query.get("rest") !== "0" };
-}
-
-/**
- * Checks only that the value is a whole number; the renderer checks the range of a size.
- * @param {URLSearchParams} query
- * @param {string} name
- * @param {string} unit
- */
-function count(query, name, unit) {
-  const text = query.get(name);
-  if (text === null) return undefined;
-  if (!/^\d{1,9}$/.test(text)) throw new Error(`${name} = "${text}": expected a whole number of ${unit}`);
-  return Number(text);
+  /** @type {string[]} */
+  const refused = [];
+  /** @type {(name: string, most: number, expected: string) => number | undefined} */
+  const count = (name, most, expected) => {
+    const text = query.get(name);
+    if (text === null) return undefined;
+    if (/^\d{1,9}$/.test(text) && Number(text) <= most) return Number(text);
+    refused.push(`${name} = "${text}": expected ${expected}`);
+    return undefined;
+  };
+  const [width, height] = ["width", "height"].map((name) => count(name, Infinity, "a whole number of pixels"));
+  const workers = count("workers", MOST_WORKERS, `0 to ${MOST_WORKERS} workers`);
+  return { width, height, workers, rests: query.get("rest") !== "0", refused };
 }

@@ -52,6 +52,9 @@ class View {
   }
 }
 
+/** The title of the page, which is that of the first view. */
+const TITLE = document.title;
+
 export class Views {
   #views;
   /** @type {string | undefined} */
@@ -65,8 +68,24 @@ export class Views {
    */
   constructor(views) {
     this.#views = new Map([...views].map(([name, view]) => [name, new View(view)]));
-    window.addEventListener("hashchange", () => this.show());
+    window.addEventListener("hashchange", ({ newURL }) => this.#follow(newURL));
     element("absent-retry").addEventListener("click", () => this.show());
+  }
+
+  /**
+   * Shows the view that the visitor has gone to, and leads the focus there. The view before may have
+   * written its own address since.
+   * @param {string} address
+   */
+  async #follow(address) {
+    const before = this.#chosen;
+    const shown = this.show(requestedView(new URL(address).hash));
+    const view = this.#views.get(this.#chosen ?? "");
+    if (view && this.#chosen !== before) {
+      view.element.tabIndex = -1;
+      view.element.focus({ preventScroll: true });
+    }
+    await shown;
   }
 
   /**
@@ -83,8 +102,10 @@ export class Views {
       if (other !== chosen && !view.element.hidden) view.hide();
     }
     for (const link of /** @type {NodeListOf<HTMLAnchorElement>} */ (document.querySelectorAll(".views a"))) {
-      if (link.hash === `#${chosen}`) link.setAttribute("aria-current", "page");
-      else link.removeAttribute("aria-current");
+      if (link.hash === `#${chosen}`) {
+        link.setAttribute("aria-current", "page");
+        document.title = chosen === first ? TITLE : `${link.textContent} – ${TITLE}`;
+      } else link.removeAttribute("aria-current");
     }
     this.#absent.hidden = true;
     const view = /** @type {View} */ (this.#views.get(chosen));
