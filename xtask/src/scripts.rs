@@ -3,11 +3,11 @@
 use std::fs;
 use std::process::Command;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use serde_json::json;
 use tools::progress::Progress;
 use tools::suite::Suite;
-use tools::tally::Tally;
+use tools::tally::{self, Tally};
 use tools::{command, install, project, wasm};
 
 /// The page, its settings for TypeScript, and its unit tests.
@@ -62,16 +62,7 @@ fn rules(progress: &Progress) -> Result<()> {
 fn unit_tests(progress: &Progress) -> Result<Tally> {
     let mut test = Command::new(install::node(progress)?);
     test.arg("--test").current_dir(project::root().join(TESTS));
-    let ended = command::capture(test)?;
-    progress.quote(&ended.output);
-    let count = |word: &str| {
-        let lines = ended.output.lines().filter_map(|line| line.split_once(&format!(" {word} ")));
-        lines.filter_map(|(_, number)| number.trim().parse::<u64>().ok()).next_back()
-    };
-    match (count("pass"), count("fail")) {
-        (Some(passed), Some(failed)) if passed + failed > 0 => Ok(Tally { passed, failed }),
-        _ => bail!("no test was run"),
-    }
+    tally::node_test(test, progress)
 }
 
 fn node_program(name: &str) -> Result<Command> {

@@ -3,7 +3,7 @@
 mod tab;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result};
@@ -79,8 +79,13 @@ impl Chromium {
         }
     }
 
+    /// The installed program. As root on Debian, installs one if there is none.
+    pub fn program(progress: &Progress) -> Result<PathBuf> {
+        process::find("CHROME", &NAMES, &["chromium"], progress)
+    }
+
     fn start_with(flags: &[&str], display: Option<Display>, progress: &Progress) -> Result<Self> {
-        let program = process::find("CHROME", &NAMES, &["chromium"], progress)?;
+        let program = Self::program(progress)?;
         let profile = Process::folder("chromium")?;
         let mut command = Command::new(&program);
         command.arg(format!("--user-data-dir={}", profile.path().display())).args(FLAGS).args(flags);

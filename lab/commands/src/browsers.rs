@@ -1,12 +1,19 @@
 //! The steps of the test run that visit the demo in a browser.
 
-use anyhow::Context;
+use std::process::Command;
 
-use browser::{Engine, check::check};
+use anyhow::{Context, Result};
+
+use browser::{Chromium, Engine, check::check};
 use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
 use tools::demo::site;
 use tools::progress::Progress;
 use tools::suite::Suite;
+use tools::tally::{self, Tally};
+use tools::{install, project};
+
+/// The step whose tests are beside the page, in its language.
+const PAGE: &str = "browser: the page";
 
 /// The step that measures the demo.
 const CHECK: &str = "browser: the demo's check";
@@ -33,6 +40,7 @@ impl Browsers {
 
     fn are_wanted(&self, suite: &Suite) -> bool {
         suite.wants(CHECK)
+            || suite.wants(PAGE)
             || self.tests.iter().any(|(name, _)| suite.wants(name))
             || self.others.iter().any(|elsewhere| elsewhere.is_wanted(suite))
     }
@@ -50,6 +58,7 @@ impl Browsers {
         for (name, test) in &self.tests {
             suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));
         }
+        suite.count(PAGE, |progress| page(&visitor.as_ref().context(NO_VISITOR)?.address, progress));
         suite.step(CHECK, |progress| {
             let visitor = visitor.as_mut().context(NO_VISITOR)?;
             progress.say("Checked", check(visitor.browser.as_mut(), &visitor.address, None)?);
@@ -79,6 +88,16 @@ impl Browsers {
             });
         }
     }
+}
+
+/// Tests the page at an address in Chromium.
+fn page(address: &str, progress: &Progress) -> Result<Tally> {
+    install::npm("puppeteer-core", progress)?;
+    let mut test = Command::new(install::node(progress)?);
+    test.args(["--test", "browser/page.mjs"]).current_dir(project::root().join("wasm-demo/tests"));
+    test.env("PAGE", address).env("MODULES", install::npm_modules());
+    test.env("CHROMIUM", Chromium::program(progress)?);
+    tally::node_test(test, progress)
 }
 
 /// The steps of an engine other than the first.

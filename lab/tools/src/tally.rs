@@ -49,6 +49,19 @@ pub fn cargo_test(test: Command, progress: &Progress) -> Result<Tally> {
     Ok(tally)
 }
 
+/// Runs tests by node and adds up its results. It is an error if no test was run.
+pub fn node_test(test: Command, progress: &Progress) -> Result<Tally> {
+    let ended = command::capture(test)?;
+    progress.quote(&ended.output);
+    let count = |word: &str| {
+        let lines = ended.output.lines().filter_map(|line| line.split_once(&format!(" {word} ")));
+        lines.filter_map(|(_, number)| number.trim().parse::<u64>().ok()).next_back()
+    };
+    let (passed, failed) = (count("pass"), count("fail"));
+    ensure!(passed.is_some() && passed.max(failed) > Some(0), "no test was run");
+    Ok(Tally { passed: passed.unwrap_or(0), failed: failed.unwrap_or(1) })
+}
+
 /// The number before a word, as in `ok. 12 passed; 0 failed; …`.
 fn count(line: &str, word: &str) -> u64 {
     let parts = line.split([';', '.']).map(str::trim);

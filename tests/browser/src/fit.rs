@@ -2,26 +2,11 @@
 
 use anyhow::{Result, ensure};
 
-use crate::{STILL, Visitor, states};
+use crate::{Visitor, states};
 
 /// Windows in CSS pixels, and pixels of the device along each of them. The last is a window of 1280
 /// x 900 pixels at 200 %.
 const WINDOWS: [(u32, u32, f64); 4] = [(390, 844, 1.0), (768, 1024, 1.0), (1280, 900, 1.0), (640, 450, 2.0)];
-
-/// Quick: no view is wider than its window.
-pub(crate) fn every_screen(visitor: &mut Visitor) -> Result<()> {
-    for view in [STILL, "#stage?play=none&scene=gallery", "#compare?left=fx16&half=0.1", "#museum"] {
-        let mut page = visitor.ready_at(view)?;
-        for width in [390, 700, 1000, 1440] {
-            page.resize(width, 900)?;
-            page.settle()?;
-            let found = page.number("document.documentElement.scrollWidth")?;
-            ensure!(found <= f64::from(width), "{view} is {found} pixels wide on a screen of {width}");
-        }
-        page.must_be_content()?;
-    }
-    Ok(())
-}
 
 /// No state has a text that is cut, covered by another or beside its window.
 pub(crate) fn nothing_is_cut(visitor: &mut Visitor) -> Result<()> {

@@ -75,18 +75,6 @@ pub(crate) fn need_not_start(visitor: &mut Visitor) -> Result<()> {
     Ok(())
 }
 
-/// A bad number of workers is refused in words.
-pub(crate) fn are_counted(visitor: &mut Visitor) -> Result<()> {
-    for (query, words) in [("?workers=17", "0 to 16 workers"), ("?workers=two", "a whole number of workers")]
-    {
-        let mut page = visitor.browser.open(&format!("{}{query}", visitor.address), "")?;
-        ensure!(page.state()? == "failed", "{query} is taken");
-        let told = page.message("failure")?;
-        ensure!(told.contains(words), "{query} is told as {told:?}");
-    }
-    Ok(())
-}
-
 /// No task of the page takes longer than 50 ms after it has loaded: not while the show plays, nor
 /// while a slider is dragged.
 pub(crate) fn leave_the_page_free(visitor: &mut Visitor) -> Result<()> {
