@@ -125,6 +125,11 @@ pub trait Scalar:
     const STEP: f32;
     /// The largest magnitude of a coordinate of a light's position. The constant does not limit the
     /// coordinates of points.
+    ///
+    /// A compiled light can be moved farther. Of a light beyond 24,319 in `Fx16`, and beyond 32,639
+    /// in the quick evaluation of `Fx32`, the points and spheres within 256 units of the opposite end
+    /// of the range of [`Length`](Self::Length) may count as near: differences of such coordinates
+    /// wrap.
     const FARTHEST: f32;
 
     /// Returns the nearest value of the format. Fixed point saturates, and NaN becomes zero.

@@ -31,14 +31,24 @@ fn orthogonal(rng: &mut Rng, axis: DVec3) -> DVec3 {
     axis.cross(sweep::direction(rng)).normalize()
 }
 
+/// A position with coordinates at the ends of the fixed-point formats and near the origin.
+fn far<S: Format>(rng: &mut Rng) -> Vec3<S::Length> {
+    let mut coordinate = || {
+        let most = [32_768.0, -32_768.0, 65_536.0 * (rng.f32() - 0.5), 8.0][rng.usize(..4)];
+        S::length(most * (1.0 - 1e-3 * rng.f32() * rng.f32()))
+    };
+    Vec3::new(coordinate(), coordinate(), coordinate())
+}
+
 /// Asserts for spheres that touch a cone from outside and contain a lit point that the light can
-/// reach them.
+/// reach them, also at the ends of the formats, to where a light may be moved.
 fn assert_no_lit_sphere_is_skipped<S: Format>() {
     let mut rng = Rng::with_seed(21);
     let mut lit = 0;
     while lit < 100_000 * sweep::effort() {
         let degrees = 0.3 * 250.0_f32.powf(rng.f32());
         let Some(light) = step::<S>(&mut rng, degrees) else { continue };
+        let light = if rng.bool() { light } else { light.moved_to(far::<S>(&mut rng)) };
         let (position, axis) = (S::exact_point(light.position()), S::exact_direction(light.axis()));
         let (right, angle) = (orthogonal(&mut rng, axis), f64::from(degrees).to_radians());
         for _ in 0..20 {
@@ -54,7 +64,10 @@ fn assert_no_lit_sphere_is_skipped<S: Format>() {
             let center = sweep::single(S::exact_point(point) + size * outward).map(S::length);
             let reach = radius::<S>((S::exact_point(center) - S::exact_point(point)).length());
             lit += 1;
-            assert!(light.can_reach(center, reach), "{light:?} {center:?} {reach:?} {point:?}");
+            assert!(
+                light.can_reach(center, reach),
+                "{light:?} {center:?} {reach:?} {point:?}, expected light.can_reach(center, reach)"
+            );
         }
     }
 }
@@ -93,7 +106,7 @@ fn spheres_clear_of_the_cone_are_skipped() {
     let gaps = [gap::<Fx16>(), gap::<Fx32>(), gap::<f32>()];
     println!("{gaps:.5?}");
     for (gap, bound) in gaps.into_iter().zip([0.12, 8e-4, 3e-4]) {
-        assert!((bound / 10.0..=bound).contains(&gap), "{gaps:.5?}");
+        assert!((bound / 10.0..=bound).contains(&gap), "{gaps:.5?}, expected gap in bound / 10.0..=bound");
     }
 }
 
@@ -148,8 +161,32 @@ fn rows_have_the_light_of_their_points() {
     let shares = [share_in_vain::<Fx16>(), share_in_vain::<Fx32>(), share_in_vain::<f32>()];
     println!("{shares:.3?}");
     for share in shares {
-        assert!((0.1..=0.25).contains(&share), "{shares:.3?}");
+        assert!((0.1..=0.25).contains(&share), "{shares:.3?}, expected share in 0.1..=0.25");
     }
+}
+
+/// A light at the ends of a format lights all pixels of a wall.
+#[test]
+fn rows_at_the_ends_of_a_format_have_the_light_of_their_points() {
+    fn assert_rows<S: Format>() {
+        let cone = Cone::soft(Angle::degrees(10.0)).expect("a sound cone");
+        for (x, back) in [(32_000.0, -1.0), (-32_000.0, 1.0), (32_767.0, -1.0)] {
+            let spot = SpotLight::new([0.0; 3], [back, 0.0, 0.0], cone).expect("a sound light");
+            let spot =
+                spot.with_intensity(10_000.0).expect("a sound intensity").compile::<S>().expect("held");
+            let (light, normal) = (spot.moved_to(S::point([x, 0.0, 0.0])), S::normal([-back, 0.0, 0.0]));
+            let point = |i: usize| S::point([x + 100.0 * back, 4.0 * i as f32 - 128.0, 0.0]);
+            let (mut lit, mut shown) = (0, 0);
+            Row::new(normal, point).light(&[light], &mut [(); 64], |(), _, _| shown += 1);
+            for i in 0..64 {
+                lit += i32::from(light.irradiance(point(i), normal) != S::Irradiance::default());
+            }
+            assert!(lit > 0 && shown == lit, "{} at {x}: {shown} pixels of a row, expected {lit}", S::NAME);
+        }
+    }
+    assert_rows::<Fx16>();
+    assert_rows::<Fx32>();
+    assert_rows::<f32>();
 }
 
 fn assert_vertices<S: Format>() {
@@ -180,7 +217,7 @@ fn assert_vertices<S: Format>() {
         assert_eq!(color, clip::<S>(sum), "{vertex:?}");
         lit += u32::from(color != glow);
     }
-    assert!((40..400).contains(&lit), "{lit}");
+    assert!((40..400).contains(&lit), "{lit}, expected lit in 40..400");
 }
 
 #[test]

@@ -40,8 +40,20 @@ pub(super) fn moved_back(
     let up = 1 + shift / 2;
     let is_far = product >> (29 - up) != 0;
     let back = (product << up) as i32;
-    let moved = |tip: Length, axis: Fx32| {
-        Length::from_bits(tip.to_bits().wrapping_sub(signed_high_half(axis.to_bits(), back) << 2))
-    };
-    (!is_far).then(|| tip.zip(axis, moved))
+    let back = axis.map(|axis| signed_high_half(axis.to_bits(), back) << 2);
+    let tip = tip.map(Length::to_bits);
+    // A difference of two coordinates may wrap, but the moved tip is a coordinate. It can only leave
+    // the range of a length if the tip has a coordinate of 31 bits.
+    let ends = tip.map(|c| c ^ (c << 1));
+    if is_far || (ends.x | ends.y | ends.z) < 0 && wraps(tip, back) {
+        return None;
+    }
+    Some(tip.zip(back, |tip, back| Length::from_bits(tip.wrapping_sub(back))))
+}
+
+/// Returns whether a component of `a - b` leaves the range of 32 bits.
+#[cold]
+fn wraps(a: Vec3<i32>, b: Vec3<i32>) -> bool {
+    let Vec3 { x, y, z } = a.zip(b, |a, b| a.checked_sub(b).is_none());
+    x || y || z
 }

@@ -85,8 +85,9 @@ impl Offset16 {
 
     /// Returns an offset of more than 24 bits, halved to fit 32 bits.
     ///
-    /// A light's coordinate has at most 30 bits and a sign. So a difference that wraps still has
-    /// more than 24 bits, and the size test of `between` detects the wrap.
+    /// A light's coordinate is within 32,511 unless the light was moved farther, see
+    /// [`Scalar::FARTHEST`](crate::Scalar::FARTHEST). So a difference that wraps still has more than
+    /// 24 bits, and the size test of `between` detects the wrap.
     #[inline(always)] // `away.fx16` on Cortex-M0: +9 instructions without.
     fn far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| (p.to_bits() >> 1) - (l.to_bits() >> 1));

@@ -33,8 +33,8 @@ impl QuickOffset32 {
     #[inline]
     fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
-        // As in the 16-bit format, a difference that wraps has more than 24 bits, so this test
-        // detects the wrap.
+        // As in the 16-bit format, a difference that wraps has more than 23 bits if the light is
+        // within 32,639, so this test detects the wrap.
         let above = size(way) >> SHORT;
         if above == 0 || above >= 128 {
             cold_path();
