@@ -82,6 +82,17 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
         true
     }
 
+    /// Returns a share of the intensity times the window that ends the light at a range.
+    #[inline]
+    fn windowed<S: Scalar, O: Offset<S>, R: Ray<S>>(
+        _: &Self::Constants<S>,
+        _: &O,
+        _: &R,
+        share: R::Share,
+    ) -> R::Share {
+        share
+    }
+
     /// Returns the irradiance at this distance from a share of the intensity; 0 for a negative
     /// share.
     fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(

@@ -9,7 +9,7 @@ LUMINAIRE_RARE uint32_t luminaire_NAME_NearIrradiance(
         luminaire_coarse_ray coarse = luminaire_coarse_ray_of(&offset);
         uint32_t share = luminaire_NAME_CoarseShare(&coarse, luminaire_coarse_cosine(&coarse, facing));
         uint32_t light = luminaire_NAME_CoarseAttenuated(&coarse, share);
-        if (luminaire_is_clipped(share, light)) { return light; }
+        if (luminaire_is_clipped(WINDOWED, light)) { return light; }
     }
     ray = luminaire_fine_ray_of(&offset);
     return luminaire_NAME_FineAttenuated(&ray, luminaire_NAME_FineShare(&ray, luminaire_fine_cosine(&ray, normal)));

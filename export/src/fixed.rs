@@ -29,6 +29,8 @@ const SPHERE: &str = include_str!("../c/sphere.h");
 const LIGHT: &str = include_str!("../c/light.h");
 /// What stands in the three files for the name of the light.
 const NAME: &str = "NAME";
+/// What stands in [`LIGHT`] for the coarse share of the light, window included.
+const WINDOWED: &str = "WINDOWED";
 
 const PRECISIONS: [Precision; 2] = [Precision("coarse"), Precision("fine")];
 
@@ -70,13 +72,21 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     };
     let mut text = constants(name, light.color(), &parts);
     let laws = PRECISIONS.map(|precision| {
-        let mut code = Law { name, precision, constants: Vec::new(), result: String::new() };
-        models::attenuation(&law).attenuate(&mut code, "share".to_owned());
+        let mut code = Law {
+            name,
+            precision,
+            constants: Vec::new(),
+            windowed: "share".to_owned(),
+            result: String::new(),
+        };
+        models::attenuation(&law).attenuate(&mut code);
         code
     });
-    for constant in &laws[0].constants {
+    let [coarse, _] = &laws;
+    for constant in &coarse.constants {
         let _ = writeln!(text, "{constant}");
     }
+    let near = LIGHT.replace(WINDOWED, &coarse.windowed.replace("(ray,", "(&coarse,"));
     text.push('\n');
     match (&trace, parts.cone) {
         (Some(trace), Some(_)) => {
@@ -101,7 +111,7 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
             global(name, &format!("{precision}_attenuated"))
         );
     }
-    let _ = write!(text, "\n{}", LIGHT.replace(NAME, name));
+    let _ = write!(text, "\n{}", near.replace(NAME, name));
     let head = head(light, name).join("\n * ");
     let guard = format!("{}_LIGHT_H", name.to_ascii_uppercase());
     Ok(format!(

@@ -3,7 +3,7 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Angle, Cone, Fx16, PointLight, Scalar,
+    Angle, Cone, Fx16, Fx32, PointLight, Scalar, SpotLight,
     attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, Polynomial, SmoothRange},
     falloff::Linear,
     number::Arithmetic,
@@ -70,6 +70,35 @@ fn a_bright_spotlight_is_within_half_a_code() {
     ];
     println!("{errors:.2?} codes");
     assert!(errors.iter().all(|error| *error <= 0.5), "{errors:.2?} codes");
+}
+
+/// The end of a window dims light whose share without the window is exact enough. The light shown
+/// must be that of the windowed share.
+#[test]
+fn a_bright_light_is_not_white_where_its_window_dims_it() {
+    let cone = Cone::from_outer(Linear, Angle::degrees(9.3)).expect("a sound cone");
+    let spot = SpotLight::new([0.0; 3], [0.0, 0.0, 1.0], cone).expect("a sound light");
+    let spot = spot.with_intensity(1_000.0).expect("a sound intensity");
+    assert_windowed(spot.with_attenuation(GltfRange::new(InverseSquare, Some(0.51)).expect("sound")));
+    assert_windowed(spot.with_attenuation(FilamentRange::new(InverseSquare, Some(0.51)).expect("sound")));
+
+    fn assert_windowed<A: Attenuation>(spot: SpotLight<Linear, A>) {
+        let (found, exact) = (spot.compile::<Fx16>().expect("held"), spot.compile::<Fx32>().expect("held"));
+        let mut rng = Rng::with_seed(80);
+        for _ in 0..100_000 {
+            let off = [0.08, 0.08, 0.02].map(|size| size * (rng.f32() - 0.5));
+            let point = Fx16::point([off[0], off[1], 0.5 + off[2]]);
+            let normal = [0.3 * rng.f32(), 0.1, -1.0].map(Fx16::from_f32);
+            let shown = Fx16::exact_light(found.irradiance(point, normal.into())).min(1.0);
+            let normal = normal.map(|c| Fx32::from_bits(i32::from(c.to_bits()) << 16));
+            let expected = Fx32::exact_light(exact.irradiance(point, normal.into())).min(1.0);
+            assert!(
+                (shown - expected).abs() < 0.05,
+                "{:?} at {point:?}: {shown}, expected {expected}",
+                spot.attenuation()
+            );
+        }
+    }
 }
 
 /// The cosine alone, at normals of every direction, most of them grazing.

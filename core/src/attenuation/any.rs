@@ -123,6 +123,16 @@ macro_rules! any_attenuation {
             }
 
             #[inline]
+            fn windowed<S: Scalar, O: Offset<S>, R: Ray<S>>(
+                constants: &CompiledAnyAttenuation<S>,
+                offset: &O,
+                ray: &R,
+                share: R::Share,
+            ) -> R::Share {
+                with_attenuation!(constants, inner: Inner => Inner::windowed::<S, O, R>(inner, offset, ray, share))
+            }
+
+            #[inline]
             fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
                 constants: &CompiledAnyAttenuation<S>,
                 offset: &O,

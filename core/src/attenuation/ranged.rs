@@ -178,6 +178,16 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
         squared_fraction::<S, O>(*squared, offset) == S::ONE || A::is_beyond::<S, O>(inner, offset)
     }
 
+    #[inline]
+    fn windowed<S: Scalar, O: Offset<S>, R: Ray<S>>(
+        (squared, inner): &Self::Constants<S>,
+        offset: &O,
+        ray: &R,
+        share: R::Share,
+    ) -> R::Share {
+        A::windowed::<S, O, R>(inner, offset, ray, W::dim::<S, _>(share, ray.squared_near(offset, *squared)))
+    }
+
     #[inline(always)] // `spot-soft-lambert-gltf-range` on Cortex-M0: +31 instructions without.
     fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (squared, inner): &Self::Constants<S>,

@@ -93,7 +93,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     ///
     /// `bound` is that of [`FullOffset::is_outside`], from which the test removes the margin. The
     /// result is `None` for a half angle of 90 degrees or more, for one that the margin hides, and
-    /// in fixed point if the tip moves by 8 km or more.
+    /// in fixed point if the tip moves by 8 km or more, or beyond the range of a length.
     fn moved_back(
         tip: Vec3<Self::Position>,
         axis: Vec3<Self::Direction>,
@@ -154,7 +154,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     }
     /// Returns whether `light` exceeds full scale for every possible error of `share`.
     ///
-    /// `light` is the product of `share` and a gain. If `light` exceeds full scale, the fine
+    /// `light` is the product of `share`, window included, and a gain. If `light` exceeds full scale, the fine
     /// evaluation would give the same clipped result.
     #[inline]
     fn is_clipped(_share: Self, _light: Self::Received) -> bool {

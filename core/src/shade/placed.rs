@@ -71,14 +71,17 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
         if S::Offset::faces_far_away(facing) || self.is_outside(&offset) {
             return Incident::default();
         }
-        let is_always_fine = self.place().fine_below == u32::MAX;
+        let Stand { attenuation, fine_below, .. } = self.place();
+        let is_always_fine = fine_below == u32::MAX;
         let (mut lobe, mut coarse, mut keeps) = (S::ZERO, Incident::default(), [false; 2]);
         if H::SHINES || !is_always_fine {
             let ray = offset.ray();
             let cosine = ray.cosine(facing, normal);
             lobe = super::lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
             let (shares, light) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
-            let is_enough = |share, light| !is_always_fine && S::is_clipped(share, light);
+            let is_enough = |share, light| {
+                !is_always_fine && S::is_clipped(A::windowed(attenuation, &offset, &ray, share), light)
+            };
             keeps = [
                 is_enough(shares.diffuse, light.diffuse),
                 lobe == S::ZERO || is_enough(shares.specular, light.specular),

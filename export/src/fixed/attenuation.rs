@@ -23,6 +23,8 @@ pub(crate) struct Law<'a> {
     pub(super) precision: Precision,
     /// The gains that the code names, as definitions.
     pub(super) constants: Vec<String>,
+    /// The expression of the share `share` in the windows so far.
+    pub(super) windowed: String,
     /// The expression of the light that arrives of the share `share`.
     pub(super) result: String,
 }
@@ -49,29 +51,27 @@ pub(super) fn gain_of(gain: Gain16) -> String {
 
 /// An attenuation as C in the 16-bit format.
 pub(crate) trait FixedAttenuation {
-    /// Sets the expression of the light, and adds the constants.
-    ///
-    /// `share` is the expression of the share of the intensity.
-    fn attenuate(&self, law: &mut Law<'_>, share: String);
+    /// Sets the expression of the light, and adds the constants and the windows.
+    fn attenuate(&self, law: &mut Law<'_>);
 }
 
 impl FixedAttenuation for NoAttenuation {
-    fn attenuate(&self, law: &mut Law<'_>, share: String) {
-        let (Precision(precision), intensity) = (law.precision, law.intensity());
+    fn attenuate(&self, law: &mut Law<'_>) {
+        let (Precision(precision), intensity, share) = (law.precision, law.intensity(), &law.windowed);
         law.result = format!("luminaire_{precision}_give({share}, {intensity})");
     }
 }
 
 impl FixedAttenuation for InverseSquare {
-    fn attenuate(&self, law: &mut Law<'_>, share: String) {
-        let (Precision(precision), intensity) = (law.precision, law.intensity());
+    fn attenuate(&self, law: &mut Law<'_>) {
+        let (Precision(precision), intensity, share) = (law.precision, law.intensity(), &law.windowed);
         law.result = format!("luminaire_{precision}_inverse_square(ray, {share}, {intensity})");
     }
 }
 
 impl FixedAttenuation for Polynomial {
-    fn attenuate(&self, law: &mut Law<'_>, share: String) {
-        let (Precision(precision), intensity) = (law.precision, law.intensity());
+    fn attenuate(&self, law: &mut Law<'_>) {
+        let (Precision(precision), intensity, share) = (law.precision, law.intensity(), &law.windowed);
         let divisor = global(law.name, "divisor");
         let gains = Attenuation::constants::<Fx16>(*self).map(gain_of).join(", ");
         law.constants.push(format!("static const luminaire_gain {divisor}[3] = {{ {gains} }};"));
@@ -83,10 +83,10 @@ impl FixedAttenuation for Polynomial {
 }
 
 impl FixedAttenuation for SmoothRange {
-    fn attenuate(&self, law: &mut Law<'_>, share: String) {
+    fn attenuate(&self, law: &mut Law<'_>) {
         let [near, squared] = Attenuation::constants::<Fx16>(*self);
         let (near, squared) = (law.gain("range", near), law.gain("squared_range", squared));
-        let (Precision(precision), intensity) = (law.precision, law.intensity());
+        let (Precision(precision), intensity, share) = (law.precision, law.intensity(), &law.windowed);
         law.result = format!(
             "luminaire_{precision}_give(luminaire_{precision}_smooth_range({share}, \
              luminaire_{precision}_near(ray, {near}), luminaire_{precision}_squared_near(ray, {squared})), \
@@ -96,19 +96,17 @@ impl FixedAttenuation for SmoothRange {
 }
 
 impl<W: FixedWindow, A: FixedAttenuation + Attenuation> FixedAttenuation for Ranged<W, A> {
-    fn attenuate(&self, law: &mut Law<'_>, share: String) {
-        let share = if Ranged::range(self).is_some() {
+    fn attenuate(&self, law: &mut Law<'_>) {
+        if Ranged::range(self).is_some() {
             let (squared, _) = Attenuation::constants::<Fx16>(*self);
             let squared = law.gain("squared_range", squared);
-            let Precision(precision) = law.precision;
-            format!(
+            let (Precision(precision), share) = (law.precision, &law.windowed);
+            law.windowed = format!(
                 "luminaire_{precision}_{}({share}, luminaire_{precision}_squared_near(ray, {squared}))",
                 W::FUNCTION
-            )
-        } else {
-            share
-        };
-        self.attenuation().attenuate(law, share);
+            );
+        }
+        self.attenuation().attenuate(law);
     }
 }
 
