@@ -5,7 +5,7 @@ use luminaire::Vec3;
 
 /// Bit patterns that have broken arithmetic before, and random ones.
 pub fn bits(rng: &mut Rng) -> u64 {
-    const SEAMS: [u64; 12] = [
+    const SEAMS: [u64; 13] = [
         0,
         1,
         0x8000_0000,
@@ -14,6 +14,7 @@ pub fn bits(rng: &mut Rng) -> u64 {
         0x7f80_0000,
         0xff80_0000,
         0x7fc0_0000,
+        0xffc0_0000,
         0x0080_0000,
         0x7f7f_ffff,
         u64::MAX,

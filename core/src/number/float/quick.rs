@@ -18,7 +18,8 @@ pub struct QuickFloatOffset(FloatOffset);
 fn inverse_sqrt(x: f32) -> f32 {
     // Halving and negating the exponent in the integer representation gives `1 / sqrt(x)` with an
     // error of 3.5 % (Lomont 2003, "Fast Inverse Square Root").
-    let seed = f32::from_bits(0x5f37_59df - (x.to_bits() >> 1));
+    // The difference wraps for a NaN with its sign bit set.
+    let seed = f32::from_bits(0x5f37_59df_u32.wrapping_sub(x.to_bits() >> 1));
     // The quadratic in `s` approximates `1/sqrt(s)` with the least relative error, 2.5e-5, over all
     // `s` that the seed can give.
     let s = x * seed * seed;
