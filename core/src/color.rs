@@ -1,7 +1,7 @@
 //! Linear RGB colours.
 
 use crate::{
-    error::{Error, Parameter, check_between},
+    error::{Error, Parameter, check_components},
     number::Scalar,
 };
 
@@ -77,8 +77,7 @@ impl Rgb<f32> {
 
 /// Returns the colour if all channels are in [0, 1], or an error with the first channel outside.
 pub(crate) fn checked_color(color: Rgb<f32>) -> Result<Rgb<f32>, Error> {
-    for value in [color.red, color.green, color.blue] {
-        check_between(Parameter::Color, value, 0.0, 1.0)?;
-    }
+    let channels = [("red", color.red), ("green", color.green), ("blue", color.blue)];
+    check_components(Parameter::Color, channels, 0.0, 1.0)?;
     Ok(color)
 }

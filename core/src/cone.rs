@@ -84,8 +84,8 @@ impl<P: Falloff> Cone<P> {
         if angle > Angle::degrees(0.0) && angle <= largest && outer >= f32::MIN_POSITIVE {
             Ok(Self::open(profile, 0.0, outer.min(1.0)))
         } else {
-            let accepted = Expected::AngleUpTo(largest.to_degrees());
-            Err(Error { parameter, value: angle.to_degrees(), accepted })
+            let value = angle.to_degrees();
+            Err(Error { parameter, value, accepted: Expected::angle_up_to(largest.to_degrees(), value) })
         }
     }
 
@@ -126,8 +126,9 @@ impl<P: Falloff> Cone<P> {
         if angle > Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && range.contains(&limit) {
             Ok(Self { limit, ..self })
         } else {
-            let accepted = Expected::AngleUpTo(Angle::from_versine(self.outer).to_degrees());
-            Err(Error { parameter: Parameter::CutoffAngle, value: angle.to_degrees(), accepted })
+            let (value, largest) = (angle.to_degrees(), Angle::from_versine(self.outer).to_degrees());
+            let accepted = Expected::angle_up_to(largest, value);
+            Err(Error { parameter: Parameter::CutoffAngle, value, accepted })
         }
     }
 
@@ -302,7 +303,9 @@ impl<P: Falloff> Cone<P> {
             return Ok(());
         }
         let widest = Angle::from_versine(bisect(0.0, self.inner, holds));
-        refused(Parameter::InnerAngle, self.inner(), Expected::AngleBetween(0.0, widest.to_degrees()))
+        // The inner angle as given, although a smaller cutoff may end the hotspot.
+        let inner = Angle::from_versine(self.inner);
+        refused(Parameter::InnerAngle, inner, Expected::AngleBetween(0.0, widest.to_degrees()))
     }
 }
 

@@ -20,7 +20,7 @@ use core::fmt;
 pub struct Error {
     /// The rejected parameter.
     pub parameter: Parameter,
-    /// The rejected value; for a vector, its invalid component or its length.
+    /// The rejected value; for a vector or a colour, its invalid component, or the vector's length.
     pub value: f32,
     /// The accepted values.
     pub accepted: Expected,
@@ -139,6 +139,8 @@ pub enum Expected {
     Exactly(f32),
     /// A finite number in this closed interval.
     Between(f32, f32),
+    /// A finite number in this closed interval, for the component of this name.
+    Component(&'static str, f32, f32),
     /// A number, more than 0 and at most this value.
     UpTo(f32),
     /// A number, more than 0 and at most the first value, or exactly the second value.
@@ -203,16 +205,74 @@ impl fmt::Display for Parameter {
     }
 }
 
+impl Parameter {
+    /// Returns the unit of the limits, for the parameters of other systems.
+    fn unit(self, accepted: Expected) -> &'static str {
+        match self {
+            Self::Theta | Self::Phi => " radians (full angle)",
+            Self::InnerConeAngle | Self::OuterConeAngle => " radians (half angle)",
+            Self::SpotCutoff => " degrees (half angle)",
+            Self::SpotAngle if accepted == Expected::UpTo(90.0) => " degrees (half angle)",
+            Self::SpotAngle => " radians (half angle)",
+            Self::Roll => " degrees",
+            _ => "",
+        }
+    }
+}
+
+impl Expected {
+    /// The narrowest full angle, in degrees, whose versine is a normal number with any falloff.
+    pub(crate) const NARROWEST: f32 = 2e-17;
+
+    /// Returns the expectation of a full angle up to `largest` degrees.
+    ///
+    /// A positive angle may be too narrow, because its versine underflows.
+    pub(crate) fn angle_up_to(largest: f32, value: f32) -> Self {
+        if value > 0.0 && value < Self::NARROWEST {
+            Self::AngleBetween(Self::NARROWEST, largest)
+        } else {
+            Self::AngleUpTo(largest)
+        }
+    }
+
+    /// Returns whether a number is within the limits, as they are before they are rounded.
+    fn holds(self, value: f32) -> bool {
+        match self {
+            Self::AngleUpTo(most) | Self::UpTo(most) => value > 0.0 && value <= most,
+            Self::UpToOr(most, other) => value > 0.0 && value <= most || value == other,
+            Self::AngleFrom(least) => value >= least,
+            Self::AngleBetween(least, most)
+            | Self::Between(least, most)
+            | Self::Component(_, least, most)
+            | Self::RangeBetween(least, most) => (least..=most).contains(&value),
+            Self::WholeBetween(least, most) => (least as f32..=most as f32).contains(&value),
+            Self::Exactly(only) => value == only,
+            Self::Direction => false,
+        }
+    }
+}
+
+/// Returns the factor by which a limit is rounded: `scale`, or for an angle below 1 the power of ten
+/// that keeps as many digits.
+fn scale_of(angle: f32, mut scale: f32) -> f32 {
+    let least = scale;
+    while angle * scale < least && scale < 1e30 {
+        scale *= 10.0;
+    }
+    scale
+}
+
 impl fmt::Display for Expected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
+        match *self {
             // Limits are rounded towards the inside of the accepted range, so that the angle in the
             // message is accepted.
             Self::AngleUpTo(largest) => {
-                let shown = (largest * 1e2) as u32 as f32 / 1e2;
+                let scale = scale_of(largest, 1e2);
+                let shown = Number((largest * scale) as u32 as f32 / scale);
                 write!(f, "more than 0 and at most {shown} degrees (full angle)")
             }
-            Self::AngleFrom(narrowest) if *narrowest > 180.0 => {
+            Self::AngleFrom(narrowest) if narrowest > 180.0 => {
                 f.write_str("a number format of more bits: no angle up to 180 degrees is wide enough")
             }
             Self::AngleFrom(narrowest) => {
@@ -220,14 +280,21 @@ impl fmt::Display for Expected {
                 write!(f, "at least {shown} degrees (full angle), or a number format of more bits")
             }
             Self::AngleBetween(least, most) => {
-                let (scaled, most) = (least * 1e4, (most * 1e4) as u32 as f32 / 1e4);
+                let scale = scale_of(most, 1e4);
+                let (scaled, up_to) = (least * scale, (most * scale) as u32 as f32 / scale);
                 let down = scaled as u32;
-                let least = (down + u32::from((down as f32) < scaled)) as f32 / 1e4;
-                write!(f, "{least} to {most} degrees (full angle)")
+                let from = (down + u32::from((down as f32) < scaled)) as f32 / scale;
+                let from = if down == 0 { least } else { from };
+                let [from, up_to] = if from < up_to { [from, up_to] } else { [least, most] };
+                if from < up_to {
+                    write!(f, "{} to ", Number(from))?;
+                }
+                write!(f, "{} degrees (full angle)", Number(up_to))
             }
             Self::Exactly(value) => write!(f, "{value}"),
             Self::Between(f32::MIN, f32::MAX) => f.write_str("a finite number"),
             Self::Between(least, most) => write!(f, "a finite number from {least} to {most}"),
+            Self::Component(name, least, most) => write!(f, "{} ({name})", Self::Between(least, most)),
             Self::UpTo(most) => write!(f, "more than 0 and at most {most}"),
             Self::UpToOr(most, other) => write!(f, "more than 0 and at most {most}, or {other}"),
             Self::RangeBetween(least, most) => {
@@ -241,7 +308,19 @@ impl fmt::Display for Expected {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {}: expected {}", self.parameter, Shown(self.value), self.accepted)
+        let Self { parameter, value, accepted } = *self;
+        write!(f, "{parameter} = ")?;
+        if let Expected::WholeBetween(..) | Expected::Exactly(_) = accepted
+            && (1.0..1e18).contains(&value)
+            && value as u64 as f32 == value
+        {
+            write!(f, "{}", value as u64)?;
+        } else {
+            // Rounded, a value next to a limit may be within the limits.
+            let shown = rounded(value).filter(|&shown| !accepted.holds(shown));
+            write!(f, "{}", Number(shown.unwrap_or(value)))?;
+        }
+        write!(f, ": expected {accepted}{}", parameter.unit(accepted))
     }
 }
 
@@ -265,17 +344,35 @@ pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result
     }
 }
 
-/// Displays numbers in [0.001, 10,000) with up to four decimals. Very large or small numbers have
-/// an exponent; all other numbers are written in full.
-struct Shown(f32);
+/// Returns an error if the value, a component of a vector or a colour, is outside the closed
+/// interval.
+pub(crate) fn check_components(
+    parameter: Parameter,
+    components: [(&'static str, f32); 3],
+    least: f32,
+    most: f32,
+) -> Result<(), Error> {
+    for (name, value) in components {
+        if !(least..=most).contains(&value) {
+            return Err(Error { parameter, value, accepted: Expected::Component(name, least, most) });
+        }
+    }
+    Ok(())
+}
 
-impl fmt::Display for Shown {
+/// Returns a number in [0.001, 10,000) rounded to four decimals.
+fn rounded(value: f32) -> Option<f32> {
+    (1e-3..1e4).contains(&value).then(|| (value * 1e4 + 0.5) as u32 as f32 / 1e4)
+}
+
+/// Displays a number in full, or if it is very large or small with an exponent.
+struct Number(f32);
+
+impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(value) = *self;
         let size = if value < 0.0 { -value } else { value };
-        if (1e-3..1e4).contains(&value) {
-            write!(f, "{}", (value * 1e4 + 0.5) as u32 as f32 / 1e4)
-        } else if size == 0.0 || (1e-6..1e12).contains(&size) {
+        if size == 0.0 || (1e-6..1e12).contains(&size) {
             write!(f, "{value}")
         } else {
             // Without an exponent, the number would have up to 39 digits.

@@ -24,7 +24,7 @@ pub use crate::shade::LightModel;
 
 use crate::{
     color::{Rgb, checked_color},
-    error::{Error, Expected, Parameter, check_between},
+    error::{Error, Expected, Parameter, check_between, check_components},
     number::Scalar,
     trig,
     vec3::Vec3,
@@ -60,19 +60,19 @@ impl Emission {
 /// Returns the position if all components are finite, or an error that shows the first component
 /// that is not finite.
 fn checked_position(parameter: Parameter, position: Vec3<f32>) -> Result<Vec3<f32>, Error> {
-    for value in [position.x, position.y, position.z] {
-        check_between(parameter, value, -f32::MAX, f32::MAX)?;
-    }
+    check_components(parameter, components(position), -f32::MAX, f32::MAX)?;
     Ok(position)
 }
 
 /// Returns an error if a format cannot hold the position of a light. The position is not saturated,
 /// because saturation would move the light.
 pub(crate) fn check_reach<S: Scalar>(position: Vec3<f32>) -> Result<(), Error> {
-    for value in [position.x, position.y, position.z] {
-        check_between(Parameter::Position, value, -S::FARTHEST, S::FARTHEST)?;
-    }
-    Ok(())
+    check_components(Parameter::Position, components(position), -S::FARTHEST, S::FARTHEST)
+}
+
+/// Returns the components of a vector with their names.
+fn components(vector: Vec3<f32>) -> [(&'static str, f32); 3] {
+    [("x", vector.x), ("y", vector.y), ("z", vector.z)]
 }
 
 /// The axis of a light.

@@ -211,7 +211,7 @@ fn assert_farther_lights_refused<S: Format>() {
     };
     for sign in [1.0, -1.0] {
         assert!(at(sign * most).is_ok());
-        assert_refused(at(sign * most.next_up()), Parameter::Position, Expected::Between(-most, most));
+        assert_refused(at(sign * most.next_up()), Parameter::Position, Expected::Component("y", -most, most));
     }
 }
 

@@ -41,7 +41,9 @@ fn opengl_is_refused_by_its_names() {
     for (spot_cutoff, shown) in
         [(0.0, "0"), (-1.0, "-1"), (90.5, "90.5"), (179.0, "179"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")]
     {
-        let message = format!("spot cutoff = {shown}: expected more than 0 and at most 90, or 180");
+        let message = format!(
+            "spot cutoff = {shown}: expected more than 0 and at most 90, or 180 degrees (half angle)"
+        );
         refused(OpenGl { spot_cutoff, ..Default::default() }, &message);
     }
     let message = "spot exponent = 1024.5: expected a finite number from 0 to 1024";
@@ -68,9 +70,18 @@ fn a_penumbra_of_no_angle_is_refused_by_its_name() {
 #[test]
 fn direct3d_is_refused_by_its_names() {
     let refused = |light: Direct3d, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
-    refused(Direct3d { phi: 3.2, ..DIRECT3D }, "phi = 3.2: expected more than 0 and at most 3.1415927");
-    refused(Direct3d { phi: 0.0, ..DIRECT3D }, "phi = 0: expected more than 0 and at most 3.1415927");
-    refused(Direct3d { theta: 0.7, ..DIRECT3D }, "theta = 0.7: expected a finite number from 0 to 0.6");
+    refused(
+        Direct3d { phi: 3.2, ..DIRECT3D },
+        "phi = 3.2: expected more than 0 and at most 3.1415927 radians (full angle)",
+    );
+    refused(
+        Direct3d { phi: 0.0, ..DIRECT3D },
+        "phi = 0: expected more than 0 and at most 3.1415927 radians (full angle)",
+    );
+    refused(
+        Direct3d { theta: 0.7, ..DIRECT3D },
+        "theta = 0.7: expected a finite number from 0 to 0.6 radians (full angle)",
+    );
     refused(Direct3d { falloff: -1.0, ..DIRECT3D }, "falloff = -1: expected a finite number from 0 to 1024");
     let message =
         "range = 0: expected a distance from 0.001 to 1000000000, or an attenuation without a range";
@@ -81,19 +92,19 @@ fn direct3d_is_refused_by_its_names() {
 #[test]
 fn gltf_three_and_godot_are_refused_by_their_names() {
     let refused = |light: Gltf, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
-    let message = "outer cone angle = 1.6: expected more than 0 and at most 1.5707964";
+    let message = "outer cone angle = 1.6: expected more than 0 and at most 1.5707964 radians (half angle)";
     refused(Gltf { outer_cone_angle: 1.6, ..Default::default() }, message);
-    let message = "inner cone angle = 0.8: expected a finite number from 0 to 0.7853982";
+    let message = "inner cone angle = 0.8: expected a finite number from 0 to 0.7853982 radians (half angle)";
     refused(Gltf { inner_cone_angle: 0.8, ..Default::default() }, message);
     let message =
         "range = 0: expected a distance from 0.001 to 1000000000, or an attenuation without a range";
     refused(Gltf { range: Some(0.0), ..Default::default() }, message);
     let steep = Gltf { inner_cone_angle: 0.8, ..Default::default() };
-    let message = "inner cone angle = 0.8: expected a finite number from 0 to 0.7853982";
+    let message = "inner cone angle = 0.8: expected a finite number from 0 to 0.7853982 radians (half angle)";
     assert_refused(steep.import_as_recommended(ORIGIN, DOWN), message);
 
     let refused = |light: Three, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
-    let message = "spot angle = NaN: expected more than 0 and at most 1.5707964";
+    let message = "spot angle = NaN: expected more than 0 and at most 1.5707964 radians (half angle)";
     refused(Three { angle: f32::NAN, ..Default::default() }, message);
     let message = "penumbra = 1.5: expected a finite number from 0 to 1";
     refused(Three { penumbra: 1.5, ..Default::default() }, message);
@@ -104,7 +115,7 @@ fn gltf_three_and_godot_are_refused_by_their_names() {
     refused(Three { distance: -3.0, ..Default::default() }, message);
 
     let refused = |light: Godot, message: &str| assert_refused(light.import(ORIGIN, DOWN), message);
-    let message = "spot angle = 120: expected more than 0 and at most 90";
+    let message = "spot angle = 120: expected more than 0 and at most 90 degrees (half angle)";
     refused(Godot { spot_angle: 120.0, ..Default::default() }, message);
     let message = "spot angle attenuation = 0: expected a finite number from 0.0078125 to 128";
     refused(Godot { spot_angle_attenuation: 0.0, ..Default::default() }, message);
@@ -149,7 +160,10 @@ fn exponents_and_shares_out_of_range() {
 
 fn assert_light<S: Format>(light: S::Irradiance, unskipped: S::Irradiance, what: &impl core::fmt::Debug) {
     let value = S::exact_light(light);
-    assert!(value >= 0.0 && value.is_finite(), "{what:?}: {value}");
+    assert!(
+        value >= 0.0 && value.is_finite(),
+        "{what:?}: {value}, expected value >= 0.0 and value.is_finite()"
+    );
     assert_eq!(light, unskipped, "{what:?}");
 }
 
@@ -157,7 +171,10 @@ fn assert_spot<S: Format, P: Falloff, A: Attenuation>(rng: &mut Rng, light: &Com
     for _ in 0..20 {
         let (point, normal) = (vector(rng, S::length_from_bits), vector(rng, S::scalar_from_bits));
         let falloff = light.falloff(point).exact();
-        assert!((0.0..=1.0).contains(&falloff), "{light:?} {point:?}: {falloff}");
+        assert!(
+            (0.0..=1.0).contains(&falloff),
+            "{light:?} {point:?}: {falloff}, expected falloff in 0.0..=1.0"
+        );
         assert_light::<S>(light.irradiance(point, normal), light.irradiance_unskipped(point, normal), light);
     }
 }
@@ -264,10 +281,13 @@ fn every_parameter_has_an_answer() {
         for (imported, accepted) in imports.into_iter().zip(&mut accepted) {
             let Ok(Imported { light, difference }) = imported else { continue };
             let Difference { angle, place, distance } = difference;
-            assert!((0.0..=1.0 / 510.0).contains(&place), "{light:?} {difference:?}");
+            assert!(
+                (0.0..=1.0 / 510.0).contains(&place),
+                "{light:?} {difference:?}, expected place in 0.0..=1.0 / 510.0"
+            );
             assert!(
                 (0.0..=1.0).contains(&angle) && (0.0..=1.0).contains(&distance),
-                "{light:?} {difference:?}"
+                "{light:?} {difference:?}, expected angle in 0.0..=1.0 and distance in 0.0..=1.0"
             );
             assert!((angle.max(distance)..=1.0).contains(&difference.most()));
             *accepted += 1;
@@ -277,7 +297,7 @@ fn every_parameter_has_an_answer() {
         }
     }
     println!("accepted: {accepted:?}");
-    assert!(accepted.iter().all(|&accepted| accepted > 10), "{accepted:?}");
+    assert!(accepted.iter().all(|&accepted| accepted > 10), "{accepted:?} accepted, expected over 10 each");
 }
 
 /// The default parameters of every importer are those of its system, and give sound lights.
@@ -290,7 +310,12 @@ fn defaults_are_sound() {
         luminaire::falloff::AnyFalloff,
         luminaire::attenuation::AnyAttenuation,
     >| light.cone();
-    let near = |angle: Angle, degrees: f32| assert!((angle.to_degrees() - degrees).abs() < 1e-3, "{angle:?}");
+    let near = |angle: Angle, degrees: f32| {
+        assert!(
+            (angle.to_degrees() - degrees).abs() < 1e-3,
+            "{angle:?}, expected (angle.to_degrees() - degrees).abs() < 1e-3"
+        )
+    };
     near(cone(Gltf::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);
     near(cone(Three::default().import(ORIGIN, down).expect("sound").light).outer(), 120.0);
     near(cone(Godot::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);

@@ -1,12 +1,13 @@
 //! Constructors refuse bad input. The message names the parameter and says what would be accepted.
 
+use fastrand::Rng;
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
     Vec3,
     attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, Polynomial, SmoothRange},
     display::Exposure,
     error::{Expected, Parameter},
-    falloff::{Hard, InvertedPower, Linear, RealPower, Soft, SoftOrHard},
+    falloff::{AnyFalloff, Hard, InvertedPower, Linear, RealPower, Soft, SoftOrHard},
     haze::Haze,
     specular::{BlinnPhong, DifferenceForm, Phong},
 };
@@ -237,7 +238,7 @@ fn what_lights_and_materials_share() {
         matte.with_emissive(wrong).err(),
         matte.with_highlight(Phong, wrong, 8).err(),
     ];
-    let message = "color = 1.5: expected a finite number from 0 to 1";
+    let message = "color = 1.5: expected a finite number from 0 to 1 (blue)";
     assert!(colors.iter().all(|error| error.is_some_and(|error| error.to_string() == message)), "{colors:?}");
     let intensities = [
         sun.with_intensity(-1.0).err(),
@@ -294,7 +295,18 @@ fn numbers_are_shown_in_full_between_their_limits() {
     assert_eq!(refused(0.000_999_94), "range = 0.00099994: expected 1");
     assert_eq!(refused(1e-6), "range = 0.000001: expected 1");
     assert_eq!(refused(1e-6_f32.next_down()), "range = 9.999999e-7: expected 1");
-    // Limits are rounded inwards.
+    let side =
+        Error { value: 8_589_934_592.0, parameter: Parameter::Side, accepted: Expected::WholeBetween(1, 9) };
+    assert_eq!(side.to_string(), "side = 8589934592: expected a whole number from 1 to 9");
+    // Rounded to four decimals, the value would be within the limits.
+    assert_eq!(refused(1.000_01), "range = 1.00001: expected 1");
+    // Limits are rounded inwards, and a limit below 1 keeps its digits.
+    assert_eq!(
+        Expected::AngleUpTo(0.000_123_4).to_string(),
+        "more than 0 and at most 0.000123 degrees (full angle)"
+    );
+    assert_eq!(Expected::AngleBetween(1e-5, 2e-5).to_string(), "0.00001 to 0.00002 degrees (full angle)");
+    assert_eq!(Expected::AngleBetween(180.0, 180.0).to_string(), "180 degrees (full angle)");
     assert_eq!(Expected::AngleBetween(1.000_01, 2.000_09).to_string(), "1.0001 to 2 degrees (full angle)");
     let narrowest = |degrees| Expected::AngleFrom(degrees).to_string();
     assert!(narrowest(180.0).starts_with("at least 180"));
@@ -324,7 +336,7 @@ fn an_inner_angle_too_near_to_the_outer_one() {
 fn a_position_beyond_the_reach_of_its_format() {
     let far = SpotLight::new(Vec3::new(0.0, 40_000.0, 0.0), DOWN, cone()).expect("a sound light");
     assert!(far.compile::<f32>().is_ok());
-    let message = |most| format!("position = 40000: expected a finite number from -{most} to {most}");
+    let message = |most| format!("position = 40000: expected a finite number from -{most} to {most} (y)");
     assert_refused(far.compile::<Fx16>(), Parameter::Position, &message(16_383));
     assert_refused(far.compile::<Fx32>(), Parameter::Position, &message(32_767));
     let light = luminaire::PointLight::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
@@ -350,6 +362,95 @@ fn angles_too_small_for_a_versine() {
     ] {
         let error = refused.expect_err("no such cone");
         assert_eq!(error.value, 1e-30);
-        assert!(matches!(error.accepted, Expected::AngleUpTo(_)), "{error}");
+        let message = error.to_string();
+        assert!(message.contains("angle = 1e-30: expected 2e-17 to "), "{message}");
     }
+}
+
+/// The limits in a message: the numbers between which a value is accepted.
+fn limits(message: &str) -> Option<[f32; 2]> {
+    let numbers: Vec<f32> = message
+        .split("expected ")
+        .nth(1)?
+        .split([' ', ':', ','])
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    match numbers[..] {
+        [most] if message.contains("at least") => Some([most, f32::INFINITY]),
+        [most] => Some([most, most]),
+        [0.0, most] if message.contains("more than") => Some([f32::MIN_POSITIVE, most]),
+        [least, most] => Some([least, most]),
+        _ => None,
+    }
+}
+
+/// Asserts that a refused value is outside the limits that its message names, and that the nearest
+/// limit is accepted.
+fn assert_names_its_limits(result: Result<(), Error>, accepts: impl Fn(f32) -> Result<(), Error>) -> bool {
+    let Err(error) = result else { return false };
+    let message = error.to_string();
+    let Some([least, most]) = limits(&message) else { return false };
+    let value: f32 =
+        message.split([':', '=']).nth(1).and_then(|value| value.trim().parse().ok()).expect("a value");
+    assert!(least <= most, "{message}: no number is accepted");
+    assert!(!(least..=most).contains(&value), "{message}: the value is accepted by its message");
+    let nearest = if value < least { least } else { most };
+    let nearest = if message.contains("more than") && value < least { most } else { nearest };
+    assert!(accepts(nearest).is_ok(), "{message}: {nearest} is refused: {:?}", accepts(nearest));
+    true
+}
+
+/// A number from very small to very large, often next to a given one.
+fn hostile(rng: &mut Rng, near: f32) -> f32 {
+    match rng.u8(..6) {
+        0 => f32::from_bits(rng.u32(..)),
+        1 => near * (1.0 + 1e-6 * (rng.f32() - 0.5)),
+        2 => near.next_up(),
+        3 => 180.0 * (rng.f32() - 0.1),
+        _ => near * 2.0_f32.powf(8.0 * (rng.f32() - 0.5)),
+    }
+}
+
+/// No message contradicts itself, with and without a hotspot and a cutoff.
+#[test]
+fn the_limits_of_a_message_do_not_hold_its_value() {
+    type From = fn(AnyFalloff, Angle) -> Result<Cone<AnyFalloff>, Error>;
+    const CONSTRUCTORS: [From; 3] = [Cone::from_outer, Cone::from_field, Cone::from_beam];
+    let (mut rng, mut refused) = (Rng::with_seed(0x11_e175), [0; 5]);
+    let rng = &mut rng;
+    for _ in 0..4_000 {
+        let Ok(falloff) = AnyFalloff::drawn(rng.usize(..), || rng.f32()) else { continue };
+        let from = CONSTRUCTORS[rng.usize(..3)];
+        let make = |degrees| from(falloff, Angle::degrees(degrees)).map(drop);
+        refused[0] += u32::from(assert_names_its_limits(make(hostile(rng, 150.0)), make));
+        let outer = 2.0_f32.powf(7.49 - 20.0 * rng.f32().powi(3));
+        let Ok(cone) = Cone::from_outer(falloff, Angle::degrees(outer)) else { continue };
+        let inner = |degrees| cone.with_inner(Angle::degrees(degrees)).map(drop);
+        refused[1] += u32::from(assert_names_its_limits(inner(hostile(rng, outer)), inner));
+        let cutoff = |degrees| cone.with_cutoff(Angle::degrees(degrees)).map(drop);
+        refused[2] += u32::from(assert_names_its_limits(cutoff(hostile(rng, outer)), cutoff));
+        let two = |field| Cone::from_beam_and_field(Angle::degrees(outer), Angle::degrees(field)).map(drop);
+        refused[3] += u32::from(assert_names_its_limits(two(hostile(rng, 2.0 * outer)), two));
+        let (share, is_cut) = (1.0 - 2.0_f32.powf(-20.0 * rng.f32()), rng.bool());
+        let limit = outer * rng.f32();
+        let held = |cone: Cone<AnyFalloff>, kind: u8| {
+            let spot = SpotLight::new(ORIGIN, DOWN, cone)?;
+            match kind {
+                0 => spot.compile::<Fx16>().map(drop),
+                1 => spot.compile::<Fx32>().map(drop),
+                _ => spot.compile_quick::<f32>().map(drop),
+            }
+        };
+        for kind in 0..3 {
+            let with_inner = |degrees| {
+                let cone = cone.with_inner(Angle::degrees(degrees))?;
+                held(if is_cut { cone.with_cutoff(Angle::degrees(limit))? } else { cone }, kind)
+            };
+            let result = with_inner(outer * share);
+            if result.is_err_and(|error| error.parameter == Parameter::InnerAngle) {
+                refused[4] += u32::from(assert_names_its_limits(result, with_inner));
+            }
+        }
+    }
+    assert!(refused.iter().all(|&count| count > 300), "only {refused:?} are refused");
 }

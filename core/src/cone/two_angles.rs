@@ -89,8 +89,9 @@ fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) 
     let (near, far) = (beam.versine(), field.versine());
     // The versine of a tiny positive angle may underflow.
     if !(beam > Angle::degrees(0.0) && beam <= Angle::degrees(180.0) && near >= f32::MIN_POSITIVE) {
-        let accepted = Expected::AngleUpTo(180.0);
-        return Err(Error { parameter: Parameter::BeamAngle, value: beam.to_degrees(), accepted });
+        let value = beam.to_degrees();
+        let accepted = Expected::angle_up_to(180.0, value);
+        return Err(Error { parameter: Parameter::BeamAngle, value, accepted });
     }
     let designed = if field >= beam && field <= Angle::degrees(180.0) { design(near, far) } else { None };
     designed.ok_or_else(|| {
