@@ -6,11 +6,9 @@ use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FloatRamp, Gain16, Ga
 use luminaire::number::{Light16, Light32, Weight16, Weight32};
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Rgb,
-    attenuation::{
-        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
-    },
+    attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, GltfRange, InverseSquare},
     display::{CompiledExposure, compress_keep_hue},
-    falloff::{Cubic, Falloff, Hard, Power, Quadratic, Soft},
+    falloff::{AnyFalloff, CompiledAnyFalloff, Cubic, Falloff, Hard, IntegerPower, Quadratic, Soft},
     light::{
         CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
         LightModel, QuickCone, QuickSpotLight, Row, SurfacePoint,
@@ -76,17 +74,32 @@ fn color<S: Raw>(rng: &mut Rng) -> Rgb<S> {
     Rgb::default().map(|_: ()| S::scalar_from_bits(bits(rng)))
 }
 
+fn any_surface<S: Raw>(rng: &mut Rng) -> SurfacePoint<S> {
+    SurfacePoint {
+        point: vector(rng, S::length_from_bits),
+        normal: vector(rng, S::scalar_from_bits),
+        view: vector(rng, S::unit_from_bits),
+    }
+}
+
+/// Asserts that a light answers on a matte surface and in a row.
 fn assert_lights<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
     for _ in 0..20 {
-        let surface = SurfacePoint {
-            point: vector(rng, S::length_from_bits),
-            normal: vector(rng, S::scalar_from_bits),
-            view: vector(rng, S::unit_from_bits),
-        };
+        let surface = any_surface(rng);
         assert_shades::<S, L, NoSpecular>(rng, &surface, &light, ());
         let points = [(); 40].map(|()| vector(rng, S::length_from_bits));
         let row = Row::new(surface.normal, |i| points[i]);
-        row.light(&[light], &mut [(); 40], |(), _, sum| assert!(sum != Rgb::default()));
+        row.light(&[light], &mut [(); 40], |(), _, sum| {
+            assert!(sum != Rgb::default(), "{light:?}, expected sum != Rgb::default()")
+        });
+    }
+}
+
+/// Asserts that a light answers on glossy surfaces. A lobe sees nothing of a light's falloff and
+/// attenuation, so one light of each kind is enough.
+fn assert_shines<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
+    for _ in 0..20 {
+        let surface = any_surface(rng);
         let lobe = (S::any_ramp(rng), number(rng) as u32);
         assert_shades::<S, L, Phong>(rng, &surface, &light, lobe);
         assert_shades::<S, L, BlinnPhong>(rng, &surface, &light, lobe);
@@ -94,7 +107,8 @@ fn assert_lights<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
     }
 }
 
-/// Asserts that exposed light of any bits is in [0, 1] after clipping and after compressing.
+/// Asserts that exposed light of any bits, with and without early-outs, is in [0, 1] after clipping
+/// and after compressing.
 fn assert_shades<S: Raw, L: LightModel<S>, H: SpecularLobe>(
     rng: &mut Rng,
     surface: &SurfacePoint<S>,
@@ -105,20 +119,28 @@ fn assert_shades<S: Raw, L: LightModel<S>, H: SpecularLobe>(
     let material =
         CompiledMaterial::<S, H>::from_parts(color(rng), color(rng), emissive, color(rng), highlight);
     let ambient = Rgb::default().map(|_: ()| S::any_light(rng));
-    let sum = material.glow(ambient).plus::<S>(material.reflect(surface, light));
-    let exposed = CompiledExposure::<S>::from_parts(S::any_gain(rng)).expose(sum);
-    for channel in [compress_keep_hue::<S>(exposed).red, S::clip(exposed.green)] {
-        assert!((0.0..=1.0).contains(&channel.exact()), "{material:?} {light:?} {surface:?}: {channel:?}");
+    let exposure = CompiledExposure::<S>::from_parts(S::any_gain(rng));
+    for reflected in [material.reflect(surface, light), material.reflect_unskipped(surface, light)] {
+        let exposed = exposure.expose(material.glow(ambient).plus::<S>(reflected));
+        for channel in [compress_keep_hue::<S>(exposed).red, S::clip(exposed.green)] {
+            assert!(
+                (0.0..=1.0).contains(&channel.exact()),
+                "{material:?} {light:?} {surface:?}: {channel:?}, expected channel.exact() in 0.0..=1.0"
+            );
+        }
     }
 }
 
-fn assert_falls<S: Raw, P: Falloff + PartialEq>(rng: &mut Rng, profile: P, curve: P::Compiled<S>) {
-    let falloff = CompiledCone::<S, P>::from_parts(S::any_ramp(rng), profile, curve);
+fn assert_falls<S: Raw>(rng: &mut Rng, profile: AnyFalloff, curve: CompiledAnyFalloff<S>) {
+    let falloff = CompiledCone::<S, AnyFalloff>::from_parts(S::any_ramp(rng), profile, curve);
     for _ in 0..50 {
         let intensity = falloff.at(S::versine_from_bits(number(rng))).exact();
-        assert!((0.0..=1.0).contains(&intensity), "{falloff:?}: {intensity}");
+        assert!(
+            (0.0..=1.0).contains(&intensity),
+            "{falloff:?}: {intensity}, expected intensity in 0.0..=1.0"
+        );
     }
-    assert_spot::<S, P, InverseSquare>(rng, falloff, ());
+    assert_spot::<S, AnyFalloff, InverseSquare>(rng, falloff, ());
 }
 
 fn assert_spot<S: Raw, P: Falloff, A: Attenuation>(
@@ -143,28 +165,24 @@ fn assert_spot<S: Raw, P: Falloff, A: Attenuation>(
 }
 
 fn assert_distances<S: Raw>(rng: &mut Rng) {
-    let falloff = CompiledCone::from_parts(S::any_ramp(rng), Soft, Soft);
-    assert_distance::<S, NoAttenuation>(rng, falloff, ());
     let [a, b, c] = [S::any_gain(rng), S::any_gain(rng), S::any_gain(rng)];
-    assert_distance::<S, Polynomial>(rng, falloff, [a, b, c]);
-    assert_distance::<S, SmoothRange>(rng, falloff, [a, b]);
-    assert_distance::<S, GltfRange>(rng, falloff, (a, ()));
-    assert_distance::<S, FilamentRange>(rng, falloff, (b, ()));
-    assert_distance::<S, CutAt<SmoothRange>>(rng, falloff, (c, [a, b]));
-}
-
-fn assert_distance<S: Raw, A: Attenuation>(
-    rng: &mut Rng,
-    falloff: CompiledCone<S, Soft>,
-    distance: A::Constants<S>,
-) {
-    assert_spot::<S, Soft, A>(rng, falloff, distance);
-    let colors = [color(rng), color(rng)];
-    let (position, intensity) = (vector(rng, S::length_from_bits), S::any_gain(rng));
-    let point = CompiledPointLight::<S, A>::from_parts(position, distance, intensity, rng.u32(..40), colors);
-    assert_lights(rng, point);
-    let direction = vector(rng, S::unit_from_bits);
-    assert_lights(rng, CompiledDirectionalLight::<S>::from_parts(direction, intensity, colors));
+    for distance in [
+        CompiledAnyAttenuation::Constant((a, ())),
+        CompiledAnyAttenuation::Polynomial((S::gain(0.0), [a, b, c])),
+        CompiledAnyAttenuation::SmoothRange([a, b]),
+        CompiledAnyAttenuation::GltfRange((a, ())),
+        CompiledAnyAttenuation::FilamentRange((b, ())),
+        CompiledAnyAttenuation::WindowedPolynomial((c, [a, b, c])),
+    ] {
+        let falloff = CompiledCone::from_parts(S::any_ramp(rng), Soft, Soft);
+        assert_spot::<S, Soft, AnyAttenuation>(rng, falloff, distance);
+        let colors = [color(rng), color(rng)];
+        let (position, intensity) = (vector(rng, S::length_from_bits), S::any_gain(rng));
+        let near = rng.u32(..40);
+        let point =
+            CompiledPointLight::<S, AnyAttenuation>::from_parts(position, distance, intensity, near, colors);
+        assert_lights(rng, point);
+    }
 }
 
 #[test]
@@ -186,6 +204,7 @@ fn any_bits_make_a_quick_light() {
                 colors,
             );
             assert_lights(rng, light);
+            assert_shines(rng, light);
         }
     }
     assert_quick::<f32>();
@@ -208,9 +227,13 @@ fn assert_any_bits_zoom<S: Raw>() {
         });
         let zoomed = full[0].zoomed(&full[1], part);
         assert_lights(rng, zoomed);
+        assert_shines(rng, zoomed);
         for _ in 0..20 {
             let intensity = zoomed.falloff(vector(rng, S::length_from_bits)).exact();
-            assert!((0.0..=1.0).contains(&intensity), "{full:?} {part:?}: {intensity}");
+            assert!(
+                (0.0..=1.0).contains(&intensity),
+                "{full:?} {part:?}: {intensity}, expected intensity in 0.0..=1.0"
+            );
         }
         let quick = [(); 2].map(|()| {
             let cone = QuickCone::from_parts(S::any_quick_ramp(rng), Soft, Soft);
@@ -233,14 +256,22 @@ fn assert_any_bits_make_a_light<S: Raw>() {
         let rng = &mut rng;
         let quadratic = CompiledQuadratic::from_parts(S::any_weight(rng));
         let cubic = CompiledCubic::from_parts(S::any_weight(rng), S::any_weight(rng));
-        assert_falls::<S, _>(rng, Soft, Soft);
-        assert_falls::<S, _>(rng, Hard, Hard);
-        assert_falls::<S, _>(rng, Power::<15>, Power::<15>);
+        assert_falls::<S>(rng, Soft.into(), CompiledAnyFalloff::Soft(Soft));
+        assert_falls::<S>(rng, Hard.into(), CompiledAnyFalloff::Hard(Hard));
+        let power = IntegerPower::new(15).expect("sound");
+        assert_falls::<S>(rng, power.into(), CompiledAnyFalloff::Power(power));
         let raw = Quadratic::from_bits(bits(rng) as u32);
-        assert_falls::<S, _>(rng, raw, quadratic);
+        assert_falls::<S>(rng, raw.into(), CompiledAnyFalloff::Quadratic(quadratic));
         let raw = Cubic::from_bits([bits(rng) as u32, bits(rng) as u32]);
-        assert_falls::<S, _>(rng, raw, cubic);
+        assert_falls::<S>(rng, raw.into(), CompiledAnyFalloff::Cubic(cubic));
         assert_distances::<S>(rng);
+        let colors = [color(rng), color(rng)];
+        let (direction, intensity) = (vector(rng, S::unit_from_bits), S::any_gain(rng));
+        let sun = CompiledDirectionalLight::<S>::from_parts(direction, intensity, colors);
+        assert_lights(rng, sun);
+        assert_shines(rng, sun);
+        let (position, near) = (vector(rng, S::length_from_bits), rng.u32(..40));
+        assert_shines(rng, CompiledPointLight::<S>::from_parts(position, (), intensity, near, colors));
     }
 }
 
@@ -268,17 +299,23 @@ fn float_bits(rng: &mut Rng) -> u32 {
 /// Asserts that the figures of a profile, and of cones made with it, are in range.
 fn assert_figures<P: Falloff + PartialEq>(rng: &mut Rng, profile: P) {
     for figure in [profile.beam_versine(), profile.field_versine(), profile.integral(rng.f32())] {
-        assert!((0.0..=1.0).contains(&figure), "{profile:?}: {figure}");
+        assert!((0.0..=1.0).contains(&figure), "{profile:?}: {figure}, expected figure in 0.0..=1.0");
     }
     for hotspot in [0.0, 0.99 * rng.f32()] {
         let steepness = profile.steepness(hotspot);
-        assert!(steepness >= 0.0 && steepness.is_finite(), "{profile:?} {hotspot}: {steepness}");
+        assert!(
+            steepness >= 0.0 && steepness.is_finite(),
+            "{profile:?} {hotspot}: {steepness}, expected steepness >= 0.0 and steepness.is_finite()"
+        );
     }
     let cone = Cone::from_outer(profile, Angle::degrees(1.0 + 179.0 * rng.f32())).expect("a sound angle");
     for flux in [cone.lumens(1000.0), cone.candela(1000.0)] {
-        assert!(flux > 0.0 && flux.is_finite(), "{cone:?}: {flux}");
+        assert!(flux > 0.0 && flux.is_finite(), "{cone:?}: {flux}, expected flux > 0.0 and flux.is_finite()");
     }
-    assert!(Cone::narrowest::<Fx16>(profile).to_degrees().is_finite(), "{profile:?}");
+    assert!(
+        Cone::narrowest::<Fx16>(profile).to_degrees().is_finite(),
+        "{profile:?}, expected Cone::narrowest::<Fx16>(profile).to_degrees().is_finite()"
+    );
 }
 
 #[test]
@@ -286,11 +323,14 @@ fn any_bits_make_a_profile_with_figures() {
     let mut rng = Rng::with_seed(0x0b17_5eed);
     for _ in 0..3000 * sweep::effort() {
         let quadratic = Quadratic::from_bits(float_bits(&mut rng));
-        assert!((0.0..=2.0).contains(&quadratic.edge_slope()), "{quadratic:?}");
+        assert!(
+            (0.0..=2.0).contains(&quadratic.edge_slope()),
+            "{quadratic:?}, expected quadratic.edge_slope() in 0.0..=2.0"
+        );
         assert_figures(&mut rng, quadratic);
         let cubic = Cubic::from_bits([float_bits(&mut rng), float_bits(&mut rng)]);
         for slope in [cubic.edge_slope(), cubic.middle_slope()] {
-            assert!((0.0..=4.0).contains(&slope), "{cubic:?}");
+            assert!((0.0..=4.0).contains(&slope), "{cubic:?}, expected slope in 0.0..=4.0");
         }
         assert_figures(&mut rng, cubic);
     }

@@ -4,14 +4,13 @@ use fastrand::Rng;
 use luminaire::number::Arithmetic;
 use luminaire::{
     Cone, Fx16, Fx32,
-    falloff::{Falloff, FittedFalloff, Hard, Soft, SoftOrHard},
+    falloff::{FittedFalloff, Hard, Soft, SoftOrHard},
 };
-use support::with_every_shape;
-use support::{format::Format, profiles::Shape, sweep};
+use support::{format::Format, profiles::AnyShape, sweep};
 
 /// Skipped light is exactly zero: with and without early-outs the results are bit-identical,
 /// inside, outside and at the edge.
-fn assert_skipping_is_exact<S: Format, P: Falloff>(shape: &Shape<P>) {
+fn assert_skipping_is_exact<S: Format>(shape: &AnyShape) {
     let mut rng = Rng::with_seed(64);
     let (mut lit, mut dark) = (0, 0);
     for degrees in sweep::HALF_ANGLES.into_iter().chain([90.0]) {
@@ -19,7 +18,7 @@ fn assert_skipping_is_exact<S: Format, P: Falloff>(shape: &Shape<P>) {
         if cone.compile::<S>().is_err() {
             continue;
         }
-        for _ in 0..20 * sweep::effort() {
+        for _ in 0..4 * sweep::effort() {
             let spot = sweep::spot(&mut rng, cone).with_intensity(100.0).expect("sound");
             let compiled = spot.compile::<S>().expect("held");
             let position = S::exact_point(spot.position().map(S::length));
@@ -33,22 +32,22 @@ fn assert_skipping_is_exact<S: Format, P: Falloff>(shape: &Shape<P>) {
             }
         }
     }
-    assert!(lit > 20_000 && dark > 20_000, "the sweep saw {lit} lit and {dark} dark sites");
+    assert!(lit > 4_000 && dark > 4_000, "the sweep saw {lit} lit and {dark} dark sites");
 }
 
 #[test]
 fn skipping_is_exact_in_f32() {
-    with_every_shape!(assert_skipping_is_exact::<f32>);
+    AnyShape::all().iter().for_each(assert_skipping_is_exact::<f32>);
 }
 
 #[test]
 fn skipping_is_exact_in_fx32() {
-    with_every_shape!(assert_skipping_is_exact::<Fx32>);
+    AnyShape::all().iter().for_each(assert_skipping_is_exact::<Fx32>);
 }
 
 #[test]
 fn skipping_is_exact_in_fx16() {
-    with_every_shape!(assert_skipping_is_exact::<Fx16>);
+    AnyShape::all().iter().for_each(assert_skipping_is_exact::<Fx16>);
 }
 
 /// A profile chosen at run time and one that is a type are the same light.

@@ -5,11 +5,12 @@ use fastrand::Rng;
 use luminaire::{
     Cone, DirectionalLight, Fx16, Fx32, Material, PointLight, Rgb, SpotLight, Vec3,
     attenuation::{
-        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+        AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
+        Polynomial, SmoothRange,
     },
     display::{clip, compress_keep_hue},
     falloff::Soft,
-    light::{LightModel, SurfacePoint},
+    light::{CompiledPointLight, CompiledSpotLight, LightModel, SurfacePoint},
     number::Gain,
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
 };
@@ -34,19 +35,32 @@ fn assert_answer<S: Format, H: SpecularLobe>(
     assert_eq!(skipped, whole, "{material:?} {light:?} {surface:?}");
     for channel in [whole.red, whole.green, whole.blue] {
         let value = S::exact_light(channel);
-        assert!(value >= 0.0 && value.is_finite(), "{material:?} {light:?} {surface:?}: {value}");
+        assert!(
+            value >= 0.0 && value.is_finite(),
+            "{material:?} {light:?} {surface:?}: {value}, expected value >= 0.0 and value.is_finite()"
+        );
     }
     for fitted in [clip::<S>(whole), compress_keep_hue::<S>(whole)] {
         for channel in [fitted.red, fitted.green, fitted.blue] {
-            assert!((0.0..=1.0).contains(&channel.exact()), "{whole:?}: {channel:?}");
+            assert!(
+                (0.0..=1.0).contains(&channel.exact()),
+                "{whole:?}: {channel:?}, expected channel.exact() in 0.0..=1.0"
+            );
         }
     }
 }
 
-fn assert_all_highlights<S: Format>(light: &impl LightModel<S>, surface: &SurfacePoint<S>) {
+/// Asserts a sound answer on a matte surface alone, because a lobe sees nothing of a light's
+/// attenuation.
+fn assert_matte<S: Format, L: LightModel<S>>(light: &L, surface: &SurfacePoint<S>) {
+    let matte = Material::new(Rgb::new(0.5, 0.25, 1.0)).expect("sound");
+    assert_answer::<S, NoSpecular>(matte, light, surface);
+}
+
+fn assert_all_highlights<S: Format, L: LightModel<S>>(light: &L, surface: &SurfacePoint<S>) {
+    assert_matte(light, surface);
     let matte = Material::new(Rgb::new(0.5, 0.25, 1.0)).expect("sound");
     let gloss = Rgb::new(1.0, 0.5, 0.75);
-    assert_answer::<S, NoSpecular>(matte, light, surface);
     assert_answer(matte.with_highlight(Phong, gloss, 7).expect("sound"), light, surface);
     assert_answer(matte.with_highlight(BlinnPhong, gloss, 1024).expect("sound"), light, surface);
     assert_answer(matte.with_highlight(DualConeLobe, gloss, 1).expect("sound"), light, surface);
@@ -62,7 +76,15 @@ fn assert_all_highlights<S: Format>(light: &impl LightModel<S>, surface: &Surfac
     );
 }
 
-fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) -> A) {
+/// A check of the light of a spotlight or a point light at a surface.
+type Check<L, S> = fn(&L, &SurfacePoint<S>);
+
+fn assert_model<S: Format, A: Attenuation>(
+    rng: &mut Rng,
+    of_spot: Check<CompiledSpotLight<S, Soft, A>, S>,
+    of_point: Check<CompiledPointLight<S, A>, S>,
+    model: impl Fn(f32) -> A,
+) {
     for _ in 0..60 * sweep::effort() {
         let range = 1.0 + 30.0 * rng.f32();
         let cone = Cone::from_outer(Soft, sweep::half(5.0 + 80.0 * rng.f32())).expect("a sound cone");
@@ -74,8 +96,8 @@ fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) ->
         let (spot, point) = (spot.compile::<S>().expect("held"), point.compile::<S>().expect("held"));
         for _ in 0..50 {
             let surface = any_surface::<S>(rng);
-            assert_all_highlights(&spot, &surface);
-            assert_all_highlights(&point, &surface);
+            of_spot(&spot, &surface);
+            of_point(&point, &surface);
         }
         // Points near the light, in its light, and at the edges of the cone and of the range.
         for _ in 0..50 {
@@ -87,23 +109,28 @@ fn assert_model<S: Format, A: Attenuation>(rng: &mut Rng, model: impl Fn(f32) ->
                 sweep::single(site).map(S::length),
                 sweep::single(sweep::direction(rng)).map(S::from_f32),
             );
-            assert_all_highlights(&spot, &surface);
-            assert_all_highlights(&point, &surface);
+            of_spot(&spot, &surface);
+            of_point(&point, &surface);
         }
     }
 }
 
 fn assert_total<S: Format>() {
     let rng = &mut Rng::with_seed(0x11_6875);
-    assert_model::<S, _>(rng, |_| NoAttenuation);
-    assert_model::<S, _>(rng, |_| InverseSquare);
-    assert_model::<S, _>(rng, |range| Polynomial::new(0.0, 1.0, range).expect("sound"));
-    assert_model::<S, _>(rng, |_| Polynomial::new(0.0, 0.0, 0.0).expect("sound"));
-    assert_model::<S, _>(rng, |range| SmoothRange::new(range).expect("sound"));
-    assert_model::<S, _>(rng, |range| GltfRange::new(InverseSquare, Some(range)).expect("sound"));
-    assert_model::<S, _>(rng, |_| GltfRange::new(InverseSquare, None).expect("sound"));
-    assert_model::<S, _>(rng, |range| FilamentRange::new(InverseSquare, Some(range)).expect("sound"));
-    assert_model::<S, _>(rng, |range| CutAt::new(NoAttenuation, Some(range)).expect("sound"));
+    assert_model::<S, InverseSquare>(rng, assert_all_highlights, assert_all_highlights, |_| InverseSquare);
+    let models: [fn(f32) -> AnyAttenuation; 8] = [
+        |_| NoAttenuation.into(),
+        |range| Polynomial::new(0.0, 1.0, range).expect("sound").into(),
+        |_| Polynomial::new(0.0, 0.0, 0.0).expect("sound").into(),
+        |range| SmoothRange::new(range).expect("sound").into(),
+        |range| GltfRange::new(InverseSquare, Some(range)).expect("sound").into(),
+        |_| GltfRange::new(InverseSquare, None).expect("sound").into(),
+        |range| FilamentRange::new(InverseSquare, Some(range)).expect("sound").into(),
+        |range| CutAt::new(NoAttenuation, Some(range)).expect("sound").into(),
+    ];
+    for model in models {
+        assert_model::<S, AnyAttenuation>(rng, assert_matte, assert_matte, model);
+    }
     for _ in 0..2_000 {
         let direction = sweep::single(sweep::direction(rng));
         let sun = DirectionalLight::new(direction).and_then(|sun| sun.with_intensity(1e9 * rng.f32()));
@@ -144,7 +171,11 @@ fn assert_falls<S: Format, A: Attenuation>(model: A, range: f32, starts: f64, st
     let mut previous = f64::INFINITY;
     for quanta in (1..last + last / 8).step_by(7) {
         let light = at(quanta);
-        assert!(light <= previous + steps * f64::from(S::STEP), "{model:?} {}: {quanta}", S::NAME);
+        assert!(
+            light <= previous + steps * f64::from(S::STEP),
+            "{model:?} {}: {quanta}, expected light <= previous + steps * (S::STEP)",
+            S::NAME
+        );
         if quanta >= last {
             assert_eq!(light, 0.0, "{model:?} {}: {quanta}", S::NAME);
         }
@@ -187,10 +218,22 @@ fn assert_gains<S: Format>() {
         if (-8..8).contains(&exponent) {
             let value = f64::from(value);
             let near = |found: f64, exact: f64| (found - exact).abs() <= 7e-5 * exact + f64::from(S::STEP);
-            assert!(near(as_light(a.plus(b)), value * 1.37), "{value}");
-            assert!(near(as_light(a.by(b)), value * value * 0.37), "{value}");
-            assert!(near(as_light(a.inverse_capped()), (1.0 / value).min(1.0)), "{value}");
-            assert!(near(a.fraction().exact(), value.min(1.0)), "{value}");
+            assert!(
+                near(as_light(a.plus(b)), value * 1.37),
+                "{value}, expected near(as_light(a.plus(b)), value * 1.37)"
+            );
+            assert!(
+                near(as_light(a.by(b)), value * value * 0.37),
+                "{value}, expected near(as_light(a.by(b)), value * value * 0.37)"
+            );
+            assert!(
+                near(as_light(a.inverse_capped()), (1.0 / value).min(1.0)),
+                "{value}, expected near(as_light(a.inverse_capped()), (1.0 / value).min(1.0))"
+            );
+            assert!(
+                near(a.fraction().exact(), value.min(1.0)),
+                "{value}, expected near(a.fraction().exact(), value.min(1.0))"
+            );
         }
         let light = value.clamp(0.001, 1.0);
         let light = S::from_f32(light).expose(S::gain(100.0));
@@ -231,7 +274,7 @@ fn no_light_is_made_next_to_its_source() {
     for exponent in 0..=149 {
         let point = Vec3::new(0.0, 0.5_f32.powi(exponent), 0.0);
         let light = source.irradiance_unskipped(point, Vec3::new(0.0, -1.0, 0.0));
-        assert!(light <= 1.0, "{light} at 2^-{exponent}");
+        assert!(light <= 1.0, "{light} at 2^-{exponent}, expected light <= 1.0");
         // From 2^-64 on the squared distance is no normal number, and the point counts as on the
         // light.
         assert_eq!(light > 0.0, exponent < 64, "{light} at 2^-{exponent}");
@@ -247,7 +290,10 @@ fn gains_never_overflow() {
             let power = (0..64).fold(S::gain(gain), |power, _| power.by(power));
             let sum = power.plus(S::gain(1.0)).plus(power);
             let light = S::exact_light(S::ONE.expose(sum));
-            assert!(light >= 0.0 && light.is_finite(), "{gain}: {light}");
+            assert!(
+                light >= 0.0 && light.is_finite(),
+                "{gain}: {light}, expected light >= 0.0 and light.is_finite()"
+            );
         }
     }
     powers::<f32>();

@@ -3,7 +3,7 @@
 use super::{oracle, sweep};
 use luminaire::{
     Cone,
-    falloff::{Cubic, Falloff, Power, Quadratic},
+    falloff::{AnyFalloff, Cubic, Falloff, Power, Quadratic},
 };
 
 pub fn quadratic() -> Quadratic {
@@ -67,6 +67,29 @@ impl<const N: u32> Shape<Power<N>> {
     pub fn opengl(name: &'static str, oracle: oracle::Falloff) -> Self {
         let cone = |_: Power<N>, half| Cone::opengl(sweep::half(half)).expect("a sound cutoff");
         Self { name, cone, profile: Power, exact: |_, cutoff| oracle::Cone::opengl(N.into(), cutoff), oracle }
+    }
+}
+
+/// A [`Shape`] whose falloff is chosen at run time, for laws that do not depend on how it is chosen:
+/// one type for all shapes compiles in a fraction of the time.
+pub struct AnyShape {
+    pub name: &'static str,
+    cone: Box<dyn Fn(f32) -> Cone<AnyFalloff>>,
+}
+
+impl AnyShape {
+    pub fn at(&self, half_degrees: f32) -> Cone<AnyFalloff> {
+        (self.cone)(half_degrees)
+    }
+
+    /// Every shape of [`with_every_shape!`].
+    pub fn all() -> Vec<Self> {
+        fn of<P: Falloff + Into<AnyFalloff> + 'static>(shape: &Shape<P>) -> AnyShape {
+            let (name, cone, profile) = (shape.name, shape.cone, shape.profile);
+            let cone = move |half_degrees| cone(profile, half_degrees).with_profile(profile.into());
+            AnyShape { name, cone: Box::new(cone) }
+        }
+        crate::with_every_shape!(of).into()
     }
 }
 

@@ -41,9 +41,11 @@ pub(crate) fn key() -> Result<CompiledSpotLight<Fx16, Soft>, Error> {
         .compile()
 }
 
-/// Every value in every format.
+/// Every value: models that are chosen at run time in every format, and those that are types in one,
+/// because their source is generic over the format.
 pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
     beams(visit)?;
+    typed::<Fx16>(visit)?;
     of_format::<f32>(visit)?;
     of_format::<Fx32>(visit)?;
     of_format::<Fx16>(visit)?;
@@ -76,16 +78,14 @@ fn beams(visit: &mut impl Visit) -> Result<(), Error> {
     Ok(())
 }
 
-fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
+/// Lights and surfaces whose falloff, attenuation or lobe is a type.
+fn typed<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     macro_rules! falloffs {
         ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
             $(spots::<S, $type>(visit, $sample)?;)*
         };
     }
     luminaire::constant_falloffs!(falloffs);
-    for sample in AnyFalloff::samples() {
-        spots::<S, _>(visit, Ok(sample))?;
-    }
     spots::<S, _>(visit, Quadratic::new(0.3))?;
     spots::<S, _>(visit, Ok(Power::<15>))?;
     spots::<S, _>(visit, Ok(Table::of_knots(&KNOTS)))?;
@@ -107,15 +107,23 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     at_distances::<S, _>(visit, GltfRange::new(InverseSquare, None))?;
     let window = GltfRange::new(InverseSquare, Some(8.0))?;
     at_distances::<S, _>(visit, CutAt::new(window, Some(6.0)))?;
-    for index in 0..AnyAttenuation::COUNT {
-        at_distances::<S, _>(visit, AnyAttenuation::drawn(index, || 0.5))?;
-    }
     macro_rules! lobes {
         ($($(#[$doc:meta])* $type:ty = $name:literal, $value:expr;)*) => {
             $(surfaces::<S, $type>(visit, $value)?;)*
         };
     }
     luminaire::lobes!(lobes);
+    Ok(())
+}
+
+fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
+    for sample in AnyFalloff::samples() {
+        spots::<S, _>(visit, Ok(sample))?;
+    }
+    for index in 0..AnyAttenuation::COUNT {
+        at_distances::<S, _>(visit, AnyAttenuation::drawn(index, || 0.5))?;
+    }
+    surfaces::<S, _>(visit, Phong)?;
     for (index, (degrees, roll)) in [(1.5, 0.0), (40.0, 90.0), (160.0, -10.0)].into_iter().enumerate() {
         let spot =
             SpotLight::new(PLACES[index], AXES[index], Cone::from_outer(Step, Angle::degrees(degrees))?)?;
