@@ -42,7 +42,11 @@ fn assert_both_within<S: Format, P: Falloff>(cone: &Cone<P>, beam: f32, field: f
     for (asked, intensity) in [(beam, 0.5), (field, 0.1)] {
         let versine = oracle::versine(f64::from(asked) / 2.0) as f32;
         let found = falloff.at(falloff.versine(versine)).exact();
-        assert!((found - intensity).abs() < within, "{} {cone:?}: {found} at {asked}", S::NAME);
+        assert!(
+            (found - intensity).abs() < within,
+            "{} {cone:?}: {found} at {asked}, expected (found - intensity).abs() < within",
+            S::NAME
+        );
     }
 }
 
@@ -59,7 +63,10 @@ fn the_papers_fresnel_has_both_its_angles() {
     assert_both::<Fx32, _>(&cone, 7.0, 15.0);
     assert_both::<Fx16, _>(&cone, 7.0, 15.0);
     let (least, most) = Cone::edge_slopes(degrees(7.0), degrees(15.0)).expect("reachable");
-    assert!((least - 0.89).abs() < 0.01 && (most - 2.27).abs() < 0.01, "{least} to {most}");
+    assert!(
+        (least - 0.89).abs() < 0.01 && (most - 2.27).abs() < 0.01,
+        "{least} to {most}, expected (least - 0.89).abs() < 0.01 and (most - 2.27).abs() < 0.01"
+    );
 }
 
 /// Every ratio from 1.01 to the largest, with narrow and with wide beams, gives a cone with both
@@ -87,11 +94,11 @@ fn every_ratio_is_reached() {
             };
             let expected = if ratio < 1.3416 { 0 } else { 1 + usize::from(ratio > 2.33456) };
             let between = (ratio - 1.3416).abs() < 1e-4 || (ratio - 2.33455).abs() < 1e-4;
-            assert!(kind == expected || between, "{ratio}: {cone:?}");
+            assert!(kind == expected || between, "{ratio}: {cone:?}, expected kind == expected or between");
             kinds[kind] += 1;
         }
     }
-    assert!(kinds.iter().all(|&count| count > 100), "{kinds:?}");
+    assert!(kinds.iter().all(|&count| count > 100), "cones of each kind: {kinds:?}, expected over 100");
 }
 
 /// Special ratios: those of soft and hard give soft and hard, and equal angles give a step. Near
@@ -112,9 +119,15 @@ fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
         let near_hard =
             Cone::from_beam_and_field(degrees(10.0), degrees(f32::from_bits(hard.to_bits() + 200 - ulps)));
         let near_hard = near_hard.expect("sound");
-        assert!(near_hard.inner().to_degrees() >= 0.0, "{near_hard:?}");
+        assert!(
+            near_hard.inner().to_degrees() >= 0.0,
+            "{near_hard:?}, expected near_hard.inner().to_degrees() >= 0.0"
+        );
         let FittedFalloff::Quadratic(quadratic) = near_hard.profile() else { panic!("{near_hard:?}") };
-        assert!((1.99..=2.0).contains(&quadratic.edge_slope()), "{quadratic:?}");
+        assert!(
+            (1.99..=2.0).contains(&quadratic.edge_slope()),
+            "{quadratic:?}, expected quadratic.edge_slope() in 1.99..=2.0"
+        );
     }
     let step = Cone::from_beam_and_field(degrees(10.0), degrees(10.0)).expect("a step");
     assert_eq!(step.inner(), step.outer());
@@ -144,12 +157,15 @@ fn the_feasible_region_is_the_documented_one() {
         assert!((found_most - most).abs() < 5e-3, "{edge}: largest {found_most}");
     }
     let all =
-        (0..=400).filter_map(|i| Some((f64::from(i) / 100.0, cubics::ratios(f64::from(i) / 100.0, 2_000)?)));
+        (0..=200).filter_map(|i| Some((f64::from(i) / 50.0, cubics::ratios(f64::from(i) / 50.0, 2_000)?)));
     let (farthest, most) =
         all.clone().map(|(a, (_, most))| (a, most)).fold((0.0, 0.0), |x, y| if y.1 > x.1 { y } else { x });
     let least = all.map(|(_, (least, _))| least).fold(f64::INFINITY, f64::min);
-    assert!((most - 5.437).abs() < 2e-3 && (farthest - 1.34).abs() < 0.02, "{most} at {farthest}");
-    assert!((least - 1.1585).abs() < 5e-4, "{least}");
+    assert!(
+        (most - 5.437).abs() < 2e-3 && (farthest - 1.34).abs() < 0.02,
+        "{most} at {farthest}, expected (most - 5.437).abs() < 2e-3 and (farthest - 1.34).abs() < 0.02"
+    );
+    assert!((least - 1.1585).abs() < 5e-4, "{least}, expected (least - 1.1585).abs() < 5e-4");
 }
 
 /// The kernel's interval of edge slopes is the one that the search finds.
@@ -203,7 +219,7 @@ fn of_two_cubics_the_one_without_a_ring_is_taken() {
             let [a, b, c] = cone.profile().coefficients().map(f64::from);
             assert_eq!(a + b + c, 1.0);
             let taken = cubics::Cubic { a, b, c };
-            assert!(taken.smallest_slope() > -1e-5, "{taken:?}");
+            assert!(taken.smallest_slope() > -1e-5, "{taken:?}, expected taken.smallest_slope() > -1e-5");
             let cubics: Vec<_> =
                 cubics::of_edge_slope(a, 1_500).map(|cubic| (cubic, cubic.ratio())).collect();
             let crossings = cubics.windows(2).filter(|pair| (pair[0].1 > ratio) != (pair[1].1 > ratio));
@@ -212,7 +228,7 @@ fn of_two_cubics_the_one_without_a_ring_is_taken() {
             shared += usize::from(sharing.iter().any(|slope| best - slope > 0.05));
             assert!(
                 taken.smallest_slope() > best - 0.02,
-                "{ratio} {edge}: {} of {best}",
+                "{ratio} {edge}: {} of {best}, expected taken.smallest_slope() > best - 0.02",
                 taken.smallest_slope()
             );
         }
@@ -231,7 +247,10 @@ fn an_unreachable_pair_names_the_nearest() {
         assert_eq!(least, beam);
         for shown in [least, most * 0.999_99] {
             let cone = Cone::from_beam_and_field(degrees(beam), degrees(shown)).expect("a named angle");
-            assert!(cone.outer().to_degrees() <= 180.0, "{beam} {shown}: {cone:?}");
+            assert!(
+                cone.outer().to_degrees() <= 180.0,
+                "{beam} {shown}: {cone:?}, expected cone.outer().to_degrees() <= 180.0"
+            );
         }
         assert!(Cone::from_beam_and_field(degrees(beam), degrees(most * 1.000_1)).is_err());
     }
@@ -248,7 +267,7 @@ fn an_unreachable_ratio_of_a_cubic_names_the_nearest() {
     for (beam, field) in [(7.0, 7.1), (40.0, 40.0), (7.0, 18.0)] {
         let refused = Cone::edge_slopes(degrees(beam), degrees(field)).expect_err("out of reach");
         let Expected::AngleBetween(least, most) = refused.accepted else { panic!("{refused}") };
-        assert!(beam < least && least < most, "{refused}");
+        assert!(beam < least && least < most, "{refused}, expected beam < least and least < most");
         for (end, beyond) in [(least, 0.999_99), (most, 1.000_01)] {
             let within = Cone::edge_slopes(degrees(beam), degrees(end * (2.0 - beyond)));
             assert!(within.is_ok(), "{beam} {end}: {within:?}");
