@@ -69,7 +69,10 @@ mod tests {
         for place in [2.0, 2.0001, 2.000_9, 2.47, 2.999, 2.999_1, 3.0] {
             let hat = |x: f64, place: f64| 1.0 - 100.0 * (x - place) * (x - place);
             let found = maximum(2.0, 3.0, |x| hat(x, place).max(hat(x, 2.2) - 0.5));
-            assert!((1.0 - 1e-6..=1.0).contains(&found), "{found} at {place}");
+            assert!(
+                (1.0 - 1e-6..=1.0).contains(&found),
+                "{found} at {place}, expected found in 1.0 - 1e-6..=1.0"
+            );
         }
     }
 
@@ -79,7 +82,7 @@ mod tests {
     fn a_search_stays_in_its_interval() {
         for slope in [-1.0, 0.0, 1.0] {
             let within = |x: f64| {
-                assert!((2.0..=3.0).contains(&x), "{x}");
+                assert!((2.0..=3.0).contains(&x), "{x}, expected x in 2.0..=3.0");
                 slope * x
             };
             assert_eq!(maximum(2.0, 3.0, within), (2.0 * slope).max(3.0 * slope));

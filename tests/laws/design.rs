@@ -16,9 +16,18 @@ fn description(words: &mut Words<'_>) -> Option<()> {
 
     let cone = scene::cone(words, profile)?;
     let (inner, beam, field, outer) = (cone.inner(), cone.beam(), cone.field(), cone.outer());
-    assert!(inner <= beam && beam <= field && field <= outer, "{cone:?}");
-    assert!(outer > Angle::degrees(0.0) && outer <= Angle::degrees(180.0), "{cone:?}");
-    assert!(cone.lumens(1.0) >= 0.0 && cone.lumens(1.0).is_finite(), "{cone:?}");
+    assert!(
+        inner <= beam && beam <= field && field <= outer,
+        "{cone:?}, expected inner <= beam and beam <= field and field <= outer"
+    );
+    assert!(
+        outer > Angle::degrees(0.0) && outer <= Angle::degrees(180.0),
+        "{cone:?}, expected outer > Angle::degrees(0.0) and outer <= Angle::degrees(180.0)"
+    );
+    assert!(
+        cone.lumens(1.0) >= 0.0 && cone.lumens(1.0).is_finite(),
+        "{cone:?}, expected cone.lumens(1.0) >= 0.0 and cone.lumens(1.0).is_finite()"
+    );
     assert_held::<f32, _>(cone);
     assert_held::<Fx32, _>(cone);
     assert_held::<Fx16, _>(cone);
@@ -53,7 +62,10 @@ pub fn two_angles_come_back(words: &[u32]) {
     match Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field)) {
         Ok(cone) => {
             let near = |found: Angle, given: f32| (found.to_degrees() / given - 1.0).abs() < 1e-4;
-            assert!(near(cone.beam(), beam) && near(cone.field(), field), "{beam} {field}: {cone:?}");
+            assert!(
+                near(cone.beam(), beam) && near(cone.field(), field),
+                "{beam} {field}: {cone:?}, expected near(cone.beam(), beam) and near(cone.field(), field)"
+            );
         }
         Err(error) => {
             assert!(!error.to_string().is_empty());

@@ -15,7 +15,10 @@ pub fn codes_never_fall<S: Format>(words: &[u32]) {
     let (less, more) = if a < b { (a, b) } else { (b, a) };
     // Comparisons with NaN are false.
     if less <= more {
-        assert!(encode_srgb(less) <= encode_srgb(more), "{less:?} {more:?}");
+        assert!(
+            encode_srgb(less) <= encode_srgb(more),
+            "{less:?} {more:?}, expected encode_srgb(less) <= encode_srgb(more)"
+        );
         let gray = |value: S| Rgb565::from_linear(Rgb::new(value, value, value)).to_codes();
         let (low, high) = (gray(less), gray(more));
         assert!(low.red <= high.red && low.green <= high.green && low.blue == low.red, "{less:?} {more:?}");
@@ -28,7 +31,10 @@ pub fn codes_never_fall<S: Format>(words: &[u32]) {
             [encode_srgb_dithered(value, x, y), pixel.red, pixel.green]
         };
         let (low, high) = (dithered(less), dithered(more));
-        assert!((0..3).all(|which| low[which] <= high[which]), "{less:?} {more:?} at {x} {y}");
+        assert!(
+            (0..3).all(|which| low[which] <= high[which]),
+            "{less:?} gives {low:?} and {more:?} gives {high:?} at {x} {y}, expected no less"
+        );
     }
 }
 

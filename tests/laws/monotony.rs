@@ -43,7 +43,10 @@ fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
         _ => (a, b),
     };
     let (near, far) = (falloff.at(inside).exact(), falloff.at(outside).exact());
-    assert!(far <= near + slack, "{profile:?} {cone:?}: {near} at {inside:?}, {far} at {outside:?}");
+    assert!(
+        far <= near + slack,
+        "{profile:?} {cone:?}: {near} at {inside:?}, {far} at {outside:?}, expected far <= near + slack"
+    );
     Some(())
 }
 
@@ -72,7 +75,10 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     if near > 0.0 {
         let (near_light, far_light) = (S::exact_light(near_light), S::exact_light(far_light));
         let slack = rise_steps::<S>() * f64::from(S::STEP);
-        assert!(far_light <= near_light + slack, "{words:?}: {near_light} at {near}, {far_light} at {far}");
+        assert!(
+            far_light <= near_light + slack,
+            "{words:?}: {near_light} at {near}, {far_light} at {far}, expected far_light <= near_light + slack"
+        );
     }
     Some(())
 }
@@ -103,6 +109,9 @@ fn intensity<S: Format>(words: &mut Words<'_>) -> Option<()> {
         Some(S::exact_light(light.irradiance(point, normal)))
     };
     let (dim, bright) = (light(less)?, light(more)?);
-    assert!(dim <= bright, "{spot:?} {point:?} {normal:?}: {dim} of {less}, {bright} of {more}");
+    assert!(
+        dim <= bright,
+        "{spot:?} {point:?} {normal:?}: {dim} of {less}, {bright} of {more}, expected dim <= bright"
+    );
     Some(())
 }

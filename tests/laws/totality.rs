@@ -116,17 +116,20 @@ fn assert_shown<S: Format>(words: &mut Words<'_>, light: Rgb<S::Irradiance>) {
         let Rgb { red, green, blue } = Rgb565::from_linear(fitted).to_codes();
         // A channel of five bits differs from the 8-bit code by at most half of its step.
         for (wide, narrow) in [(codes.red, red), (codes.green, green), (codes.blue, blue)] {
-            assert!(wide.abs_diff(narrow) <= 5, "{fitted:?}: {wide} {narrow}");
+            assert!(
+                wide.abs_diff(narrow) <= 5,
+                "{fitted:?}: {wide} {narrow}, expected wide.abs_diff(narrow) <= 5"
+            );
         }
     }
 }
 
 fn assert_within_one<S: Format>(value: S, what: &str) {
-    assert!((0.0..=1.0).contains(&value.exact()), "{what}: {value:?}");
+    assert!((0.0..=1.0).contains(&value.exact()), "{what}: {value:?}, expected value.exact() in 0.0..=1.0");
 }
 
 /// Asserts that light is not negative, infinite or NaN.
 fn assert_sound<S: Format>(light: S::Irradiance) {
     let value = S::exact_light(light);
-    assert!(value >= 0.0 && value.is_finite(), "{light:?}");
+    assert!(value >= 0.0 && value.is_finite(), "{light:?}, expected value >= 0.0 and value.is_finite()");
 }

@@ -33,11 +33,11 @@ fn errors_of_axis<S: Format>(unit: fn(f64) -> S::Unit) -> [f64; 2] {
             (light.aimed_along(direction), S::exact_direction(direction))
         };
         let Some(aimed) = aimed else {
-            assert!(exact == DVec3::ZERO, "{exact}");
+            assert!(exact == DVec3::ZERO, "{exact}, expected exact == DVec3::ZERO");
             continue;
         };
         let axis = S::exact_direction(aimed.axis());
-        assert!(axis.dot(exact) > 0.0, "{axis} {exact}");
+        assert!(axis.dot(exact) > 0.0, "{axis} {exact}, expected axis.dot(exact) > 0.0");
         let found = [axis.cross(exact.normalize()).length(), (axis.length() - 1.0).abs()];
         errors = [0, 1].map(|k| errors[k].max(found[k]));
     }
@@ -53,7 +53,10 @@ fn an_axis_keeps_its_stated_error() {
     ] {
         println!("{name}: {turn:.2e}, {length:.2e}");
         for (error, bound) in [(turn, bound[0]), (length, bound[1])] {
-            assert!((bound / 2.0..=bound).contains(&error), "{name}: {turn:e}, {length:e}");
+            assert!(
+                (bound / 2.0..=bound).contains(&error),
+                "{name}: {turn:e}, {length:e}, expected error in bound / 2.0..=bound"
+            );
         }
     }
 }
@@ -84,7 +87,7 @@ fn a_normal_is_the_nearest_unit_vector() {
     let errors = [error_of_normals::<Fx16>(), error_of_normals::<Fx32>(), error_of_normals::<f32>()];
     println!("{errors:.3?}");
     for (error, bound) in errors.into_iter().zip([0.501, 1.1, 1.0]) {
-        assert!((bound / 2.0..=bound).contains(&error), "{errors:?}");
+        assert!((bound / 2.0..=bound).contains(&error), "{errors:?}, expected error in bound / 2.0..=bound");
     }
     fn zeros<S: Format>() {
         assert_eq!(S::normalize(Vec3::default()), Vec3::default());
@@ -92,7 +95,10 @@ fn a_normal_is_the_nearest_unit_vector() {
         let mut rng = Rng::with_seed(8);
         for _ in 0..10_000 {
             let normal = S::exact_normal(S::normalize(vector(&mut rng, S::scalar_from_bits)));
-            assert!(normal == DVec3::ZERO || (normal.length() - 1.0).abs() < 2e-4, "{normal}");
+            assert!(
+                normal == DVec3::ZERO || (normal.length() - 1.0).abs() < 2e-4,
+                "{normal}, expected normal == DVec3::ZERO or (normal.length() - 1.0).abs() < 2e-4"
+            );
         }
     }
     zeros::<Fx16>();
@@ -125,7 +131,7 @@ fn assert_changes<S: Format>(unit: fn(f64) -> S::Unit) {
         assert!((of(changed) - of(compiled)).abs() < 0.5, "quick: {changed:?}, not {compiled:?}");
         lit += i32::from(of(compiled) > 1.0);
     }
-    assert!(lit > 400, "{lit}");
+    assert!(lit > 400, "{lit}, expected lit > 400");
 }
 
 #[test]
@@ -160,14 +166,17 @@ fn assert_total<S: Format>() {
         assert_eq!(full.with_specular_color(black).color(), full.color());
 
         let brightest = full.irradiance(site.point, site.normal);
-        assert!(full.dimmed(part).irradiance(site.point, site.normal) <= brightest, "{part:?}");
+        assert!(
+            full.dimmed(part).irradiance(site.point, site.normal) <= brightest,
+            "{part:?}, expected full.dimmed(part).irradiance(site.point, site.normal) <= brightest"
+        );
         for light in [full.aimed_at(point), full.aimed_along(direction)].into_iter().flatten() {
             let light = S::exact_light(light.moved_to(point).irradiance(site.point, site.normal));
-            assert!(light >= 0.0, "{light}");
+            assert!(light >= 0.0, "{light}, expected light >= 0.0");
         }
         for light in [quick.aimed_at(point), quick.aimed_along(direction)].into_iter().flatten() {
             let light = S::exact_light(light.moved_to(point).irradiance(site.point, site.normal));
-            assert!(light >= 0.0, "{light}");
+            assert!(light >= 0.0, "{light}, expected light >= 0.0");
         }
     }
 }

@@ -115,7 +115,7 @@ fn inner_at_outer_is_a_step() {
 fn assert_refused<T: core::fmt::Debug>(result: Result<T, Error>, parameter: Parameter, remedy: &str) {
     let error = result.expect_err(remedy);
     assert_eq!(error.parameter, parameter, "{error}");
-    assert!(error.to_string().contains(remedy), "{error}");
+    assert!(error.to_string().contains(remedy), "{error}, expected error.to_string().contains(remedy)");
 }
 
 #[test]
@@ -224,7 +224,10 @@ fn a_table_of_angles_gives_its_values_back() {
     for (i, &expected) in measured.iter().enumerate() {
         let half = HalfAngle::degrees(10.0 * i as f32);
         let found = falloff.at(falloff.versine(Angle::from(half).versine())).to_f32();
-        assert!((found - expected).abs() < 2e-3, "{found} at {half:?}");
+        assert!(
+            (found - expected).abs() < 2e-3,
+            "{found} at {half:?}, expected (found - expected).abs() < 2e-3"
+        );
     }
 }
 

@@ -113,7 +113,7 @@ fn the_steepness_of_a_step_and_of_a_line() -> Result<(), Error> {
     assert_eq!(RealPower::new(1e-5)?.steepness(0.0), 1.0);
     assert_eq!(InvertedRealPower::new(1e-5)?.steepness(0.0), 1.0);
     for line in [MixedPower::new([1, 2], 0.0)?.steepness(0.0), RealPower::new(1.0)?.steepness(0.0)] {
-        assert!((line - 2.0).abs() < 1e-6, "{line}");
+        assert!((line - 2.0).abs() < 1e-6, "{line}, expected (line - 2.0).abs() < 1e-6");
     }
     Ok(())
 }

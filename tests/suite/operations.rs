@@ -36,7 +36,7 @@ fn assert_row(operation: &str, measured: [f64; 3]) {
     for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
         broken.extend(bounds::check(&format!("{operation} {format}"), measured, bound).err());
     }
-    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    assert!(broken.is_empty(), "{}, expected broken.is_empty()", broken.join("\n"));
 }
 
 macro_rules! assert_in_every_format {

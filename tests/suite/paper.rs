@@ -38,7 +38,10 @@ fn a_cosine_power_of_the_papers_field_angle_has_exponent_268() {
     for degrees in [4.9_f64, 6.475, 7.5, 9.0] {
         let versine = compiled.versine(oracle::versine(degrees) as f32);
         let exact = degrees.to_radians().cos().powi(268);
-        assert!((f64::from(compiled.at(versine)) - exact).abs() < 1e-5, "{degrees}");
+        assert!(
+            (f64::from(compiled.at(versine)) - exact).abs() < 1e-5,
+            "{degrees}, expected ((compiled.at(versine)) - exact).abs() < 1e-5"
+        );
     }
 }
 
@@ -84,8 +87,14 @@ fn beam_and_field_are_where_the_intensity_says() {
                 let half = HalfAngle::from(angle).to_degrees();
                 oracle::falloff(oracle, oracle::versine(half.into()), outer)
             };
-            assert!((intensity(cone.beam()) - 0.5).abs() < 1e-6, "{edge:?} {degrees}");
-            assert!((intensity(cone.field()) - 0.1).abs() < 1e-6, "{edge:?} {degrees}");
+            assert!(
+                (intensity(cone.beam()) - 0.5).abs() < 1e-6,
+                "{edge:?} {degrees}, expected (intensity(cone.beam()) - 0.5).abs() < 1e-6"
+            );
+            assert!(
+                (intensity(cone.field()) - 0.1).abs() < 1e-6,
+                "{edge:?} {degrees}, expected (intensity(cone.field()) - 0.1).abs() < 1e-6"
+            );
         }
     }
 }

@@ -255,7 +255,10 @@ mod tests {
     fn formula_of_too_few_samples_is_finite() {
         for samples in [&[][..], &[65_535]] {
             let table = Table { samples: Samples::Even(samples) };
-            assert!(table.formula().exact(0.5).is_finite(), "{samples:?}");
+            assert!(
+                table.formula().exact(0.5).is_finite(),
+                "{samples:?}, expected table.formula().exact(0.5).is_finite()"
+            );
         }
     }
 }

@@ -273,7 +273,10 @@ mod tests {
         for value in 0..=65_535_u32 {
             let exact = f64::from(value) / 65_535.0 * 2_147_483_648.0;
             let found = Fine::of_value(value << 15);
-            assert!((f64::from(found.0) - exact).abs() <= 0.5, "{value}");
+            assert!(
+                (f64::from(found.0) - exact).abs() <= 0.5,
+                "sample {value}: {found:?}, expected the nearest to {exact}"
+            );
         }
         assert_eq!(Fine::of_value(65_535 << 15), Fine::ONE);
     }
@@ -292,7 +295,7 @@ mod tests {
         };
         for t in [0, 1 << 15, 1 << 29, 1 << 30, 3 << 29, (1 << 31) - 1, 1 << 31] {
             let found = Fraction::<Fx16>::sample(Fine(t), &SAMPLES);
-            assert!(found.0.abs_diff(t) <= 1 << 16, "{found:?} at {t}");
+            assert!(found.0.abs_diff(t) <= 1 << 16, "{found:?}, expected {t} within 2^16");
         }
     }
 

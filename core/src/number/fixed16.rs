@@ -189,7 +189,7 @@ mod tests {
         let (share, light) = (Fx16::from_bits((1 << 9) + 1), Light16::from_bits);
         let least = (0..1 << 16).find(|&bits| Fx16::is_clipped(share, light(bits)));
         let least = Fx16::light_to_f32(light(least.expect("some light is clipped")));
-        assert!((1.07..1.2).contains(&least), "{least}");
+        assert!((1.07..1.2).contains(&least), "the least clipped light is {least}, expected 1.07 to 1.2");
         assert!(!Fx16::is_clipped(Fx16::from_bits(1 << 9), light(u32::MAX)));
     }
 
@@ -207,7 +207,10 @@ mod tests {
                 let point = unit.map(|c| Length::from_f32(c * size));
                 let offset = Fx16::offset(Vec3::default(), Vec3::new(point[0], point[1], point[2]));
                 let is_open = (size / distance - 1.0).abs() < 0.01;
-                assert!(is_open || offset.is_near(below) == (size < distance), "{size} of {distance}");
+                assert!(
+                    is_open || offset.is_near(below) == (size < distance),
+                    "is_near at {size}, expected below {distance}"
+                );
             }
         }
     }

@@ -210,7 +210,10 @@ mod tests {
                 .map(|x| (power.of_bits(x) as f64 / 2_147_483_648.0 - exact(x).powf(exponent.into())).abs())
                 .fold(0.0, f64::max);
             std::println!("{exponent}: {worst:.1e}");
-            assert!(worst <= 2e-9 + 6.5e-10 * f64::from(exponent), "{exponent}: {worst:.1e}");
+            assert!(
+                worst <= 2e-9 + 6.5e-10 * f64::from(exponent),
+                "{exponent}: {worst:.1e}, expected at most 2e-9 + 6.5e-10 times the exponent"
+            );
         }
     }
 
@@ -257,7 +260,7 @@ mod tests {
         for i in 0..7_usize.pow(4) {
             let power = RealExponent::from_bits(bits(i));
             for x in [0, 1, 12_345, 1 << 30, (1 << 31) - 1, 1 << 31] {
-                assert!(power.of_bits(x) <= ONE, "{power:?} of {x}");
+                assert!(power.of_bits(x) <= ONE, "{power:?} of {x}, expected power.of_bits(x) <= ONE");
             }
         }
     }
@@ -274,7 +277,7 @@ mod tests {
                     (power.of_bits(x) as f64 / 2_147_483_648.0 - (raised - least) / (1.0 - least)).abs()
                 })
                 .fold(0.0, f64::max);
-            assert!(worst < 1e-7, "{exponent}: {worst:.1e}");
+            assert!(worst < 1e-7, "{exponent}: {worst:.1e}, expected worst < 1e-7");
         }
     }
 
@@ -289,7 +292,10 @@ mod tests {
             for octaves in [30, 31, 32] {
                 let exact = 0.5_f64.powf(f64::from(octaves) * f64::from(exponent));
                 let found = RealExponent::new(exponent, 0.0).of_f32(0.5_f32.powi(octaves)) as f64;
-                assert!((found / 2_147_483_648.0 - exact).abs() < 3e-9, "2^-{octaves} to {exponent}");
+                assert!(
+                    (found / 2_147_483_648.0 - exact).abs() < 3e-9,
+                    "2^-{octaves} to {exponent}: {found} / 2^31, expected {exact}"
+                );
             }
         }
     }

@@ -196,10 +196,16 @@ mod tests {
             for n in [1, 3, 5, 0x9e37_79b9_7f4a_7c15].map(|n: u64| n.wrapping_shl(bits)) {
                 let exact = (n as f64).sqrt();
                 let off = (f64::from(sqrt_64(n)) - exact).abs();
-                assert!(off < 2.0 + 7.5e-9 * exact, "{n}: {off}");
+                assert!(
+                    off < 2.0 + 7.5e-9 * exact,
+                    "root of {n}: off by {off}, expected under 2 + 7.5e-9 of {exact}"
+                );
                 let exact = f64::from(n as u32).sqrt() * 65_536.0;
                 let off = (f64::from(sqrt_32(n as u32)) - exact).abs();
-                assert!(off < 2.0 + 7.5e-9 * exact, "{n}: {off}");
+                assert!(
+                    off < 2.0 + 7.5e-9 * exact,
+                    "root of {n}: off by {off}, expected under 2 + 7.5e-9 of {exact}"
+                );
             }
         }
         assert_eq!([sqrt_32(0), sqrt_64(0)], [0; 2]);

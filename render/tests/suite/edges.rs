@@ -94,12 +94,21 @@ fn coverage_at_silhouettes_is_that_of_256_samples() {
         let (plain, smooth) =
             (seen(&exact, &coverage(&scene, SIZE, false)), seen(&exact, &coverage(&scene, SIZE, true)));
         println!("{name}: {plain:?}, anti-aliased {smooth:?}");
-        assert!(plain.intermediate == 0.0 && plain.mean > 0.15, "{name}: {plain:?}");
-        assert!(smooth.intermediate > 0.98 && smooth.mean < 0.01, "{name}: {smooth:?}");
+        assert!(
+            plain.intermediate == 0.0 && plain.mean > 0.15,
+            "{name}: {plain:?}, expected plain.intermediate == 0.0 and plain.mean > 0.15"
+        );
+        assert!(
+            smooth.intermediate > 0.98 && smooth.mean < 0.01,
+            "{name}: {smooth:?}, expected smooth.intermediate > 0.98 and smooth.mean < 0.01"
+        );
         // A share is that of one straight edge. At corners, those of the posts above all, it is not
         // the area.
         let (largest, elsewhere) = if name == "posts" { (0.35, 0.45) } else { (0.12, 0.02) };
-        assert!(smooth.largest < largest && smooth.elsewhere < elsewhere, "{name}: {smooth:?}");
+        assert!(
+            smooth.largest < largest && smooth.elsewhere < elsewhere,
+            "{name}: {smooth:?}, expected smooth.largest < largest and smooth.elsewhere < elsewhere"
+        );
     }
 }
 
@@ -142,7 +151,10 @@ fn edges_inside_the_picture_are_mixed() {
     for (x, y) in (1..SIZE.1 - 1).flat_map(|y| (1..SIZE.0 - 1).map(move |x| (x, y))) {
         let around = [(x, y), (x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].map(|(x, y)| at(&plain, x, y));
         let (least, most) = (*around.iter().min().unwrap(), *around.iter().max().unwrap());
-        assert!((least..=most).contains(&at(&smooth, x, y)), "{x} {y}");
+        assert!(
+            (least..=most).contains(&at(&smooth, x, y)),
+            "{x} {y}, expected at(&smooth, x, y) in least..=most"
+        );
         // Of the two pixels at a step, one has more than half of its area on its own side.
         for (right, below) in [(x + 1, y), (x, y + 1)] {
             if at(&plain, x, y).abs_diff(at(&plain, right, below)) > 24 {

@@ -138,7 +138,7 @@ fn highlights_are_phongs() -> Result<(), Error> {
         brightest = brightest.max(expected);
     }
     assert!(brightest > 1.0, "the brightest highlight is {brightest}");
-    assert!((1e-8..1e-5).contains(&largest), "{largest}");
+    assert!((1e-8..1e-5).contains(&largest), "{largest}, expected largest in 1e-8..1e-5");
     Ok(())
 }
 
@@ -164,7 +164,11 @@ fn haze_is_added() -> Result<(), Error> {
         let expected: f32 = air.sum();
         // Half a linear code, and the rounding of the rays.
         let bound = 0.5 / 255.0 + 2e-4 * (1.0 + after);
-        assert!((after - before - expected).abs() <= bound, "{} at {x}, {y}", after - before);
+        assert!(
+            (after - before - expected).abs() <= bound,
+            "{} at {x}, {y}, expected (after - before - expected).abs() <= bound",
+            after - before
+        );
         brightest = brightest.max(expected);
     }
     assert!((0.02..2.0).contains(&brightest), "the air shows {brightest}");
@@ -190,7 +194,10 @@ fn what_no_beam_meets_is_not_lit_again() -> Result<(), Error> {
     // Of 460 tiles. In haze a tile is skipped if a plane separates it from the beam, which is not
     // so for every dark tile.
     let [in_clear_air, in_haze] = relit;
-    assert!((2..40).contains(&in_clear_air) && (in_clear_air..400).contains(&in_haze), "{relit:?}");
+    assert!(
+        (2..40).contains(&in_clear_air) && (in_clear_air..400).contains(&in_haze),
+        "{relit:?}, expected in_clear_air in 2..40 and in_haze in in_clear_air..400"
+    );
     Ok(())
 }
 

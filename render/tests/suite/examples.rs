@@ -92,5 +92,5 @@ fn the_grids_light_the_same_area() {
         circles.sum()
     };
     let ratio = area(Example::WideGrid) / area(Example::Grid);
-    assert!((0.999..1.0).contains(&ratio), "{ratio}");
+    assert!((0.999..1.0).contains(&ratio), "{ratio}, expected ratio in 0.999..1.0");
 }

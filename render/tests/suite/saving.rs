@@ -145,7 +145,11 @@ fn assert_saving(example: Example, saving: Range<f64>, surplus: Range<f64>) {
     let (account, least) = (renderer.account(), lit_pairs(&setup, &renderer));
     let evaluated = account.evaluated as f64;
     let found = (account.pairs() as f64 / evaluated, evaluated / least as f64);
-    assert!(saving.contains(&found.0) && surplus.contains(&found.1), "{}: {found:?}", example.name());
+    assert!(
+        saving.contains(&found.0) && surplus.contains(&found.1),
+        "{}: {found:?}, expected saving.contains(&found.0) and surplus.contains(&found.1)",
+        example.name()
+    );
 }
 
 #[test]
@@ -182,7 +186,10 @@ fn a_highlight_is_evaluated_little_beyond_its_lobe() {
     let (account, least) = (renderer.account(), shining_pairs(&setup, &renderer));
     let share = account.evaluated_shining as f64 / account.evaluated as f64;
     let surplus = account.evaluated_shining as f64 / least as f64;
-    assert!((0.31..0.32).contains(&share) && (1.95..1.97).contains(&surplus), "{share}, {surplus}");
+    assert!(
+        (0.31..0.32).contains(&share) && (1.95..1.97).contains(&surplus),
+        "{share}, {surplus}, expected share in 0.31..0.32 and surplus in 1.95..1.97"
+    );
 }
 
 /// Draws a picture after another, and compares the re-lit pixels with the changed ones. Both ranges
@@ -201,7 +208,11 @@ fn assert_relit(example: Example, seconds: f32, relit: Range<f64>, changed: Rang
     let count = |is: &[bool]| is.iter().filter(|is| **is).count();
     assert_eq!(account.kept, u64::from(account.lights) * (all - count(&is_relit)) as u64, "{account:?}");
     let found = (count(&is_relit) as f64 / all as f64, count(&is_changed) as f64 / all as f64);
-    assert!(relit.contains(&found.0) && changed.contains(&found.1), "{}: {found:?}", example.name());
+    assert!(
+        relit.contains(&found.0) && changed.contains(&found.1),
+        "{}: {found:?}, expected relit.contains(&found.0) and changed.contains(&found.1)",
+        example.name()
+    );
 }
 
 #[test]
@@ -222,7 +233,11 @@ fn where_nothing_has_changed_nothing_is_done() {
         renderer.draw_light(&setup.fixtures_at(0.1).unwrap()).unwrap();
         assert!(!renderer.draw_geometry(&setup.scene, &setup.camera));
         assert_eq!(renderer.account().triangles, 0);
-        assert!(!renderer.draw_light(&setup.fixtures_at(0.1).unwrap()).unwrap(), "{}", example.name());
+        assert!(
+            !renderer.draw_light(&setup.fixtures_at(0.1).unwrap()).unwrap(),
+            "{}, expected !renderer.draw_light(&setup.fixtures_at(0.1).unwrap()).unwrap()",
+            example.name()
+        );
     }
 }
 

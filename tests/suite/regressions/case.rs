@@ -46,7 +46,7 @@ impl<P: Falloff> Case<P> {
                 continue;
             }
             let error = (falloff.at(versine).exact() - exact.falloff(stored)).abs();
-            assert!(error <= bound, "{} at {stored:e}: {error:.2e}", S::NAME);
+            assert!(error <= bound, "{} at {stored:e}: {error:.2e}, expected error <= bound", S::NAME);
         }
         Some(S::NAME)
     }

@@ -18,7 +18,7 @@ fn assert_held<S: Format, A: Attenuation>(row: &str, bound: f64, model: A, oracl
         let distance = f32::from(sixty_fourths) / 64.0;
         let point = Vec3::new(0.0, -distance, 0.0).map(S::length);
         let error = (S::exact_light(light.irradiance(point, up)) - oracle.at(distance.into())).abs();
-        assert!(error <= bound, "{row} {} at {distance}: {error:.2e}", S::NAME);
+        assert!(error <= bound, "{row} {} at {distance}: {error:.2e}, expected error <= bound", S::NAME);
     }
 }
 

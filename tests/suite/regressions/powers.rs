@@ -29,7 +29,10 @@ fn aurora_forgets_a_division_of_the_sharp_spotlight() {
         [0.0_f32, 10.0, 20.0, 29.0, 30.0].map(|degrees| (degrees, degrees.to_radians().cos()))
     {
         let hard = oracle::falloff(oracle::hard, oracle::versine(degrees.into()), oracle::versine(30.0));
-        assert!((f64::from(sharp(divided, cutoff, cosine)) - hard).abs() < 2e-5, "{degrees}");
+        assert!(
+            (f64::from(sharp(divided, cutoff, cosine)) - hard).abs() < 2e-5,
+            "{degrees}, expected ((sharp(divided, cutoff, cosine)) - hard).abs() < 2e-5"
+        );
     }
     assert_eq!(Case::open("hard", Hard, oracle::hard, 30.0).held_by(), ALL);
 }

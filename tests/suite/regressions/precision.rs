@@ -67,7 +67,7 @@ fn held_by(half_degrees: f32) -> Vec<&'static str> {
         let error = versine_form::<S>(half_degrees);
         assert_eq!(error.is_none(), bound == REFUSE);
         let error = error?;
-        assert!(error <= bound, "{}: {error:.2e}", S::NAME);
+        assert!(error <= bound, "{}: {error:.2e}, expected error <= bound", S::NAME);
         Some(S::NAME)
     }
     [held::<f32>(half_degrees), held::<Fx32>(half_degrees), held::<Fx16>(half_degrees)]

@@ -153,7 +153,7 @@ mod tests {
             let tangent = 0.5 + f32::from(steps) / 16_777_216.0;
             let frame = Frame16::new(vectors, tangent);
             assert_eq!(Frame16::from_bits(frame.to_bits()), frame, "{tangent}");
-            assert!(frame.scale >> 15 == 1, "{tangent}: {}", frame.scale);
+            assert!(frame.scale >> 15 == 1, "{tangent}: {}, expected frame.scale >> 15 == 1", frame.scale);
         }
     }
 }

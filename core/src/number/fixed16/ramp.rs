@@ -339,9 +339,17 @@ mod tests {
                 of_coarse = of_coarse.max((coarse - t).abs());
             }
         }
-        let found = std::format!("{of_versines:.2e} {of_fine:.2e} {of_coarse:.2e}");
-        assert!((1e-7..=2.5e-7).contains(&of_versines), "{found}");
-        assert!((1e-7..=1.7e-7).contains(&of_fine), "{found}");
-        assert!((3e-5..=4e-5).contains(&of_coarse), "{found}");
+        assert!(
+            (1e-7..=2.5e-7).contains(&of_versines),
+            "error of versines {of_versines:.2e}, expected 1e-7 to 2.5e-7"
+        );
+        assert!(
+            (1e-7..=1.7e-7).contains(&of_fine),
+            "error of a fine t {of_fine:.2e}, expected 1e-7 to 1.7e-7"
+        );
+        assert!(
+            (3e-5..=4e-5).contains(&of_coarse),
+            "error of a coarse t {of_coarse:.2e}, expected 3e-5 to 4e-5"
+        );
     }
 }

@@ -181,6 +181,9 @@ mod tests {
         let offset = Offset32::between(corner(i32::MIN), corner(i32::MAX));
         assert_eq!((offset.way, offset.bits), (Vec3::new(i32::MAX, i32::MAX, i32::MAX), 32));
         let offset = Offset32::between(corner(i32::MAX), corner(i32::MIN));
-        assert!(offset.way.x < -(1 << 30) && offset.bits == 32, "{offset:?}");
+        assert!(
+            offset.way.x < -(1 << 30) && offset.bits == 32,
+            "{offset:?}, expected offset.way.x < -(1 << 30) and offset.bits == 32"
+        );
     }
 }

@@ -156,7 +156,7 @@ mod tests {
         for ramp in ramps().chain((0..4_000).map(full)) {
             let rise = |beyond| ramp.rise(Versine32::from_bits(ramp.inner + beyond)).0;
             let rises = [1, 2, 1 << ramp.shift].map(rise);
-            assert!(rises.iter().all(|rise| *rise <= 1 << 31), "{ramp:?}: {rises:?}");
+            assert!(rises.iter().all(|rise| *rise <= 1 << 31), "{ramp:?}: {rises:?}, expected at most 2^31");
             reached += u32::from(rises[0] == 1 << 31);
         }
         assert!(reached > 1_000, "only {reached} ramps are rounded to 1");
@@ -203,7 +203,7 @@ mod tests {
                 }
             }
         }
-        assert!((1.5..=2.0).contains(&of_chords), "{of_chords}");
-        assert!((1.2..=1.8).contains(&of_t), "{of_t}");
+        assert!((1.5..=2.0).contains(&of_chords), "error of chords {of_chords}, expected 1.5 to 2");
+        assert!((1.2..=1.8).contains(&of_t), "error of t {of_t}, expected 1.2 to 1.8");
     }
 }

@@ -230,7 +230,7 @@ mod tests {
         assert_eq!((at(0), at(1 << 15)), (0, 1 << 14), "{profile:?}");
         (0..=1 << 15).fold((0.0, 0), |(error, fall), t: u16| {
             let (here, next) = (at(t), at((t + 1).min(1 << 15)));
-            assert!((0..=1 << 14).contains(&here), "{profile:?} {t}: {here}");
+            assert!((0..=1 << 14).contains(&here), "{profile:?} {t}: {here}, expected here in 0..=1 << 14");
             let difference = f64::from(here) - 16_384.0 * exact(f64::from(t) / 32_768.0);
             (f64::max(error, difference.abs()), fall.max(here - next))
         })
@@ -241,8 +241,11 @@ mod tests {
     #[test]
     fn sixteen_bits_are_monotone_and_keep_their_errors() {
         let within = |(error, fall): (f64, i32), bound: f64, most_fall: i32| {
-            assert!(error <= bound && error > bound / 2.0, "{error}");
-            assert!(fall <= most_fall, "falls by {fall}");
+            assert!(
+                error <= bound && error > bound / 2.0,
+                "error {error}, expected at most {bound} and more than half of it"
+            );
+            assert!(fall <= most_fall, "falls by {fall}, expected at most {most_fall}");
         };
         within(over_all_t(Linear, |t| t), 0.5, 0);
         within(over_all_t(Soft, |t| t * t), 0.5, 0);
