@@ -302,7 +302,8 @@ impl<P: Falloff> Cone<P> {
         if holds(self.inner) {
             return Ok(());
         }
-        let widest = Angle::from_versine(bisect(0.0, self.inner, holds));
+        // Less than the limit by the roundings between angle and versine, so that it is accepted.
+        let widest = Angle::from_versine(bisect(0.0, self.inner, holds) * (1.0 - 1e-6));
         // The inner angle as given, although a smaller cutoff may end the hotspot.
         let inner = Angle::from_versine(self.inner);
         refused(Parameter::InnerAngle, inner, Expected::AngleBetween(0.0, widest.to_degrees()))

@@ -262,6 +262,13 @@ fn scale_of(angle: f32, mut scale: f32) -> f32 {
     scale
 }
 
+/// Returns a limit rounded down to a multiple of `1 / scale`.
+fn below(limit: f32, scale: f32) -> f32 {
+    let steps = (limit * scale) as u32;
+    let rounded = steps as f32 / scale;
+    if rounded <= limit { rounded } else { steps.saturating_sub(1) as f32 / scale }
+}
+
 impl fmt::Display for Expected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -269,21 +276,21 @@ impl fmt::Display for Expected {
             // message is accepted.
             Self::AngleUpTo(largest) => {
                 let scale = scale_of(largest, 1e2);
-                let shown = Number((largest * scale) as u32 as f32 / scale);
+                let shown = Number(below(largest, scale));
                 write!(f, "more than 0 and at most {shown} degrees (full angle)")
             }
             Self::AngleFrom(narrowest) if narrowest > 180.0 => {
                 f.write_str("a number format of more bits: no angle up to 180 degrees is wide enough")
             }
             Self::AngleFrom(narrowest) => {
-                let shown = ((narrowest * 1e4) as u32 + 1) as f32 / 1e4;
+                let shown = ((narrowest * 1e4) as u32).saturating_add(1) as f32 / 1e4;
                 write!(f, "at least {shown} degrees (full angle), or a number format of more bits")
             }
             Self::AngleBetween(least, most) => {
                 let scale = scale_of(most, 1e4);
-                let (scaled, up_to) = (least * scale, (most * scale) as u32 as f32 / scale);
+                let (scaled, up_to) = (least * scale, below(most, scale));
                 let down = scaled as u32;
-                let from = (down + u32::from((down as f32) < scaled)) as f32 / scale;
+                let from = down.saturating_add(u32::from((down as f32) < scaled)) as f32 / scale;
                 let from = if down == 0 { least } else { from };
                 let [from, up_to] = if from < up_to { [from, up_to] } else { [least, most] };
                 if from < up_to {
