@@ -36,12 +36,7 @@ const WIDE_FIELD: Angle = Angle::degrees(72.0);
 fn main() -> Outcome {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=../memory.rs");
-    // The program that calls all functions is larger than a board's flash, and is only linked.
-    memory::place(Some("4M"))?;
-    if env::var_os("CARGO_FEATURE_CULPRITS").is_some() {
-        println!("cargo::rustc-link-arg-bins=--defsym=a_panic_is_reachable=main");
-        println!("cargo::rustc-link-arg-bins=--emit-relocs");
-    }
+    memory::place(None)?;
     if env::var_os("CARGO_FEATURE_F32").is_some() {
         constants::<f32>()
     } else if env::var_os("CARGO_FEATURE_FX32").is_some() {

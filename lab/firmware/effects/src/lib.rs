@@ -7,7 +7,6 @@ pub mod constants;
 pub mod effects;
 mod memory;
 mod output;
-pub mod unknown;
 
 pub use effects::{Listed, Visit, each};
 pub use memory::{Input, Place, run};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 
@@ -13,7 +13,7 @@ use tools::progress::Progress;
 use tools::project;
 
 /// The profile that the programs are compiled with: `opt-level = "s"` and link-time optimisation.
-const PROFILE: &str = "size";
+pub(crate) const PROFILE: &str = "size";
 
 /// The program that does nothing. Its bytes are subtracted from those of every effect.
 pub(crate) const EMPTY: &str = "empty";
@@ -40,7 +40,8 @@ impl Format {
         }
     }
 
-    fn features(self) -> &'static [&'static str] {
+    /// Arguments of cargo that select it.
+    pub(crate) fn features(self) -> &'static [&'static str] {
         match self {
             Self::Fx16 => &[],
             Self::Fx32 => &["--features", "fx32"],
@@ -58,40 +59,16 @@ pub(crate) struct Effects {
 impl Effects {
     /// Builds all programs. A program that can panic does not link.
     pub(crate) fn build(board: &Board, format: Format, progress: &Progress) -> Result<Self> {
-        Self::cargo(board, format, &["--bins"], progress)
-    }
-
-    /// Builds some of the programs, with a feature.
-    pub(crate) fn build_with(
-        board: &Board,
-        format: Format,
-        names: &[&str],
-        feature: &str,
-        progress: &Progress,
-    ) -> Result<Self> {
-        let programs = names.iter().flat_map(|name| ["--bin", name]).chain(["--features", feature]);
-        Self::cargo(board, format, &programs.collect::<Vec<_>>(), progress)
-    }
-
-    fn cargo(board: &Board, format: Format, programs: &[&str], progress: &Progress) -> Result<Self> {
         write_programs()?;
-        let toolchain = laboratory::build(board, &Self::arguments(format, programs), progress)?;
+        let arguments =
+            [&["--profile", PROFILE, "--package", "luminaire-effects", "--bins"], format.features()];
+        let toolchain = laboratory::build(board, &arguments.concat(), progress)?;
         Ok(Self { folder: toolchain.artifacts(PROFILE) })
-    }
-
-    /// Arguments of cargo that select what it builds.
-    fn arguments<'a>(format: Format, programs: &[&'a str]) -> Vec<&'a str> {
-        [&["--profile", PROFILE, "--package", "luminaire-effects"], programs, format.features()].concat()
-    }
-
-    /// The file of a program.
-    pub(crate) fn file(&self, name: &str) -> PathBuf {
-        self.folder.join(name)
     }
 
     /// A program.
     pub(crate) fn program(&self, name: &str) -> Result<Program> {
-        Program::read(&self.file(name))
+        Program::read(&self.folder.join(name))
     }
 
     /// The effects in the order of their names, each with the bytes of its program minus those of
@@ -131,10 +108,10 @@ fn folder() -> PathBuf {
 }
 
 /// Writes a source file if its content changes: cargo would recompile a file that is written again.
-pub(crate) fn write_source(name: &str, source: &str) -> Result<()> {
-    let file = folder().join(name);
+pub(crate) fn write_source(folder: &Path, name: &str, source: &str) -> Result<()> {
+    let file = folder.join(name);
     let failed = || format!("cannot write {}", file.display());
-    fs::create_dir_all(folder()).with_context(failed)?;
+    fs::create_dir_all(folder).with_context(failed)?;
     if fs::read_to_string(&file).ok().as_deref() != Some(source) {
         fs::write(&file, source).with_context(failed)?;
     }
@@ -152,7 +129,7 @@ pub(crate) fn write_programs() -> Result<()> {
              use luminaire::{{attenuation::*, falloff::*, specular::*}};\n\n\
              luminaire_effects::program!({function});\n"
         );
-        write_source(&format!("{}.rs", file_name(program)), &source)?;
+        write_source(&folder(), &format!("{}.rs", file_name(program)), &source)?;
     }
     let failed = || format!("cannot clear {}", folder().display());
     for entry in fs::read_dir(folder()).with_context(failed)? {

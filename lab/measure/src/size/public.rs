@@ -11,7 +11,8 @@ type Rows = &'static [(&'static str, &'static [&'static str])];
 /// the first counts. If a row has several types, the function is called with each.
 ///
 /// One type stands for all falloffs, and one for all attenuations: the functions of these enums
-/// match on every model.
+/// match on every model. One lobe with unknown results stands for all lobes, whose own functions are
+/// called by the row `Highlight`.
 const TYPES: Rows = &[
     ("Quick", &["Format"]),
     ("Scalar", &["Format"]),
@@ -26,22 +27,29 @@ const TYPES: Rows = &[
     ("Falloff", &["AnyFalloff"]),
     ("Attenuation", &["AnyAttenuation"]),
     ("Window", &["Cut", "GltfWindow", "SquareWindow"]),
-    ("SpecularLobe", &["Phong", "BlinnPhong", "DualConeLobe", "DifferenceForm<Phong, 4>", "NoSpecular"]),
-    ("Highlight", &["Phong", "BlinnPhong", "DualConeLobe"]),
+    ("SpecularLobe", &["AnyLobe", "NoSpecular"]),
+    ("Highlight", &["Phong", "BlinnPhong", "DualConeLobe", "MirroredPhong"]),
     ("LightModel", &["CompiledAnyLight<Format>"]),
     ("Into<AnyLight>", &["AnyLight"]),
     ("Hasher", &["Words"]),
+    ("Serializer", &["Data"]),
+    ("Deserializer", &["Data"]),
     ("Copy", &["Irradiance"]),
     ("Fn", &["fn(usize) -> luminaire::Vec3<<Format as luminaire::Scalar>::Length>"]),
 ];
 /// The type for a parameter that has only bounds in `OF_NUMBERS`, which every number satisfies.
 const PLAIN: &[&str] = &["Format"];
-const OF_NUMBERS: [&str; 10] =
-    ["Clone", "Debug", "Default", "Eq", "Hash", "Named", "Ord", "PartialEq", "PartialOrd", "Source"];
+const OF_NUMBERS: &str = "Clone Debug Default Deserialize Eq Format Hash Named Ord PartialEq PartialOrd Pod Serialize \
+                          Source Zeroable";
 
-/// The value for a const generic parameter, by its type. It is a square number, as patterns
-/// require.
-const CONSTANTS: Rows = &[("u32", &["4"]), ("usize", &["4"])];
+/// The values for a const generic parameter, by its type: exponents and squarings, and the lengths
+/// of arrays. A length is a square number, as patterns require.
+const CONSTANTS: Rows = &[("u32", &["4", "1", "31", "3"]), ("usize", &["4", "0", "1", "64"])];
+/// Lengths that a function refuses to be compiled for.
+const REFUSED: Rows = &[("of", &["0", "1"]), ("of_knots", &["0"])];
+
+/// Private modules of other crates, whose items the crates export from the module above.
+const PRIVATE: [&str; 3] = ["formatter::", "rgb_color::", "traits::"];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.
@@ -55,7 +63,7 @@ pub(crate) struct Function {
     pub(crate) name: String,
     /// The path without the type, such as `Clone::clone`, if it is a function of a trait.
     pub(crate) of_trait: Option<String>,
-    /// The calls, one per choice of types, or the reason why no call can be written.
+    /// The calls, one per choice of types, none if no other crate can call it, or the reason why no call can be written.
     pub(crate) calls: Result<Vec<String>, String>,
 }
 
@@ -92,6 +100,7 @@ pub(crate) fn functions(json: &Value) -> Result<Vec<Function>> {
     let mut functions = Vec::new();
     listing.free_and_of_formats(&mut functions)?;
     listing.implemented(&mut functions)?;
+    functions.retain(|function| !function.calls.as_ref().is_ok_and(Vec::is_empty));
     functions.sort_by(|a, b| a.name.cmp(&b.name));
     Ok(functions)
 }
@@ -176,6 +185,9 @@ impl<'a> Listing<'a> {
             }
             let scope = self.scope(&of["generics"], &Scope::new());
             let scope = scope.with_context(|| format!("in an implementation for {}", of["for"]))?;
+            if scope.values().any(|types| types.is_empty()) {
+                continue;
+            }
             let mut owner = Owner { this: of["for"].clone(), of: None, scope };
             if ours.is_some() {
                 self.of_our_trait(&trait_["id"].to_string(), owner, functions)?;
@@ -183,7 +195,8 @@ impl<'a> Listing<'a> {
             }
             if trait_.is_object() {
                 // The compiler infers the parameters of a foreign trait from the arguments.
-                let blank = if trait_["args"].is_object() { "<_>" } else { "" };
+                let arguments = list(&trait_["args"]["angle_bracketed"]["args"]);
+                let blank = if arguments.iter().any(|of| of["type"].is_object()) { "<_>" } else { "" };
                 owner.of = Some(self.name(trait_)? + blank);
             }
             for item in list(&of["items"]).iter().map(|id| self.item(id)) {
@@ -225,7 +238,12 @@ impl<'a> Listing<'a> {
         let call = |scope: &Scope, choice| -> Result<String> {
             let spelling = Spelling { listing: self, this: &owner.this, scope, choice };
             let inputs = list(&function["sig"]["inputs"]).iter().map(|input| spelling.argument(&input[1]));
-            let inputs = inputs.collect::<Result<Vec<_>>>()?.join(", ");
+            let inputs = inputs.collect::<Result<Vec<_>>>()?;
+            // The crate `defmt` never calls the `format` that it derives, which panics.
+            if owner.of.as_deref() == Some("defmt::Format") {
+                return Ok(format!("defmt::export::fmt({})", inputs[0]));
+            }
+            let inputs = inputs.join(", ");
             let generics = list(&function["generics"]["params"]).iter();
             let generics: Vec<_> = generics.filter_map(|of| spelling.chosen(text(&of["name"]))).collect();
             let generics = with_arguments("::".into(), &generics);
@@ -235,8 +253,15 @@ impl<'a> Listing<'a> {
         };
         let calls = || {
             let scope = self.scope(&function["generics"], &owner.scope)?;
+            if scope.values().any(|types| types.is_empty()) {
+                return Ok(Vec::new());
+            }
             let choices = scope.values().map(|types| types.len()).max().unwrap_or(1);
-            (0..choices).map(|choice| call(&scope, choice)).collect::<Result<_>>()
+            let refused = row(REFUSED, &[name.to_owned()]).unwrap_or_default();
+            let is_refused =
+                |choice| scope.values().any(|types| refused.contains(&types[choice % types.len()]));
+            let choices = (0..choices).filter(|choice| !is_refused(*choice));
+            choices.map(|choice| call(&scope, choice)).collect::<Result<_>>()
         };
         let first = Spelling { listing: self, this: &owner.this, scope: &owner.scope, choice: 0 };
         // Implementations of the same trait for the same type are named by their argument.
@@ -260,17 +285,25 @@ impl<'a> Listing<'a> {
             let more = list(&generics["where_predicates"]).iter().map(|of| &of["bound_predicate"]);
             let more = more.filter(|of| of["type"]["generic"] == name).flat_map(|of| list(&of["bounds"]));
             let bounds = list(&kind["type"]["bounds"]).iter().chain(more);
-            let bounds: Vec<_> = bounds.map(|of| bound(&of["trait_bound"]["trait"])).collect();
+            let traits: Vec<_> = bounds.map(|of| &of["trait_bound"]["trait"]).collect();
+            let bounds: Vec<_> = traits.iter().map(|of| bound(of)).collect();
             let types = if kind["const"].is_object() {
                 row(CONSTANTS, &[text(&kind["const"]["type"]["primitive"]).to_owned()])
             } else {
-                let is_plain = bounds.iter().all(|bound| OF_NUMBERS.contains(&bound.as_str()));
+                let is_plain = bounds.iter().all(|bound| OF_NUMBERS.split(' ').any(|of| of == bound));
                 row(TYPES, &bounds).or(is_plain.then_some(PLAIN))
             };
             let Some(types) = types else {
                 bail!("no row of TYPES is for the parameter `{name}: {}`", bounds.join(" + "));
             };
-            scope.insert(name.to_owned(), types);
+            // No other crate can name the types of a private trait, but for the formats and the lobes.
+            let is_private = |of: &&Value| {
+                let id = of["id"].to_string();
+                self.json["paths"][&id]["crate_id"] == 0 && !self.public.contains_key(&id)
+            };
+            let is_public = |of: &&str| self.public.values().any(|path| last(path) == *of);
+            let is_unnamed = types != PLAIN && traits.iter().any(is_private) && !types.iter().all(is_public);
+            scope.insert(name.to_owned(), if is_unnamed { &[] } else { types });
         }
         Ok(scope)
     }
@@ -292,7 +325,8 @@ impl<'a> Listing<'a> {
         if path.is_null() || path["crate_id"] == 0 {
             bail!("`{written}` has no public name");
         }
-        Ok(list(&path["path"]).iter().map(text).collect::<Vec<_>>().join("::"))
+        let path = list(&path["path"]).iter().map(text).collect::<Vec<_>>().join("::");
+        Ok(PRIVATE.iter().fold(path, |path, module| path.replace(module, "")))
     }
 }
 
@@ -307,7 +341,8 @@ fn bound(of: &Value) -> String {
 
 impl Spelling<'_> {
     fn chosen(&self, parameter: &str) -> Option<String> {
-        self.scope.get(parameter).map(|types| types[self.choice.min(types.len() - 1)].to_owned())
+        let types = self.scope.get(parameter)?;
+        types.get(self.choice % types.len().max(1)).map(|chosen| (*chosen).to_owned())
     }
 
     /// An expression for an argument of a type.
@@ -395,12 +430,13 @@ mod tests {
         let of_any = json!({"params": [parameter("T", &[])]});
         let of_scalar = json!({"params": [parameter("S", &[path("Scalar", 91, &[])])]});
         let array = json!({"array": {"type": {"generic": "T"}, "len": "3"}});
+        let from = path("From", 90, &[json!({"type": array})]);
         let mut index = json!({
             "0": {"name": "lib", "inner": {"module": {"items": [1, 5]}}},
             "1": {"inner": {"use": {"is_glob": false, "name": "Cell", "id": 2}}},
             "2": {"name": "Cell", "inner": {"struct": {"impls": [3, 4]}}},
             "3": {"inner": {"impl": {"generics": of_any, "trait": null, "for": this, "items": []}}},
-            "4": {"inner": {"impl": {"generics": of_any, "trait": path("From", 90, &[]), "for": this, "items": [6]}}},
+            "4": {"inner": {"impl": {"generics": of_any, "trait": from, "for": this, "items": [6]}}},
             "5": {"name": "Ray", "inner": {"trait": {"generics": of_scalar, "items": [7]}}},
             "6": function("from", &[], &[array], &Value::Null),
             "7": function("cosine", &[], &[myself], &Value::Null),
@@ -409,7 +445,8 @@ mod tests {
             index[id.to_string()] = function.clone();
             index["3"]["inner"]["impl"]["items"].as_array_mut().unwrap().push(json!(id));
         }
-        let paths = json!({"90": {"crate_id": 1, "path": ["core", "convert", "From"]}});
+        let paths =
+            json!({"90": {"crate_id": 1, "path": ["core", "convert", "From"]}, "97": {"crate_id": 0}});
         json!({"root": 0, "index": index, "paths": paths, "external_crates": {"1": {"name": "core"}}})
     }
 
@@ -467,6 +504,13 @@ mod tests {
         let iterator = of(path("Iterator", 93, &[]));
         let all = calls(function("zip", &[], &[closure, conversion], &iterator)).unwrap();
         assert_eq!(all, ["<lib::Cell<Format>>::zip(|_, _| source(), source::<f32>()).for_each(sink)"]);
+    }
+
+    #[test]
+    fn what_no_other_crate_can_name_is_left_out() {
+        let hidden = function("f", &[parameter("T", &[path("Gain", 97, &[])])], &[], &Value::Null);
+        let functions = functions(&crate_of(&[hidden])).unwrap();
+        assert!(functions.iter().all(|function| !function.name.ends_with("::f")), "{functions:?}");
     }
 
     #[test]

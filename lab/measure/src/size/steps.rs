@@ -5,7 +5,7 @@ use anyhow::{Result, ensure};
 
 use super::effects::{EMPTY, Effects, Format, UNUSED};
 use super::program::{Program, is_heap};
-use super::proof::{COMMON, NO_PANIC, Proof};
+use super::proof::{Configuration, MAIN, MORE, Proof, programs};
 use crate::boards::laboratory::{self, Laboratory};
 use crate::boards::{Board, board};
 use tools::progress::Progress;
@@ -22,12 +22,19 @@ pub fn run(suite: &mut Suite, boards: &[&'static Board], full: bool) {
     for &board in if full { boards } else { &smallest } {
         let name = format!("effects: no function panics and none allocates on {}", board.name);
         suite.remarked(&name, |progress| {
-            let proof = Proof::write(progress)?;
-            for &format in if full { &Format::ALL[..] } else { &[Format::Fx16] } {
-                let programs: &[_] = if format == Format::Fx16 { &[NO_PANIC, COMMON] } else { &[NO_PANIC] };
-                no_panic(&proof, programs, board, format, progress)?;
-            }
-            Ok(vec![proof.to_string()])
+            let formats = if full { &Format::ALL[..] } else { &[Format::Fx16] };
+            Ok(vec![no_panic(&MAIN, board, formats, progress)?])
+        });
+    }
+    for configuration in if full { &MORE[..] } else { &[] } {
+        let name = format!("effects: no function panics in the configuration {}", configuration.name);
+        suite.remarked(&name, |progress| {
+            Ok(vec![no_panic(configuration, smallest[0], &Format::ALL, progress)?])
+        });
+    }
+    if full {
+        suite.step("effects: no function panics where the arithmetic is checked for overflow", |progress| {
+            Proof::write(&MAIN, progress)?.overflows(smallest[0], progress)
         });
     }
     for &board in boards {
@@ -40,21 +47,31 @@ pub fn run(suite: &mut Suite, boards: &[&'static Board], full: bool) {
     suite.step("effects: the soft spotlight keeps to its budget", budget);
 }
 
-/// Links the programs, which fails if a panic can be reached, and checks that they have no heap.
-fn no_panic(proof: &Proof, names: &[&str], board: &Board, format: Format, progress: &Progress) -> Result<()> {
-    let effects = Effects::build_with(board, format, names, "proof", progress).or_else(|error| {
-        let culprits = proof.culprits(board, format, names, progress).unwrap_or_default();
-        ensure!(culprits.is_empty(), "in {} these can panic:\n{}", format.name(), culprits.join("\n"));
-        Err(error)
-    })?;
-    for name in names {
-        let program = effects.program(name)?;
-        let (heap, format) = (program.names_of(is_heap), format.name());
-        ensure!(heap.is_empty(), "in {name} in {format} there is a heap: {}", heap.join(", "));
-        // A program from which the linker has removed everything would prove nothing.
-        ensure!(program.bytes > 100_000, "in {name} in {format} there is nothing left to panic");
+/// Links the programs in formats, which fails if a panic can be reached, and checks that they have no
+/// heap. Returns the number of functions.
+fn no_panic(
+    configuration: &'static Configuration,
+    board: &Board,
+    formats: &[Format],
+    progress: &Progress,
+) -> Result<String> {
+    let proof = Proof::write(configuration, progress)?;
+    for &format in formats {
+        let names = programs(format);
+        let files = proof.link(board, format, names, &[], progress).or_else(|error| {
+            let culprits = proof.culprits(board, format, names, progress).unwrap_or_default();
+            ensure!(culprits.is_empty(), "in {} these can panic:\n{}", format.name(), culprits.join("\n"));
+            Err(error)
+        })?;
+        for (name, file) in names.iter().zip(files) {
+            let program = Program::read(&file)?;
+            let (heap, format) = (program.names_of(is_heap), format.name());
+            ensure!(heap.is_empty(), "in {name} in {format} there is a heap: {}", heap.join(", "));
+            // A program from which the linker has removed everything would prove nothing.
+            ensure!(program.bytes > 100_000, "in {name} in {format} there is nothing left to panic");
+        }
     }
-    Ok(())
+    Ok(proof.to_string())
 }
 
 /// Checks that the picture is the host's and that the program contains no soft-float functions.
