@@ -108,7 +108,7 @@ impl<P: Falloff> Cone<P> {
         if angle >= Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && inner <= self.outer {
             Ok(Self { inner, ..self })
         } else {
-            let accepted = Expected::AngleBetween(0.0, Angle::from_versine(self.outer).to_degrees());
+            let accepted = Expected::AngleBetween(0.0, widest(self.outer));
             Err(Error { parameter: Parameter::InnerAngle, value: angle.to_degrees(), accepted })
         }
     }
@@ -126,7 +126,7 @@ impl<P: Falloff> Cone<P> {
         if angle > Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && range.contains(&limit) {
             Ok(Self { limit, ..self })
         } else {
-            let (value, largest) = (angle.to_degrees(), Angle::from_versine(self.outer).to_degrees());
+            let (value, largest) = (angle.to_degrees(), widest(self.outer));
             let accepted = Expected::angle_up_to(largest, value);
             Err(Error { parameter: Parameter::CutoffAngle, value, accepted })
         }
@@ -308,6 +308,15 @@ impl<P: Falloff> Cone<P> {
         let inner = Angle::from_versine(self.inner);
         refused(Parameter::InnerAngle, inner, Expected::AngleBetween(0.0, widest.to_degrees()))
     }
+}
+
+/// Returns the widest full angle in degrees whose versine is at most this one.
+fn widest(versine: f32) -> f32 {
+    let mut degrees = Angle::from_versine(versine).to_degrees();
+    while Angle::degrees(degrees).versine() > versine {
+        degrees = f32::from_bits(degrees.to_bits() - 1);
+    }
+    degrees
 }
 
 impl Cone<Soft> {

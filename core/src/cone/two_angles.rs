@@ -96,10 +96,14 @@ fn design<T>(beam: Angle, field: Angle, design: impl Fn(f32, f32) -> Option<T>) 
     let designed = if field >= beam && field <= Angle::degrees(180.0) { design(near, far) } else { None };
     designed.ok_or_else(|| {
         let (least, most) = reach(near, |field| design(near, field).is_some());
-        // Less by the roundings between angle and versine, so that the named angle is accepted.
+        // Inside by the roundings between angle and versine, so that the named angles are accepted.
         let most = (most * (1.0 - 1e-6)).max(least);
         let accepted = Expected::AngleBetween(
-            if least > near { Angle::from_versine(least).to_degrees() } else { beam.to_degrees() },
+            if least > near {
+                Angle::from_versine(least * (1.0 + 1e-6)).to_degrees()
+            } else {
+                beam.to_degrees()
+            },
             Angle::from_versine(most).to_degrees(),
         );
         Error { parameter: Parameter::FieldAngle, value: field.to_degrees(), accepted }

@@ -47,7 +47,7 @@ fn what_no_renderer_can_have_is_refused_by_name() {
     assert_eq!(refused(10, usize::MAX), format!("height = {}: expected 1 to 8192 pixels", usize::MAX));
     let mut renderer = Renderer::<Fx16>::new(16, 16).expect("a sound size");
     let far = PointLight::new(Vec3::new(0.0, 40_000.0, 0.0)).expect("a sound light");
-    let message = "position = 40000: expected a finite number from -16383 to 16383 (x)";
+    let message = "position = 40000: expected a finite number from -16383 to 16383 (y)";
     assert_refused(renderer.draw_light(&[far]), message);
 }
 
