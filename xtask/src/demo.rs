@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use crate::arguments::{DemoOptions, Size};
 use tools::command;
 use tools::demo::publish::publish;
-use tools::demo::site::{self, Modules};
+use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 
@@ -17,7 +17,7 @@ const PORT: u16 = 8080;
 pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let progress = Progress::Live;
     if let Some(folder) = &options.build {
-        let site = site::build(Modules::Small, &progress)?;
+        let site = site::build(Build::Small, &progress)?;
         let first = publish(&site, folder, options.address.as_deref())?;
         println!("{}: {first}", folder.display());
         return Ok(());
@@ -25,7 +25,7 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let checking = options.check || options.screenshot.is_some();
     // Before the build, so that a taken port is reported at once.
     let listener = server::listen(options.port.unwrap_or(if checking { 0 } else { PORT }))?;
-    let server = Server::start(listener, &site::build(Modules::Quick, &progress)?)?;
+    let server = Server::start(listener, &site::build(Build::Whole, &progress)?)?;
     let address = address(&server, options);
     if checking {
         let mut check = command::cargo("run");

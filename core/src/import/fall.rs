@@ -117,7 +117,7 @@ impl Divisor {
         let share = fall / (fall + rise);
         let ratio = |d: f64| (1.0 - share + share * d) / real_power(d, part);
         let lowest = part * (1.0 - share) / (rest * share);
-        let scale = 1.0 / real_power(ratio(near) * ratio(lowest.clamp(near, far)), 0.5);
+        let scale = 1.0 / real_power(ratio(near) * ratio(lowest.max(near).min(far)), 0.5);
         Self { is_steep, scale, share }
     }
 

@@ -7,7 +7,7 @@ use anyhow::Result;
 use flate2::Crc;
 
 use browser::{Chromium, check::check};
-use tools::demo::site::{self, Modules};
+use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::project;
 use tools::server::{self, Server};
@@ -22,7 +22,7 @@ const FINGERPRINT: &str = "docs/pictures.txt";
 /// Builds the demo, takes the pictures and writes the fingerprint.
 pub(crate) fn run() -> Result<()> {
     let progress = Progress::Live;
-    let server = Server::start(server::listen(0)?, &site::build(Modules::Small, &progress)?)?;
+    let server = Server::start(server::listen(0)?, &site::build(Build::Small, &progress)?)?;
     let mut chromium = Chromium::start(&progress)?;
     for (file, view) in PICTURES {
         let file = project::root().join("docs").join(file);

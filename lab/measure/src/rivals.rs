@@ -15,7 +15,7 @@ use anyhow::{Context, Result, ensure};
 use browser::turntable::{Frame, LOADS, Load};
 use browser::{Browser, Chromium, WebGl};
 use serde::Deserialize;
-use tools::demo::site::{self, Modules};
+use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 use tools::{install, project};
@@ -52,7 +52,7 @@ struct Answer {
 /// Times each load in three renderers, and prints a table.
 pub fn run(options: &RivalsOptions) -> Result<()> {
     let progress = Progress::Live;
-    let (demo, folder) = (site::build(Modules::Small, &progress)?, gather(&progress)?);
+    let (demo, folder) = (site::build(Build::Small, &progress)?, gather(&progress)?);
     let demo = Server::start(server::listen(0)?, &demo)?;
     let rival = Server::start(server::listen(0)?, &folder)?;
     let ours = ours(&demo, &progress)?;

@@ -7,6 +7,7 @@ use anyhow::{Context, Result, ensure};
 
 use crate::{Visitor, states};
 use browser::Page;
+use tools::demo::site;
 use tools::install;
 use tools::progress::Progress;
 
@@ -27,7 +28,7 @@ pub(crate) fn finds_nothing_in_the_views(visitor: &mut Visitor) -> Result<()> {
     let mut page = states::open(visitor, states::EVERY_PANEL)?;
     load(&mut page)?;
     page.resize(WIDTHS[0], 900)?;
-    for view in ["stage", "compare", "museum", "chip"] {
+    for view in site::built_views() {
         page.ask(&format!("document.querySelector('.views a[href=\"#{view}\"]').click()"))?;
         page.ask("probe.until(() => document.querySelector('main > :not([hidden])')?.textContent)")?;
         page.settle()?;

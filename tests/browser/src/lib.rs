@@ -61,7 +61,7 @@ pub type Visit = fn(&mut Visitor) -> Result<()>;
 pub type Test = (&'static str, Visit);
 
 /// The tests of every run: one or two for each promise.
-pub const QUICK: [Test; 29] = [
+pub const QUICK: [Test; 28] = [
     ("the page becomes ready without a complaint", picture::becomes_ready),
     ("the picture is lit by its lights, in several colours", picture::is_lit),
     ("at rest the picture has the resolution of the device", rest::has_the_resolution_of_the_device),
@@ -88,13 +88,14 @@ pub const QUICK: [Test; 29] = [
     ("a lost connection keeps views from opening, until it is back", failure::of_the_connection),
     ("the page asks nobody but its own server", network::stays_at_home),
     ("the page's policy forbids all other code and data", network::policy_forbids_the_rest),
-    ("the chip in the page shows the right pixels, and is loaded when opened", chip::shows_the_right_pixels),
     ("the price of a light follows the format and the tolerance", price::follows_the_format),
     ("the folder for static hosts works under a path", hosting::works_under_a_path),
 ];
 
 /// The tests that `cargo xtask full` adds.
-pub const MORE: [Test; 56] = [
+pub const MORE: [Test; 58] = [
+    ("the chip in the page shows the right pixels, and is loaded when opened", chip::shows_the_right_pixels),
+    ("the first picture and the chip are small", hosting::is_small),
     ("a picture that the canvas refused is shown with the next draw", picture::is_shown_again),
     ("the picture has the size that the address asks for", picture::has_the_asked_size),
     ("rest ends with a change", rest::ends_with_a_change),

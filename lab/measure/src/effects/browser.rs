@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use browser::turntable::{self, LOADS, Load};
 use browser::{Browser as _, Chromium, Page};
-use tools::demo::site::{self, Modules};
+use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 
@@ -61,7 +61,7 @@ const ROUNDS: usize = 3;
 /// Times a frame with and without every effect that has a switch, and the turntable under each
 /// load.
 pub(super) fn time(progress: &Progress) -> Result<Browser> {
-    let server = Server::start(server::listen(0)?, &site::build(Modules::Small, progress)?)?;
+    let server = Server::start(server::listen(0)?, &site::build(Build::Small, progress)?)?;
     let mut chromium = Chromium::start(progress)?;
     let runs_on = chromium.version()?;
     let step = progress.begin("Timing", format_args!("frames in {runs_on}"));

@@ -59,9 +59,19 @@ pub(crate) struct Effects {
 impl Effects {
     /// Builds all programs. A program that can panic does not link.
     pub(crate) fn build(board: &Board, format: Format, progress: &Progress) -> Result<Self> {
+        Self::build_some(&["--bins"], board, format, progress)
+    }
+
+    /// Builds the programs that arguments of cargo select.
+    pub(crate) fn build_some(
+        programs: &[&str],
+        board: &Board,
+        format: Format,
+        progress: &Progress,
+    ) -> Result<Self> {
         write_programs()?;
-        let arguments =
-            [&["--profile", PROFILE, "--package", "luminaire-effects", "--bins"], format.features()];
+        let package = ["--profile", PROFILE, "--package", "luminaire-effects"];
+        let arguments = [&package, programs, format.features()];
         let toolchain = laboratory::build(board, &arguments.concat(), progress)?;
         Ok(Self { folder: toolchain.artifacts(PROFILE) })
     }

@@ -15,6 +15,9 @@ use tools::suite::Suite;
 /// smallest processor.
 const BUDGET: u64 = 1920;
 
+/// The program of that spotlight.
+const SPOT: &str = "spot_soft_lambert";
+
 /// Adds the steps. Without `full`, the proof is for one board, because what panics does so on every
 /// processor, and for one format, because the formats share their generic code; and no picture is drawn.
 pub fn run(suite: &mut Suite, boards: &[&'static Board], full: bool) {
@@ -83,10 +86,16 @@ fn still(board: &'static Board, progress: &Progress) -> Result<()> {
     Program::read(&laboratory.program("still"))?.has_no_float()
 }
 
+/// The programs that the two steps below compare.
+fn built(progress: &Progress) -> Result<Effects> {
+    let programs = [EMPTY, SPOT, UNUSED].iter().flat_map(|name| ["--bin", name]);
+    Effects::build_some(&programs.collect::<Vec<_>>(), smallest(), Format::Fx16, progress)
+}
+
 /// Checks that a program that could name other effects, but does not, is the same to the byte.
 fn unused(progress: &Progress) -> Result<()> {
-    let effects = Effects::build(smallest(), Format::Fx16, progress)?;
-    let [alone, beside] = [effects.program("spot_soft_lambert")?, effects.program(UNUSED)?];
+    let effects = built(progress)?;
+    let [alone, beside] = [effects.program(SPOT)?, effects.program(UNUSED)?];
     ensure!(alone.flash == beside.flash, "{} bytes alone, {} beside others", alone.bytes, beside.bytes);
     let empty = effects.program(EMPTY)?;
     let used = empty.names_of(|name| name.contains("luminaire::"));
@@ -95,8 +104,8 @@ fn unused(progress: &Progress) -> Result<()> {
 }
 
 fn budget(progress: &Progress) -> Result<()> {
-    let effects = Effects::build(smallest(), Format::Fx16, progress)?;
-    let bytes = effects.program("spot_soft_lambert")?.bytes - effects.program(EMPTY)?.bytes;
+    let effects = built(progress)?;
+    let bytes = effects.program(SPOT)?.bytes - effects.program(EMPTY)?.bytes;
     ensure!(bytes <= BUDGET, "{bytes} bytes, and {BUDGET} are promised");
     Ok(())
 }

@@ -8,7 +8,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 
 use super::licenses;
-use super::site::Modules;
+use super::site::Build;
 use crate::progress::Progress;
 use crate::{board, install, project, wasm};
 
@@ -18,7 +18,7 @@ const TARGET: &str = "thumbv6m-none-eabi";
 
 /// Writes the firmware, the worker and the module into the demo's folder. Without npm, the demo is
 /// complete but for this view, so that a missing npm is reported and is no error.
-pub(super) fn write(site: &Path, modules: Modules, progress: &Progress) -> Result<()> {
+pub(super) fn write(site: &Path, build: Build, progress: &Progress) -> Result<()> {
     let emulator = match tools(progress) {
         Ok(emulator) => emulator,
         Err(error) => {
@@ -34,7 +34,12 @@ pub(super) fn write(site: &Path, modules: Modules, progress: &Progress) -> Resul
     bundle(site, progress)?;
     licenses::write(&site.join("chip-licenses.txt"), FIRMWARE, TARGET, &emulator)?;
     let bound = wasm::CHIP.bind(&module, &site.join("chip"), progress)?;
-    modules.finish(&bound, progress)
+    build.finish(&bound, progress)
+}
+
+/// Whether a folder of the demo has them.
+pub(super) fn is_in(site: &Path) -> bool {
+    site.join(format!("{FIRMWARE}.elf")).is_file()
 }
 
 /// Finds or installs what bundles the worker. Returns the emulator's folder.

@@ -26,23 +26,35 @@ pub fn views() -> impl Iterator<Item = &'static str> {
     links.filter_map(|link| Some(link.split_once('"')?.0))
 }
 
-/// How the demo's modules are built.
+/// How the demo is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Modules {
-    /// As the compiler writes them.
-    Quick,
-    /// Shrunk by `wasm-opt`, which takes longer than all compilation.
+pub enum Build {
+    /// Without the view of the chip, whose firmware takes a third of the build. The modules are as the
+    /// compiler writes them.
+    Part,
+    /// All of it, with the same modules.
+    Whole,
+    /// All of it, with modules that are shrunk by `wasm-opt`.
     Small,
 }
+
+/// The view that a [part](Build::Part) of the demo has not.
+const CHIP: &str = "chip";
 
 /// The demo's folder, `target/demo`.
 pub fn folder() -> PathBuf {
     project::target().join("demo")
 }
 
+/// The views of the demo in its folder, with which the chip may not have been built.
+pub fn built_views() -> impl Iterator<Item = &'static str> {
+    let has_chip = chip::is_in(&folder());
+    views().filter(move |view| *view != CHIP || has_chip)
+}
+
 /// Builds the demo into its folder: the page from `wasm-demo/web`, the price list, the picture for
 /// link previews, the bindings in `pkg`, and what the board in the page needs.
-pub fn build(modules: Modules, progress: &Progress) -> Result<PathBuf> {
+pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
     let site = folder();
     renew(&site, |new| {
         let step = progress.begin("Gathering", project::shown(&site));
@@ -57,20 +69,17 @@ pub fn build(modules: Modules, progress: &Progress) -> Result<PathBuf> {
         step.done();
         for (package, folder) in wasm::PAGE {
             let module = package.compile(progress)?;
-            modules.finish(&package.bind(&module, &new.join(folder), progress)?, progress)?;
+            build.finish(&package.bind(&module, &new.join(folder), progress)?, progress)?;
         }
-        chip::write(new, modules, progress)
+        if build == Build::Part { Ok(()) } else { chip::write(new, build, progress) }
     })?;
     Ok(site)
 }
 
-impl Modules {
+impl Build {
     /// Makes a bound module what the page loads.
     pub(super) fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
-        match self {
-            Self::Quick => Ok(()),
-            Self::Small => shrink::shrink(module, progress),
-        }
+        if self == Self::Small { shrink::shrink(module, progress) } else { Ok(()) }
     }
 }
 
