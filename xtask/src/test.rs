@@ -116,7 +116,7 @@ fn host(suite: &mut Suite, full: bool) {
 fn page(suite: &mut Suite, full: bool) {
     let build = if full { Build::Small } else { Build::Part };
     suite.step("browser: the demo is built", |progress| site::build(build, progress).map(drop));
-    scripts::run(suite);
+    scripts::run(suite, build.profile());
 }
 
 /// Checks that the fuzzer's targets compile. They belong to another workspace, and only the fuzzer

@@ -14,6 +14,7 @@ use crate::boards::{Board, board, laboratory};
 use tools::command;
 use tools::progress::Progress;
 use tools::project;
+use tools::wasm::Profile;
 
 /// The boards whose 256 kB of flash hold all models at once only if the models are compiled for
 /// size.
@@ -29,7 +30,7 @@ pub(crate) enum Target {
     /// This machine, optimised, with the square root of `std`.
     Std,
     /// WebAssembly in a browser.
-    Browser,
+    Browser(Profile),
     /// A microcontroller, in QEMU.
     Board(&'static Board),
 }
@@ -48,13 +49,13 @@ pub(crate) struct Report {
 impl Target {
     /// All targets, the quickest to check first.
     pub(crate) fn all() -> Vec<Self> {
-        Self::on(&board::tested(true))
+        Self::on(&board::tested(true), Profile::Release)
     }
 
-    /// This machine, a browser and these boards.
-    pub(super) fn on(boards: &[&'static Board]) -> Vec<Self> {
+    /// This machine, a browser with modules of a profile, and these boards.
+    pub(super) fn on(boards: &[&'static Board], profile: Profile) -> Vec<Self> {
         let boards = boards.iter().map(|board| Self::Board(board));
-        [Self::Debug, Self::Release, Self::Std, Self::Browser].into_iter().chain(boards).collect()
+        [Self::Debug, Self::Release, Self::Std, Self::Browser(profile)].into_iter().chain(boards).collect()
     }
 
     /// The name in reports.
@@ -63,7 +64,7 @@ impl Target {
             Self::Debug => "host, debug",
             Self::Release => "host, release",
             Self::Std => "host, release with std",
-            Self::Browser => page::TARGET,
+            Self::Browser(_) => page::TARGET,
             Self::Board(board) => board.target,
         }
     }
@@ -72,7 +73,7 @@ impl Target {
     pub(crate) fn named(name: &str) -> Result<Vec<Self>, String> {
         match name {
             "host" => Ok(vec![Self::Debug, Self::Release, Self::Std]),
-            "wasm" => Ok(vec![Self::Browser]),
+            "wasm" => Ok(vec![Self::Browser(Profile::Release)]),
             _ => match Board::named(name) {
                 Ok(board) => Ok(vec![Self::Board(board)]),
                 Err(refused) => Err(format!("{refused}, host and wasm")),
@@ -87,7 +88,7 @@ impl Target {
             Self::Debug => on_the_host(&[], "debug", progress),
             Self::Release => on_the_host(&["--release"], "release", progress),
             Self::Std => on_the_host(&["--release", "--features", "std"], "release", progress),
-            Self::Browser => page::check(progress),
+            Self::Browser(profile) => page::check(profile, progress),
             Self::Board(board) => on_a_board(board, progress),
         }?;
         Report::read(&output, cases)

@@ -9,7 +9,8 @@ use serde_json::Value;
 
 use super::{chip, chips, preview, shrink};
 use crate::progress::Progress;
-use crate::{project, wasm};
+use crate::project;
+use crate::wasm::{self, Profile};
 
 /// The price list that the page shows beside its pictures.
 const PRICE_LIST: &str = "accuracy-vs-cost.json";
@@ -29,12 +30,11 @@ pub fn views() -> impl Iterator<Item = &'static str> {
 /// How the demo is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Build {
-    /// Without the view of the chip, whose firmware takes a third of the build. The modules are as the
-    /// compiler writes them.
+    /// Without the view of the chip, whose firmware takes a third of the build.
     Part,
-    /// All of it, with the same modules.
+    /// All of it.
     Whole,
-    /// All of it, with modules that are shrunk by `wasm-opt`.
+    /// All of it as it is published: optimised across crates, and shrunk by `wasm-opt`.
     Small,
 }
 
@@ -68,7 +68,7 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
         preview::write(new)?;
         step.done();
         for (package, folder) in wasm::PAGE {
-            let module = package.compile(progress)?;
+            let module = package.compile(build.profile(), progress)?;
             build.finish(&package.bind(&module, &new.join(folder), progress)?, progress)?;
         }
         if build == Build::Part { Ok(()) } else { chip::write(new, build, progress) }
@@ -77,6 +77,11 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
 }
 
 impl Build {
+    /// The profile of its modules.
+    pub fn profile(self) -> Profile {
+        if self == Self::Small { Profile::Release } else { Profile::Quick }
+    }
+
     /// Makes a bound module what the page loads.
     pub(super) fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
         if self == Self::Small { shrink::shrink(module, progress) } else { Ok(()) }
