@@ -129,7 +129,7 @@ impl Stage {
         self.desk.mark();
     }
 
-    /// Returns to the last marked state, if it is another one. Returns whether it is.
+    /// Returns to the last marked state, unless nothing has changed since. Returns whether something has.
     pub fn cancel(&mut self) -> Result<bool, JsValue> {
         Ok(self.desk.cancel()?)
     }
