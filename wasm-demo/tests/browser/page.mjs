@@ -68,8 +68,10 @@ async function visit(hash) {
   await settle();
 }
 
-/** Waits until nothing is drawn and the address is written. */
+/** Waits until nothing is drawn, the styles of the view are there and the address is written. */
 async function settle() {
+  const isStyled = () => [...document.querySelectorAll("link[rel=stylesheet]")].every((link) => link.sheet);
+  await tab.waitForFunction(isStyled);
   await tab.waitForFunction(() => !window.luminaire.isDrawing);
   await tab.evaluate(() => new Promise((done) => setTimeout(() => requestAnimationFrame(done), 300)));
 }
