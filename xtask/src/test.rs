@@ -42,10 +42,6 @@ const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--feature
 const LABORATORY: [&str; 6] =
     ["browser", "browser-tests", "lab", "luminaire-counter", "luminaire-mutants", "measure"];
 
-/// The crates whose documentation has examples, but for luminaire, which is tested with all features.
-const DOCUMENTED: [&str; 5] =
-    ["luminaire-export", "luminaire-fixtures", "luminaire-oracle", "luminaire-pick", "luminaire-render"];
-
 const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
 
 /// Runs the tests; the last line on stdout counts them.
@@ -79,10 +75,8 @@ fn host(suite: &mut Suite, full: bool) {
     if full {
         suite.count("host: the long searches", |progress| cargo_test(&["--test", "slow"], full, progress));
     } else {
-        let documented = DOCUMENTED.iter().flat_map(|package| ["--package", package]);
-        let documented: Vec<_> = ["--doc"].into_iter().chain(documented).collect();
-        suite
-            .count("host: examples in the documentation", |progress| cargo_test(&documented, full, progress));
+        // Of the same packages, because another choice would have other features, and be built again.
+        suite.count("host: examples in the documentation", |progress| cargo_test(&["--doc"], full, progress));
         suite.count("host: the commands", |progress| cargo_test(&["--package", "xtask"], full, progress));
     }
     // The feature sets whose square root and angles do not come from libm, and the default set. Clippy
