@@ -248,7 +248,7 @@ fn assert_sound<S: Format>(place: ProjectedPoint<S>) {
     let range = -65_536..=131_071;
     assert!(
         range.contains(&place.column) && range.contains(&place.row),
-        "{place:?}, expected range.contains(&place.column) and range.contains(&place.row)"
+        "{place:?}, expected both in {range:?}"
     );
     assert_eq!(
         place.is_inside(),
