@@ -29,7 +29,7 @@ fn falloff_error<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
     let held = HALF_ANGLES.into_iter().filter_map(|half| Some((half, shape.at(half).compile::<S>().ok()?)));
     held.flat_map(|(half, falloff)| {
         let exact = shape.stored_at(half);
-        sweep::versines(exact.limit, 100_000 * sweep::effort()).map(move |versine| {
+        sweep::versines(exact.limit, 25_000 * sweep::effort()).map(move |versine| {
             let versine = falloff.versine(versine);
             let stored = S::exact_versine(&falloff, versine);
             if exact.jumps_near(stored, blur::<S>(half)) {
@@ -57,7 +57,7 @@ fn spot_errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f
         return [REFUSE; 2];
     }
     let (mut worst_spot, mut worst_lit) = (0.0_f64, 0.0_f64);
-    for _ in 0..100 * sweep::effort() {
+    for _ in 0..50 * sweep::effort() {
         let reach = sweep::distance(&mut rng) as f32;
         let spot = sweep::spot(&mut rng, cone).with_intensity(reach * reach).expect("a sound intensity");
         let exact = sweep::stored::<S, _, _>(&spot, shape.exactly_at(half_degrees));
