@@ -39,9 +39,9 @@ fn smallest_board(suite: &mut Suite) {
 fn all_boards(suite: &mut Suite) {
     let boards = boards::tested(true);
     boards::steps::run(suite, &boards);
-    frame::steps::run(suite, &boards, true);
+    frame::steps::run(suite, &boards);
     size::steps::run(suite, &boards, true);
-    effects::steps::run(suite, true);
+    effects::steps::run(suite);
     pick::steps(suite, &boards);
     c::steps(suite, &boards);
     device::steps::run(suite);

@@ -1,4 +1,4 @@
-//! The firmware's part of `cargo xtask test`.
+//! The firmware's part of `cargo xtask full`.
 
 use anyhow::{Context, Result, bail, ensure};
 

@@ -1,4 +1,4 @@
-//! The picture's part of `cargo xtask test`.
+//! The picture's part of `cargo xtask full`.
 
 use tools::suite::Suite;
 
@@ -10,11 +10,11 @@ use crate::record;
 const MOVING: &str = "moving";
 
 /// Adds the steps of each board. The picture is the host's, there is no soft float, and the counts
-/// are those on record; with `full`, the cycles are, too. Frames with a moving light are the host's.
-pub fn run(suite: &mut Suite, boards: &[&'static Board], full: bool) {
+/// are those on record. Frames with a moving light are the host's.
+pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
     for &board in boards {
         let name = format!("frame: the picture, no soft float, and its counts on {}", board.name);
-        suite.remarked(&name, |progress| record::check(&drawn(&[board], full, progress)?));
+        suite.remarked(&name, |progress| record::check(&drawn(&[board], true, progress)?));
         suite.step(&format!("frame: a light that moves on {}", board.name), |progress| {
             laboratory::compare_with_the_host(MOVING, &[], board, progress)
         });
