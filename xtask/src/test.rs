@@ -38,9 +38,9 @@ const FEATURES: [(&str, &[&str]); 5] = [
 
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
 
-/// The packages with the most dependencies of others. Without `full`, Clippy leaves them out.
-const LABORATORY: [&str; 6] =
-    ["browser", "browser-tests", "lab", "luminaire-counter", "luminaire-mutants", "measure"];
+/// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
+const TOOLS: [&str; 8] =
+    ["browser", "browser-tests", "lab", "luminaire-counter", "luminaire-mutants", "measure", "tools", "xtask"];
 
 const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
 
@@ -141,7 +141,7 @@ fn sources(suite: &mut Suite, full: bool) {
     suite.step("lint: cargo clippy", |progress| {
         let mut clippy = with(command::cargo("clippy"), &["--workspace", "--all-targets"]);
         if !full {
-            clippy.args(LABORATORY.iter().flat_map(|package| ["--exclude", package]));
+            clippy.args(TOOLS.iter().flat_map(|package| ["--exclude", package]));
         }
         progress.run(with(clippy, &["--", "-Dwarnings"]))
     });

@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 
 use browser::{Chromium, Engine, check::check};
 use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
-use tools::demo::site;
+use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
@@ -25,6 +25,8 @@ pub(crate) struct Browsers {
     /// Those in the first engine.
     tests: Vec<(String, Visit)>,
     others: Vec<Elsewhere>,
+    /// What of the demo they need.
+    build: Build,
 }
 
 impl Browsers {
@@ -35,7 +37,7 @@ impl Browsers {
         let tests = QUICK.iter().chain(&more).map(|(name, test)| (format!("browser: {name}"), *test));
         let [_, others @ ..] = Engine::ALL;
         let others = if full { others.map(Elsewhere::new).into() } else { Vec::new() };
-        Self { tests: tests.collect(), others }
+        Self { tests: tests.collect(), others, build: if full { Build::Small } else { Build::Part } }
     }
 
     fn are_wanted(&self, suite: &Suite) -> bool {
@@ -45,10 +47,13 @@ impl Browsers {
             || self.others.iter().any(|elsewhere| elsewhere.is_wanted(suite))
     }
 
-    /// Adds the steps. The demo's folder has been built.
+    /// Adds the steps. The demo's folder has been built, unless only some steps are run.
     pub(crate) fn visit(&self, suite: &mut Suite) {
         if !self.are_wanted(suite) {
             return;
+        }
+        if suite.is_selective() {
+            suite.require("browser: the demo is built", |progress| site::build(self.build, progress));
         }
         let serve =
             |engine: Engine, progress: &Progress| Visitor::evaluate(engine, &site::folder(), progress);

@@ -58,6 +58,11 @@ impl Suite {
         self.only.as_ref().is_none_or(|only| name.contains(only))
     }
 
+    /// Whether only some steps are to be run, so that others that they rely on may not have been.
+    pub fn is_selective(&self) -> bool {
+        self.only.is_some()
+    }
+
     /// Runs a step that counts as one test, if it is wanted.
     pub fn step(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<()>) {
         self.count(name, |progress| work(progress).map(|()| Tally::PASSED));
