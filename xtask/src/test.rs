@@ -39,8 +39,16 @@ const FEATURES: [(&str, &[&str]); 5] = [
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
-const TOOLS: [&str; 8] =
-    ["browser", "browser-tests", "lab", "luminaire-counter", "luminaire-mutants", "measure", "tools", "xtask"];
+const TOOLS: [&str; 8] = [
+    "browser",
+    "browser-tests",
+    "lab",
+    "luminaire-counter",
+    "luminaire-mutants",
+    "measure",
+    "tools",
+    "xtask",
+];
 
 const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
 
