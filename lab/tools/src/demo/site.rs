@@ -30,7 +30,7 @@ pub fn views() -> impl Iterator<Item = &'static str> {
 /// How the demo is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Build {
-    /// Without the view of the chip, whose firmware takes a third of the build.
+    /// Without the view of the chip, whose firmware and hardware layer are built for another target.
     Part,
     /// All of it.
     Whole,
