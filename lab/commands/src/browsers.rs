@@ -116,10 +116,7 @@ struct Elsewhere {
 impl Elsewhere {
     fn new(engine: Engine) -> Self {
         let named = |(name, test): &Test| (format!("browser, {engine}: {name}"), *test);
-        let mut tests: Vec<_> = engines::SMOKE.iter().map(named).collect();
-        let all = engines::tests_of(engine).map(named);
-        let more: Vec<_> = all.filter(|(name, _)| tests.iter().all(|(quick, _)| quick != name)).collect();
-        tests.extend(more);
+        let tests = engines::tests_of(engine).map(named).collect();
         let alike = format!("browser, {engine}: pictures have the bits of Chromium's");
         Self { engine, tests, alike }
     }

@@ -30,31 +30,30 @@ pub(crate) fn run(options: StepsOptions) -> Result<()> {
 /// The promises that need a linker or other processors than the host's: no panic, nothing for what is
 /// not used, the budget of bytes, and the same bits. What panics does so on every processor.
 fn smallest_board(suite: &mut Suite) {
-    let smallest = &boards::tested(false)[..1];
-    size::steps::run(suite, smallest, false);
-    conform::steps::run(suite, smallest, false);
+    size::steps::run(suite, false);
+    conform::steps::run(suite, false);
 }
 
 /// All that is promised or recorded of any board.
 fn all_boards(suite: &mut Suite) {
-    let boards = boards::tested(true);
+    let boards: Vec<_> = boards::BOARDS.iter().collect();
     boards::steps::run(suite, &boards);
     frame::steps::run(suite, &boards);
-    size::steps::run(suite, &boards, true);
+    size::steps::run(suite, true);
     effects::steps::run(suite);
     pick::steps(suite, &boards);
     c::steps(suite, &boards);
     device::steps::run(suite);
     renderers::steps(suite);
     prices(suite, &boards);
-    conform::steps::run(suite, &boards, true);
+    conform::steps::run(suite, true);
     package::run(suite);
 }
 
 fn prices(suite: &mut Suite, boards: &[&'static Board]) {
     suite.remarked("prices: errors and instructions are those of the list", |progress| {
         let targets: Vec<_> = boards.iter().map(|board| prices::Target::Board(board)).collect();
-        prices::check(&targets, true, progress)
+        prices::check(&targets, progress)
     });
 }
 

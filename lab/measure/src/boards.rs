@@ -17,7 +17,7 @@ use anyhow::{Result, bail};
 
 use tools::progress::Progress;
 
-pub use board::{ALL as BOARDS, Board, tested};
+pub use board::{ALL as BOARDS, Board};
 pub(crate) use cost::Costs;
 use laboratory::Laboratory;
 pub(crate) use rp2040::Rp2040;

@@ -33,14 +33,14 @@ pub fn run(options: &EffectsOptions) -> Result<()> {
     let progress = Progress::Live;
     if options.check {
         for stand in &STANDS {
-            check(stand, true, &progress)?.iter().for_each(|remark| println!("{remark}"));
+            check(stand, &progress)?.iter().for_each(|remark| println!("{remark}"));
         }
         println!("the prices are those on record");
         return Ok(());
     }
     let mut new = EffectList::default();
     for stand in &STANDS {
-        new.boards.insert(stand.board.to_owned(), prices::count(stand, true, &progress)?);
+        new.boards.insert(stand.board.to_owned(), prices::count(stand, &progress)?);
     }
     new.browser = if options.time {
         Some(browser::time(&progress)?)
@@ -50,9 +50,9 @@ pub fn run(options: &EffectsOptions) -> Result<()> {
     record::write(&new, options.bless, &progress)
 }
 
-/// Compares the prices of one board with the record, with its cycles if `clocked`. Returns remarks if the comparison has passed.
-fn check(stand: &Stand, clocked: bool, progress: &Progress) -> Result<Vec<String>> {
+/// Compares the prices of one board with the record. Returns remarks if the comparison has passed.
+fn check(stand: &Stand, progress: &Progress) -> Result<Vec<String>> {
     let mut new = EffectList::default();
-    new.boards.insert(stand.board.to_owned(), prices::count(stand, clocked, progress)?);
+    new.boards.insert(stand.board.to_owned(), prices::count(stand, progress)?);
     record::check(&new)
 }

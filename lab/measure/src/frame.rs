@@ -39,7 +39,7 @@ const PROGRAM: &str = "frame";
 pub fn run(options: &FrameOptions) -> Result<()> {
     let progress = Progress::Live;
     let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };
-    let mut list = drawn(&boards, true, &progress)?;
+    let mut list = drawn(&boards, &progress)?;
     print!("{}", part::table(&list));
     if options.bless {
         list.take_missing(record::load()?);
@@ -64,12 +64,12 @@ pub(crate) fn agrees(program: &Path, instructions: u64) -> Result<()> {
 }
 
 /// Draws on the host, whose results are right by definition, and on boards. Counts the cycles of
-/// the Cortex-M0 if `clocked`.
-fn drawn(boards: &[&'static Board], clocked: bool, progress: &Progress) -> Result<StageList> {
+/// the Cortex-M0.
+fn drawn(boards: &[&'static Board], progress: &Progress) -> Result<StageList> {
     let host = Output::parse(&laboratory::on_the_host(PROGRAM, progress)?)?;
     let counts = boards.iter().map(|board| {
         let laboratory = Laboratory::with_program(PROGRAM, board, progress)?;
-        let clock = if clocked { Rp2040::for_board(board, progress)? } else { None };
+        let clock = Rp2040::for_board(board, progress)?;
         Ok((board.name.to_owned(), draw(&laboratory, &host, clock.as_ref())?))
     });
     let boards = counts.collect::<Result<_>>()?;

@@ -38,27 +38,27 @@ pub struct MeasureOptions {
 pub fn run(options: &MeasureOptions) -> Result<()> {
     let progress = Progress::Live;
     if options.check {
-        for remark in check(&options.targets, true, &progress)? {
+        for remark in check(&options.targets, &progress)? {
             println!("{remark}");
         }
         println!("errors and counts are those of the list");
         return Ok(());
     }
     let targets = if options.targets.is_empty() { Target::all() } else { options.targets.clone() };
-    record::write(&measure(&targets, true, &progress)?, options.bless, &progress)
+    record::write(&measure(&targets, &progress)?, options.bless, &progress)
 }
 
 /// Compares errors and counts with the list, and the documents with those that the list would give.
-/// Cycles are compared if `clocked`, times never. Returns remarks if the comparison has passed.
-pub fn check(targets: &[Target], clocked: bool, progress: &Progress) -> Result<Vec<String>> {
+/// Times are not compared. Returns remarks if the comparison has passed.
+pub fn check(targets: &[Target], progress: &Progress) -> Result<Vec<String>> {
     let chosen = |target: &Target| targets.is_empty() || targets.contains(target);
     let targets: Vec<_> = Target::counted().into_iter().filter(chosen).collect();
-    record::check(&measure(&targets, clocked, progress)?)
+    record::check(&measure(&targets, progress)?)
 }
 
-/// Measures the errors, and the costs on these targets, with cycles if `clocked`. The costs on other
+/// Measures the errors, and the costs on these targets. The costs on other
 /// targets are those on record.
-fn measure(targets: &[Target], clocked: bool, progress: &Progress) -> Result<PriceList> {
+fn measure(targets: &[Target], progress: &Progress) -> Result<PriceList> {
     let mut list = with_errors(progress)?;
     if let Some(old) = record::load::<PriceList>()? {
         list.meta.targets.clone_from(&old.meta.targets);
@@ -82,7 +82,7 @@ fn measure(targets: &[Target], clocked: bool, progress: &Progress) -> Result<Pri
         }
         let mut meta = match target {
             Target::Board(board) => {
-                let clock = if clocked { Rp2040::for_board(board, progress)? } else { None };
+                let clock = Rp2040::for_board(board, progress)?;
                 count(&mut list, board, &expected, clock.as_ref(), progress)?
             }
             Target::Browser { simd } => {

@@ -6,7 +6,8 @@ use std::process::{Command, ExitCode};
 use std::thread;
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
+use serde::Deserialize as _;
 use serde_json::{Value, json};
 
 use crate::progress::Progress;
@@ -20,18 +21,10 @@ pub struct Suite {
     start: Instant,
     tally: Tally,
     failures: Vec<String>,
-    times: Vec<Times>,
+    /// The processor time of the programs that each step started, in seconds.
+    times: Vec<(String, f64)>,
     /// Whether other steps run at the same time.
     has_company: bool,
-}
-
-/// How long a step took.
-#[derive(Clone, Debug, PartialEq)]
-struct Times {
-    name: String,
-    seconds: f64,
-    /// The processor time of the programs that it started, where the system states it.
-    processor: f64,
 }
 
 /// Steps that run one after the other, beside other groups.
@@ -99,7 +92,7 @@ impl Suite {
         let progress = Progress::kept();
         let outcome = work(&progress);
         let (seconds, processor) = (start.elapsed().as_secs_f64(), command::processor_seconds() - before);
-        self.times.push(Times { name: name.to_owned(), seconds, processor });
+        self.times.push((name.to_owned(), processor));
         let tally = outcome.as_ref().map_or(Tally::FAILED, |(_, tally)| *tally);
         let tests = if tally.passed + tally.failed == 1 { String::new() } else { format!(" ({tally})") };
         self.tally += tally;
@@ -166,10 +159,9 @@ impl Suite {
     /// Writes the counts, failures and times for the suite that [ran this
     /// program](Self::run_elsewhere).
     pub fn report(self, file: &Path) -> Result<()> {
-        let times = self.times.iter().map(|step| json!([step.name, step.seconds, step.processor]));
         let report = json!({
             "passed": self.tally.passed, "failed": self.tally.failed,
-            "failures": self.failures, "times": times.collect::<Vec<_>>(),
+            "failures": self.failures, "times": self.times,
         });
         std::fs::write(file, report.to_string()).with_context(|| format!("cannot write {}", file.display()))
     }
@@ -177,26 +169,17 @@ impl Suite {
     fn read(&mut self, report: &Value) -> Result<()> {
         let count = |name: &str| report[name].as_u64().with_context(|| format!("no number `{name}`"));
         self.tally += Tally { passed: count("passed")?, failed: count("failed")? };
-        let list = |name: &str| report[name].as_array().with_context(|| format!("no list `{name}`"));
-        self.failures.extend(list("failures")?.iter().filter_map(Value::as_str).map(str::to_owned));
-        for step in list("times")? {
-            let times = (step[0].as_str(), step[1].as_f64(), step[2].as_f64());
-            ensure!(times.0.is_some(), "{step} is no step");
-            self.times.push(Times {
-                name: times.0.unwrap_or_default().to_owned(),
-                seconds: times.1.unwrap_or_default(),
-                processor: times.2.unwrap_or_default(),
-            });
-        }
+        self.failures.extend(Vec::<String>::deserialize(&report["failures"])?);
+        self.times.extend(Vec::<(String, f64)>::deserialize(&report["times"])?);
         Ok(())
     }
 
     /// Prints the most expensive steps, the failures and, as the last line, the counts.
     pub fn finish(mut self) -> ExitCode {
         println!("\nthe most expensive steps, in seconds of processor time:");
-        self.times.sort_by(|a, b| b.processor.total_cmp(&a.processor));
-        for step in self.times.iter().take(LISTED) {
-            println!("{:7.1} s {}", step.processor, step.name);
+        self.times.sort_by(|a, b| b.1.total_cmp(&a.1));
+        for (name, processor) in self.times.iter().take(LISTED) {
+            println!("{processor:7.1} s {name}");
         }
         println!();
         for failure in &self.failures {
@@ -205,7 +188,7 @@ impl Suite {
         if self.tally == Tally::default() {
             println!("no step matches the text of --only");
         }
-        let processor: f64 = self.times.iter().map(|step| step.processor).sum();
+        let processor: f64 = self.times.iter().map(|(_, processor)| processor).sum();
         println!("ran for {:.0} s, {processor:.0} s of processor time", self.start.elapsed().as_secs_f64());
         println!("{}", self.tally);
         let well = self.tally.failed == 0 && self.tally.passed > 0;

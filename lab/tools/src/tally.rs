@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::AddAssign;
 use std::process::Command;
 
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
 
 use crate::command;
 use crate::progress::Progress;
@@ -57,9 +57,10 @@ pub fn node_test(test: Command, progress: &Progress) -> Result<Tally> {
         let lines = ended.output.lines().filter_map(|line| line.split_once(&format!(" {word} ")));
         lines.filter_map(|(_, number)| number.trim().parse::<u64>().ok()).next_back()
     };
-    let (passed, failed) = (count("pass"), count("fail"));
-    ensure!(passed.is_some() && passed.max(failed) > Some(0), "no test was run");
-    Ok(Tally { passed: passed.unwrap_or(0), failed: failed.unwrap_or(1) })
+    match (count("pass"), count("fail")) {
+        (Some(passed), Some(failed)) if passed + failed > 0 => Ok(Tally { passed, failed }),
+        _ => bail!("no test was run"),
+    }
 }
 
 /// The number before a word, as in `ok. 12 passed; 0 failed; …`.

@@ -2,17 +2,12 @@
 
 use anyhow::{Result, ensure};
 
-use crate::{Test, Visitor, picture, stage};
+use crate::{Test, Visitor};
 use browser::{Engine, Page};
 
-/// The quick tests that each engine other than the first must pass.
-pub const SMOKE: [Test; 5] = [
-    ("the page becomes ready without a complaint", picture::becomes_ready),
-    ("a scene plays, and stops", stage::play),
-    ("the camera is moved by mouse and keys, and reset", stage::camera_is_moved),
-    ("a scene is opened by its address", stage::are_opened_by_address),
-    ("the page outlives the engine's limit of new addresses", outlives_the_limit_of_addresses),
-];
+/// The test for the engines other than the first alone.
+const ELSEWHERE: [Test; 1] =
+    [("the page outlives the engine's limit of new addresses", outlives_the_limit_of_addresses)];
 
 /// Tests that an engine cannot run, and why.
 const LIMITED: [(Engine, &str, &str); 11] = [
@@ -68,9 +63,9 @@ const PICTURES: [&str; 4] = [
     "#stage?play=none&scene=three-point&format=fx16",
 ];
 
-/// All tests that an engine can run.
+/// All tests that an engine other than the first can run.
 pub fn tests_of(engine: Engine) -> impl Iterator<Item = &'static Test> {
-    let all = crate::QUICK.iter().chain(&crate::MORE);
+    let all = crate::QUICK.iter().chain(&crate::MORE).chain(&ELSEWHERE);
     all.filter(move |(name, _)| !LIMITED.iter().any(|(limited, test, _)| *limited == engine && test == name))
 }
 

@@ -50,15 +50,6 @@ pub static ALL: [Board; 4] = [
     RV32IMC,
 ];
 
-/// The processors that the quick tests build for: the smallest, and one with a floating point unit.
-/// The long tests build for all processors.
-const QUICK: [&str; 2] = ["cortex-m0", "cortex-m4f"];
-
-/// The boards that the tests run on: all of them if `full`.
-pub fn tested(full: bool) -> Vec<&'static Board> {
-    ALL.iter().filter(|board| full || QUICK.contains(&board.name)).collect()
-}
-
 impl Board {
     /// Returns the board of this name, or an error that lists the names.
     pub fn named(name: &str) -> Result<&'static Self, String> {
@@ -72,14 +63,6 @@ impl Board {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn quick_tests_have_boards_with_floats_and_without() {
-        let quick = tested(false);
-        let with_floats = quick.iter().filter(|board| board.target.ends_with("hf")).count();
-        assert!(with_floats > 0 && with_floats < quick.len(), "{quick:?}");
-        assert_eq!(tested(true).len(), ALL.len());
-    }
 
     #[test]
     fn a_board_is_found_by_its_name_or_the_names_are_told() {

@@ -49,13 +49,22 @@ pub(crate) struct Report {
 impl Target {
     /// All targets, the quickest to check first.
     pub(crate) fn all() -> Vec<Self> {
-        Self::on(&board::tested(true), Profile::Release)
+        let boards = board::ALL.iter().map(Self::Board);
+        let others = [Self::Debug, Self::Release, Self::Std, Self::Browser(Profile::Release)];
+        others.into_iter().chain(boards).collect()
     }
 
-    /// This machine, a browser with modules of a profile, and these boards.
-    pub(super) fn on(boards: &[&'static Board], profile: Profile) -> Vec<Self> {
-        let boards = boards.iter().map(|board| Self::Board(board));
-        [Self::Debug, Self::Release, Self::Std, Self::Browser(profile)].into_iter().chain(boards).collect()
+    /// The targets of a quick test: a browser, and the smallest board.
+    pub(super) fn quick() -> Vec<Self> {
+        vec![Self::Browser(Profile::Quick), Self::Board(&board::ALL[0])]
+    }
+
+    /// The board, if it is one.
+    pub(super) fn board(self) -> Option<&'static Board> {
+        match self {
+            Self::Board(board) => Some(board),
+            _ => None,
+        }
     }
 
     /// The name in reports.

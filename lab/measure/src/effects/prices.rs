@@ -40,9 +40,9 @@ struct Counted {
 type Counts = BTreeMap<String, Counted>;
 
 /// Counts on a board. An error if its results are not the host's.
-pub(super) fn count(stand: &Stand, clocked: bool, progress: &Progress) -> Result<Prices> {
+pub(super) fn count(stand: &Stand, progress: &Progress) -> Result<Prices> {
     let board = Board::named(stand.board).map_err(anyhow::Error::msg)?;
-    let clock = if clocked { Rp2040::for_board(board, progress)? } else { None };
+    let clock = Rp2040::for_board(board, progress)?;
     let costs = boards::effects(board, stand.feature, RELEASE, clock.as_ref(), progress)?;
     let for_size = boards::effects(board, stand.feature, SIZE, None, progress)?;
     let mut counted = BTreeMap::new();

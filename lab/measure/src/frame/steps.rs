@@ -14,7 +14,7 @@ const MOVING: &str = "moving";
 pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
     for &board in boards {
         let name = format!("frame: the picture, no soft float, and its counts on {}", board.name);
-        suite.remarked(&name, |progress| record::check(&drawn(&[board], true, progress)?));
+        suite.remarked(&name, |progress| record::check(&drawn(&[board], progress)?));
         suite.step(&format!("frame: a light that moves on {}", board.name), |progress| {
             laboratory::compare_with_the_host(MOVING, &[], board, progress)
         });

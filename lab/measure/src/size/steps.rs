@@ -20,9 +20,8 @@ const SPOT: &str = "spot_soft_lambert";
 
 /// Adds the steps. Without `full`, the proof is for one board, because what panics does so on every
 /// processor, and for one format, because the formats share their generic code; and no picture is drawn.
-pub fn run(suite: &mut Suite, boards: &[&'static Board], full: bool) {
-    let smallest = [smallest()];
-    for &board in if full { boards } else { &smallest } {
+pub fn run(suite: &mut Suite, full: bool) {
+    for board in if full { &board::ALL[..] } else { &board::ALL[..1] } {
         let name = format!("effects: no function panics and none allocates on {}", board.name);
         suite.remarked(&name, |progress| {
             let formats = if full { &Format::ALL[..] } else { &[Format::Fx16] };
@@ -32,15 +31,15 @@ pub fn run(suite: &mut Suite, boards: &[&'static Board], full: bool) {
     for configuration in if full { &MORE[..] } else { &[] } {
         let name = format!("effects: no function panics in the configuration {}", configuration.name);
         suite.remarked(&name, |progress| {
-            Ok(vec![no_panic(configuration, smallest[0], &Format::ALL, progress)?])
+            Ok(vec![no_panic(configuration, smallest(), &Format::ALL, progress)?])
         });
     }
     if full {
         suite.step("effects: no function panics where the arithmetic is checked for overflow", |progress| {
-            Proof::write(&MAIN, progress)?.overflows(smallest[0], progress)
+            Proof::write(&MAIN, progress)?.overflows(smallest(), progress)
         });
     }
-    for &board in if full { boards } else { &[] } {
+    for board in if full { &board::ALL[..] } else { &[] } {
         suite.step(
             &format!("still: the picture of a constant light, and no soft float, on {}", board.name),
             |progress| still(board, progress),
