@@ -5,8 +5,6 @@ use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use luminaire_render::scenes::Example;
-
 use tools::demo::site;
 
 use crate::lab;
@@ -48,12 +46,9 @@ pub(crate) struct DemoOptions {
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Size>,
     /// Open this view of the page: stage, compare, museum or chip; settings may follow, as in
-    /// compare?half=0.1
+    /// compare?half=0.1 or stage?scene=grid
     #[arg(long, value_name = "NAME", value_parser = view)]
-    view: Option<String>,
-    /// Open this scene, such as grid or show
-    #[arg(long, value_name = "NAME", value_parser = scene, conflicts_with = "view")]
-    scene: Option<String>,
+    pub(crate) view: Option<String>,
     /// Instead of serving: run the page once in headless Chromium, print one line and exit
     #[arg(long)]
     pub(crate) check: bool,
@@ -64,21 +59,13 @@ pub(crate) struct DemoOptions {
     #[arg(
         long,
         value_name = "DIR",
-        conflicts_with_all = ["port", "size", "view", "scene", "check", "screenshot"]
+        conflicts_with_all = ["port", "size", "view", "check", "screenshot"]
     )]
     pub(crate) build: Option<PathBuf>,
     /// With --build: where the folder will be served, for link previews, as in
     /// `https://example.org/demo/`
     #[arg(long, value_name = "URL", requires = "build", value_parser = address)]
     pub(crate) address: Option<String>,
-}
-
-impl DemoOptions {
-    /// The part of the address after the `#`: a view, as in `compare`, or a view with settings, as
-    /// in `stage?scene=grid`.
-    pub(crate) fn view(&self) -> Option<String> {
-        self.scene.as_ref().map(|scene| format!("stage?scene={scene}")).or_else(|| self.view.clone())
-    }
 }
 
 /// The options of `test` and `full`.
@@ -114,14 +101,16 @@ impl fmt::Display for Size {
     }
 }
 
-/// Parses a view of the page with its settings. An unknown view or scene is an error here, before
-/// the demo is built: the page itself would show another view, or refuse the scene.
+/// Parses a view of the page with its settings. An unknown view is an error here, before the demo is
+/// built: the page itself would show another.
 fn view(view: &str) -> Result<String, String> {
-    let (name, settings) = view.split_once('?').unwrap_or((view, ""));
-    one_of(name, &site::views().collect::<Vec<_>>())?;
-    let mut scenes = settings.split('&').filter_map(|setting| setting.strip_prefix("scene="));
-    scenes.try_for_each(|name| scene(name).map(drop))?;
-    Ok(view.to_owned())
+    let name = view.split('?').next().unwrap_or_default();
+    let names: Vec<_> = site::views().collect();
+    if names.contains(&name) {
+        Ok(view.to_owned())
+    } else {
+        Err(format!("expected one of {}", names.join(", ")))
+    }
 }
 
 /// Parses the address of a folder and ends it with a slash. The address is written into the page, so
@@ -135,15 +124,6 @@ fn address(address: &str) -> Result<String, String> {
         }
         _ => Err("expected a folder's address, as in https://example.org/demo/".to_owned()),
     }
-}
-
-fn scene(name: &str) -> Result<String, String> {
-    one_of(name, &Example::ALL.map(Example::name))?;
-    Ok(name.to_owned())
-}
-
-fn one_of(name: &str, names: &[&str]) -> Result<(), String> {
-    if names.contains(&name) { Ok(()) } else { Err(format!("expected one of {}", names.join(", "))) }
 }
 
 #[cfg(test)]
@@ -176,7 +156,7 @@ mod tests {
     fn demo_takes_its_options_in_any_order() {
         let options = demo("demo --check --port 9000 --size 320x180 --view compare --screenshot page.png");
         assert_eq!(
-            (options.port, options.size, options.view(), options.check, options.screenshot.clone()),
+            (options.port, options.size, options.view.clone(), options.check, options.screenshot.clone()),
             (
                 Some(9000),
                 Some(Size { width: 320, height: 180 }),
@@ -190,10 +170,9 @@ mod tests {
     }
 
     #[test]
-    fn demo_opens_a_scene_or_a_view() {
-        assert_eq!(demo("demo --scene grid").view().unwrap(), "stage?scene=grid");
+    fn demo_opens_a_view() {
         for view in ["stage", "compare?left=f32&half=0.1", "stage?scene=show&map=tiles"] {
-            assert_eq!(demo(&format!("demo --view {view}")).view().unwrap(), view);
+            assert_eq!(demo(&format!("demo --view {view}")).view.unwrap(), view);
         }
     }
 
@@ -231,9 +210,6 @@ mod tests {
             ("demo --port 99999", "99999 is not in 0..=65535"),
             ("demo --view nope", "expected one of stage, compare, museum"),
             ("demo --view nope?half=1", "expected one of stage"),
-            ("demo --view compare --scene grid", "--scene"),
-            ("demo --scene nope", "expected one of bare-spot, pocket, three-point"),
-            ("demo --view stage?map=lights&scene=nope", "expected one of bare-spot"),
             ("demo --build site --check", "--check"),
             ("demo --address https://example.org", "--build"),
             ("demo --build site --address example.org", "expected a folder's address"),

@@ -42,6 +42,6 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
 
 fn address(server: &Server, options: &DemoOptions) -> String {
     let query = options.size.map(|Size { width, height }| format!("?width={width}&height={height}"));
-    let view = options.view().map(|view| format!("#{view}"));
+    let view = options.view.as_ref().map(|view| format!("#{view}"));
     server.address() + &query.unwrap_or_default() + &view.unwrap_or_default()
 }

@@ -6,6 +6,7 @@ use std::process::{Command, ExitCode};
 use anyhow::{Context, Result};
 
 use tools::command;
+use tools::progress::Progress;
 
 /// The commands of the laboratory, each with the package that has it, and a sentence for the help.
 pub(crate) const COMMANDS: [(&str, &str, &str); 12] = [
@@ -35,6 +36,13 @@ pub(crate) fn run(words: &[OsString]) -> Result<ExitCode> {
     let arguments = if *package == LAB { words } else { &words[1..] };
     let status = program(package).args(arguments).status().context("cannot start cargo")?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Builds the laboratory's program.
+pub(crate) fn build(progress: &Progress) -> Result<()> {
+    let mut cargo = command::cargo("build");
+    cargo.args(["--package", LAB]);
+    progress.run(cargo)
 }
 
 /// A call of the laboratory's program, which cargo builds if need be.

@@ -8,7 +8,7 @@ use serde_json::json;
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
-use tools::wasm::{self, Profile};
+use tools::wasm;
 use tools::{command, install, project};
 
 /// The page, its settings for TypeScript, and its unit tests.
@@ -18,17 +18,17 @@ const TESTS: &str = "wasm-demo/tests";
 
 /// Adds the steps. The demo's modules should be compiled already: the types are those of their
 /// bindings.
-pub(crate) fn run(suite: &mut Suite, profile: Profile) {
-    suite.step("scripts: types", |progress| types(profile, progress));
+pub(crate) fn run(suite: &mut Suite) {
+    suite.step("scripts: types", types);
     suite.step("scripts: rules", rules);
     suite.count("scripts: unit tests", unit_tests);
 }
 
 /// Checks the types of the scripts, also at their calls of the module.
-fn types(profile: Profile, progress: &Progress) -> Result<()> {
+fn types(progress: &Progress) -> Result<()> {
     let folder = project::target().join("types");
     for (package, bindings) in wasm::PAGE {
-        package.declare(&package.compile(profile, progress)?, &folder.join(bindings))?;
+        package.declare(&package.compile(progress)?, &folder.join(bindings))?;
     }
     let (root, page) = (project::root(), project::root().join(PAGE));
     let settings = json!({

@@ -50,12 +50,23 @@ const TOOLS: [&str; 8] = [
     "xtask",
 ];
 
+/// How the names of steps begin that are of this program alone.
+const OWN: [&str; 6] = ["documentation", "features", "format", "host", "lint", "scripts"];
+
 const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
 
 /// Runs the tests; the last line on stdout counts them.
 pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
     let mut suite = Suite::new(options.only.clone());
+    let is_own = options.only.as_ref().is_some_and(|text| OWN.iter().any(|own| text.starts_with(own)));
+    if !is_own {
+        // First, because cargo builds one thing at a time in a folder, and the others have long steps.
+        suite.require("the laboratory is built", lab::build);
+    }
     let laboratory = |suite: &mut Suite, part: &str| {
+        if is_own {
+            return;
+        }
         let mut words = vec!["steps", part];
         words.extend(full.then_some("--full"));
         words.extend(options.only.iter().flat_map(|text| ["--only", text]));
@@ -65,10 +76,17 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
     suite.side_by_side([
         Box::new(|suite| host(suite, full)),
         Box::new(|suite| laboratory(suite, "boards")),
-        Box::new(|suite| page(suite, full)),
+        Box::new(|suite| {
+            page(suite, full);
+            if !full {
+                laboratory(suite, "browsers");
+            }
+        }),
     ]);
-    // After the other steps, because they would slow the page down.
-    laboratory(&mut suite, "browsers");
+    if full {
+        // After the other steps: it also measures times.
+        laboratory(&mut suite, "browsers");
+    }
     suite.finish()
 }
 
@@ -118,7 +136,7 @@ fn host(suite: &mut Suite, full: bool) {
 fn page(suite: &mut Suite, full: bool) {
     let build = if full { Build::Small } else { Build::Part };
     suite.step("browser: the demo is built", |progress| site::build(build, progress).map(drop));
-    scripts::run(suite, build.profile());
+    scripts::run(suite);
 }
 
 /// Checks that the fuzzer's targets compile. They belong to another workspace, and only the fuzzer

@@ -7,6 +7,7 @@
 mod curves;
 mod mach_bands;
 mod picture;
+mod preview;
 mod scene;
 mod svg;
 mod warn;
@@ -39,7 +40,7 @@ impl Figure {
     }
 }
 
-/// Every figure, in the order of the page.
+/// Every figure, in the order of the page, and the demo's picture for links.
 pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
     let [warn, soft, hard] = scene::pictures()?;
     let bands = mach_bands::MachBands::draw()?;
@@ -53,5 +54,6 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
         drawing("intensity.svg", curves::svg()?),
         picture("mach-bands.png", bands.picture),
         drawing("mach-bands.svg", profiles),
+        picture("preview.png", preview::picture()?),
     ])
 }

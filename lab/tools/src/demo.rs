@@ -3,7 +3,6 @@
 mod chip;
 mod chips;
 mod licenses;
-pub mod preview;
 pub mod publish;
 mod shrink;
 pub mod site;

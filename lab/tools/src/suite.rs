@@ -98,14 +98,16 @@ impl Suite {
         self.tally += tally;
         let name_again = if self.has_company { format!("{name:.<90} ") } else { String::new() };
         if tally.failed == 0 {
-            println!("{name_again}pass {seconds:6.1} s [{processor:6.1}]{tests}");
+            println!("{name_again}pass {seconds:6.1} s, {processor:6.1} s CPU{tests}");
         } else {
             let reason = match &outcome {
                 Ok(_) => format!("{} of its tests failed or were ignored", tally.failed),
                 Err(error) => format!("{error:#}"),
             };
             let text = progress.into_text();
-            println!("{name_again}FAIL {seconds:6.1} s [{processor:6.1}]{tests}\n{text}error: {reason}\n");
+            println!(
+                "{name_again}FAIL {seconds:6.1} s, {processor:6.1} s CPU{tests}\n{text}error: {reason}\n"
+            );
             self.failures.push(format!("{name}: {reason}"));
         }
         outcome.ok().map(|(value, _)| value)

@@ -11,24 +11,8 @@ use crate::toolchain::Toolchain;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// A profile of the workspace's manifest. The bits of all results are the same in both.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Profile {
-    /// Compiled in a fraction of the time: without link-time optimisation.
-    Quick,
-    /// As it is published.
-    Release,
-}
-
-impl Profile {
-    /// The name in the manifest, and of the folder of what is built.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Quick => "wasm-quick",
-            Self::Release => "wasm",
-        }
-    }
-}
+/// The profile in the workspace's manifest, and the name of the folder of what is built.
+pub const PROFILE: &str = "wasm";
 
 /// A package that a browser runs.
 #[derive(Debug)]
@@ -75,14 +59,14 @@ impl Package {
     }
 
     /// Compiles the package. The resulting module still needs its bindings.
-    pub fn compile(&self, profile: Profile, progress: &Progress) -> Result<PathBuf> {
+    pub fn compile(&self, progress: &Progress) -> Result<PathBuf> {
         let toolchain = Toolchain::find(TARGET, progress)?;
         let step = progress.begin("Building", format_args!("{} for {}", self.name, toolchain.describe()));
         let mut build = toolchain.cargo_build("std,panic_abort", self.flags());
-        build.args(["--package", self.name, "--lib", "--profile", profile.name()]);
+        build.args(["--package", self.name, "--lib", "--profile", PROFILE]);
         progress.run(build)?;
         step.done();
-        Ok(toolchain.artifacts(profile.name()).join(format!("{}.wasm", self.library)))
+        Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))
     }
 
     /// Writes the bindings and the bound module into `folder`. Returns the path of

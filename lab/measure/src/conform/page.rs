@@ -11,18 +11,18 @@ use tools::progress::Progress;
 use tools::project;
 use tools::server::{self, Server};
 use tools::toolchain::Toolchain;
-use tools::wasm::Profile;
+use tools::wasm::PROFILE;
 
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Builds the page, opens it, and returns what it reports.
-pub(crate) fn check(profile: Profile, progress: &Progress) -> Result<String> {
+pub(crate) fn check(progress: &Progress) -> Result<String> {
     let toolchain = Toolchain::find(TARGET, progress)?;
     // The same flags as for the demo, so that the check holds for the demo's pixels.
     let mut build = toolchain.cargo_build("std,panic_abort", &["-Ctarget-feature=+simd128"]);
-    build.args(["--package", "luminaire-conform-wasm", "--lib", "--profile", profile.name()]);
+    build.args(["--package", "luminaire-conform-wasm", "--lib", "--profile", PROFILE]);
     progress.run(build)?;
-    let module = toolchain.artifacts(profile.name()).join("luminaire_conform_wasm.wasm");
+    let module = toolchain.artifacts(PROFILE).join("luminaire_conform_wasm.wasm");
 
     let site = project::target().join("conform");
     let bound = Bindgen::new().input_path(&module).web(true).and_then(|bindgen| {

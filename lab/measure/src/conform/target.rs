@@ -14,7 +14,6 @@ use crate::boards::{Board, board, laboratory};
 use tools::command;
 use tools::progress::Progress;
 use tools::project;
-use tools::wasm::Profile;
 
 /// The boards whose 256 kB of flash hold all models at once only if the models are compiled for
 /// size.
@@ -30,7 +29,7 @@ pub(crate) enum Target {
     /// This machine, optimised, with the square root of `std`.
     Std,
     /// WebAssembly in a browser.
-    Browser(Profile),
+    Browser,
     /// A microcontroller, in QEMU.
     Board(&'static Board),
 }
@@ -50,13 +49,13 @@ impl Target {
     /// All targets, the quickest to check first.
     pub(crate) fn all() -> Vec<Self> {
         let boards = board::ALL.iter().map(Self::Board);
-        let others = [Self::Debug, Self::Release, Self::Std, Self::Browser(Profile::Release)];
+        let others = [Self::Debug, Self::Release, Self::Std, Self::Browser];
         others.into_iter().chain(boards).collect()
     }
 
     /// The targets of a quick test: a browser, and the smallest board.
     pub(super) fn quick() -> Vec<Self> {
-        vec![Self::Browser(Profile::Quick), Self::Board(&board::ALL[0])]
+        vec![Self::Browser, Self::Board(&board::ALL[0])]
     }
 
     /// The board, if it is one.
@@ -73,7 +72,7 @@ impl Target {
             Self::Debug => "host, debug",
             Self::Release => "host, release",
             Self::Std => "host, release with std",
-            Self::Browser(_) => page::TARGET,
+            Self::Browser => page::TARGET,
             Self::Board(board) => board.target,
         }
     }
@@ -82,7 +81,7 @@ impl Target {
     pub(crate) fn named(name: &str) -> Result<Vec<Self>, String> {
         match name {
             "host" => Ok(vec![Self::Debug, Self::Release, Self::Std]),
-            "wasm" => Ok(vec![Self::Browser(Profile::Release)]),
+            "wasm" => Ok(vec![Self::Browser]),
             _ => match Board::named(name) {
                 Ok(board) => Ok(vec![Self::Board(board)]),
                 Err(refused) => Err(format!("{refused}, host and wasm")),
@@ -97,7 +96,7 @@ impl Target {
             Self::Debug => on_the_host(&[], "debug", progress),
             Self::Release => on_the_host(&["--release"], "release", progress),
             Self::Std => on_the_host(&["--release", "--features", "std"], "release", progress),
-            Self::Browser(profile) => page::check(profile, progress),
+            Self::Browser => page::check(progress),
             Self::Board(board) => on_a_board(board, progress),
         }?;
         Report::read(&output, cases)
@@ -154,7 +153,7 @@ fn arguments(profile: &str) -> [&str; 6] {
 
 /// The profile that the check is compiled with for a board.
 fn profile(board: &Board) -> &'static str {
-    if SMALL.contains(&board.name) { "conform" } else { "release" }
+    if SMALL.contains(&board.name) { "size" } else { "release" }
 }
 
 #[cfg(test)]

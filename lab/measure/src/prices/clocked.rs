@@ -14,7 +14,7 @@ use super::target::Target;
 use browser::{Browser as _, Chromium};
 use tools::progress::Progress;
 use tools::server::{self, Server};
-use tools::wasm::{self, Profile};
+use tools::wasm;
 use tools::{command, project, toolchain};
 
 /// The page that loads the module, and shows nothing.
@@ -103,7 +103,7 @@ pub(crate) fn host(progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
 /// Times every kernel in a browser. It is an error if the results are not the host's.
 pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result<(Vec<Times>, TargetMeta)> {
     let package = if simd { wasm::SIMD_PRICES } else { wasm::PRICES };
-    let module = package.compile(Profile::Release, progress)?;
+    let module = package.compile(progress)?;
     let site = tempfile::Builder::new()
         .prefix("prices-")
         .tempdir_in(project::target())

@@ -29,7 +29,7 @@ pub(super) fn write(site: &Path, build: Build, progress: &Progress) -> Result<()
     let step = progress.begin("Building", format_args!("the firmware of the {FIRMWARE}"));
     let firmware = board::build(FIRMWARE, TARGET, progress)?;
     step.done();
-    let module = wasm::CHIP.compile(build.profile(), progress)?;
+    let module = wasm::CHIP.compile(progress)?;
     copy(&firmware, &site.join(format!("{FIRMWARE}.elf")))?;
     bundle(site, progress)?;
     licenses::write(&site.join("chip-licenses.txt"), FIRMWARE, TARGET, &emulator)?;

@@ -14,7 +14,7 @@ use anyhow::{Context, Result, bail, ensure};
 use flate2::write::GzEncoder;
 use flate2::{Compression, Crc};
 
-use super::preview;
+use super::site::PREVIEW;
 use crate::{command, project};
 
 /// The page. Its name is the address that visitors use, so it has no checksum.
@@ -94,7 +94,7 @@ impl Bundle {
     fn new(old: BTreeMap<String, Vec<u8>>, address: Option<&str>) -> Result<Self> {
         let page = old.get(PAGE).with_context(|| format!("the demo has no {PAGE}"))?;
         let mut first: BTreeSet<String> = references(PAGE, page, &old).map(|(name, _)| name).collect();
-        first.remove(preview::FILE);
+        first.remove(PREVIEW);
         while let Some(more) = imports(&first, &old) {
             first.extend(more);
         }
@@ -136,7 +136,7 @@ impl Bundle {
         let mut is_changed = false;
         for (other, spelled) in references(name, content, old) {
             let (new, _) = &self.files[&other];
-            let prefix = if other == preview::FILE { prefix } else { "" };
+            let prefix = if other == PREVIEW { prefix } else { "" };
             let path = new.strip_prefix(folder(name)).unwrap_or(new);
             let dot = if spelled.starts_with("./") { "./" } else { "" };
             for quote in ['"', '\''] {

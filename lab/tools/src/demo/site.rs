@@ -7,15 +7,18 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use serde_json::Value;
 
-use super::{chip, chips, preview, shrink};
+use super::{chip, chips, shrink};
 use crate::progress::Progress;
 use crate::project;
-use crate::wasm::{self, Profile};
+use crate::wasm;
 
 /// The price list that the page shows beside its pictures.
 const PRICE_LIST: &str = "accuracy-vs-cost.json";
 /// The prices of the effects, which the page shows beside their switches.
 const EFFECTS: &str = "effects.json";
+
+/// The picture that other sites show beside a link to the demo.
+pub const PREVIEW: &str = "preview.png";
 
 /// The page, whose navigation lists its views.
 const PAGE: &str = include_str!("../../../../wasm-demo/web/index.html");
@@ -65,10 +68,12 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
         chips::write(&project::root().join("docs"), new)?;
         let (page, list) = (new.join("index.html"), new.join(PRICE_LIST));
         fs::write(&page, with_figures(&fs::read_to_string(&page)?, &fs::read_to_string(list)?)?)?;
-        preview::write(new)?;
+        let preview = project::root().join("docs/figures").join(PREVIEW);
+        fs::copy(&preview, new.join(PREVIEW))
+            .with_context(|| format!("cannot copy {}", preview.display()))?;
         step.done();
         for (package, folder) in wasm::PAGE {
-            let module = package.compile(build.profile(), progress)?;
+            let module = package.compile(progress)?;
             build.finish(&package.bind(&module, &new.join(folder), progress)?, progress)?;
         }
         if build == Build::Part { Ok(()) } else { chip::write(new, build, progress) }
@@ -77,11 +82,6 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
 }
 
 impl Build {
-    /// The profile of its modules.
-    pub fn profile(self) -> Profile {
-        if self == Self::Small { Profile::Release } else { Profile::Quick }
-    }
-
     /// Makes a bound module what the page loads.
     pub(super) fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
         if self == Self::Small { shrink::shrink(module, progress) } else { Ok(()) }

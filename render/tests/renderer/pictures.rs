@@ -1,7 +1,7 @@
 //! The examples are unchanged: every pixel of their pictures has the codes stored in
 //! `tests/pictures/`.
 //!
-//! `LUMINAIRE_BLESS=1 cargo test -p luminaire-render --test suite pictures` stores the current pictures.
+//! `LUMINAIRE_BLESS=1 cargo test -p luminaire-render --test renderer pictures` stores the current pictures.
 
 use luminaire::Fx16;
 use luminaire_render::{Format, Renderer, scenes::Example};
