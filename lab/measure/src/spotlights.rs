@@ -10,7 +10,7 @@ use tools::progress::Progress;
 use tools::project;
 
 /// The workspace of both spotlights.
-const FOLDER: &str = "lab/spotlights";
+const FOLDER: &str = "examples/renderers/spotlights";
 
 /// The program whose instructions are counted.
 const PROGRAM: &str = "luminaire-spotlights";
