@@ -32,7 +32,7 @@ pub(crate) enum Request {
 
 /// The commands of the laboratory, for the help.
 fn laboratory() -> String {
-    let lines = lab::COMMANDS.iter().map(|(name, _, what)| format!("  {name:<10} {what}"));
+    let lines = lab::COMMANDS.iter().map(|(name, what)| format!("  {name:<10} {what}"));
     format!("The laboratory, built when it is first called:\n{}", lines.collect::<Vec<_>>().join("\n"))
 }
 

@@ -39,16 +39,8 @@ const FEATURES: [(&str, &[&str]); 5] = [
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
-const TOOLS: [&str; 8] = [
-    "browser",
-    "browser-tests",
-    "lab",
-    "luminaire-counter",
-    "luminaire-mutants",
-    "measure",
-    "tools",
-    "xtask",
-];
+const TOOLS: [&str; 7] =
+    ["browser", "browser-tests", "lab", "luminaire-counter", "measure", "tools", "xtask"];
 
 /// How the names of steps begin that are of this program alone.
 const OWN: [&str; 6] = ["documentation", "features", "format", "host", "lint", "scripts"];
@@ -67,10 +59,10 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
         if is_own {
             return;
         }
-        let mut words = vec!["steps", part];
-        words.extend(full.then_some("--full"));
-        words.extend(options.only.iter().flat_map(|text| ["--only", text]));
-        suite.run_elsewhere(lab::steps(&words));
+        let mut steps = lab::program();
+        steps.args(["steps", part]).args(full.then_some("--full"));
+        steps.args(options.only.iter().flat_map(|text| ["--only", text]));
+        suite.run_elsewhere(steps);
     };
     // Three groups for two processors, because linking the demo's modules keeps only one busy.
     suite.side_by_side([
