@@ -5,7 +5,6 @@ pub mod board;
 pub mod command;
 pub mod compilers;
 pub mod demo;
-mod http;
 pub mod install;
 pub mod progress;
 pub mod project;

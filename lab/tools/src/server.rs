@@ -1,113 +1,96 @@
 //! A small web server for one folder, reachable only from this machine.
+//!
+//! A connection has one request and one response. A browser opens half a dozen at once, and a server
+//! whose pool of threads waits on idle connections leaves some unanswered, as `tiny_http` does.
 
 use std::fs;
 use std::io::{self, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use anyhow::{Result, anyhow};
 use percent_encoding::percent_decode_str;
 
-use crate::http::{BadCall, Request, Response};
+/// Number of requests that are answered at the same time.
+const CALLS: usize = 64;
 
-/// Limits on the resources that clients may use.
-#[derive(Clone, Copy)]
-struct Limits {
-    /// Number of requests that are answered at the same time.
-    calls: usize,
-    /// Upper bound of the time from the connection to the last byte of the request. A browser opens
-    /// connections in advance and may never send a request on them.
-    asking: Duration,
-    /// Upper bound of the time that a client takes to read a response.
-    answering: Duration,
-}
-
-const LIMITS: Limits =
-    Limits { calls: 64, asking: Duration::from_secs(10), answering: Duration::from_secs(60) };
+/// The longest time that a client may let the server wait for a byte.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Time that a client has to stop sending after the response. If the connection were closed at
 /// once, the client would see an error and lose the response.
 const LINGER: Duration = Duration::from_secs(2);
 
-/// Pause after a connection that could not be accepted, because the system may have run out of file
-/// handles. Also the time limit for writing a refusal.
-const PAUSE: Duration = Duration::from_millis(50);
+/// No browser sends a longer head, or more headers.
+const LONGEST_HEAD: usize = 32 * 1024;
+const MOST_HEADERS: usize = 64;
 
 /// Accepted names in the `Host` header. Any other name may be that of a foreign page whose owner
 /// points it at this machine to read what is served (DNS rebinding). A port may follow the name,
 /// and differs from the server's port if that is forwarded.
 const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
-/// Names and values of headers.
-type Headers = &'static [(&'static str, &'static str)];
+/// Headers of every response of the demo's own server. The demo may be rebuilt at any time, so nothing
+/// is cached. `Allow` is required in the response to a method other than these. The `Cross-Origin`
+/// headers make the page `crossOriginIsolated`, so that its clock has a resolution of microseconds.
+const HEADERS: &str = "Allow: GET, HEAD\r\n\
+    Cache-Control: no-store\r\n\
+    Cross-Origin-Opener-Policy: same-origin\r\n\
+    Cross-Origin-Embedder-Policy: require-corp\r\n\
+    Cross-Origin-Resource-Policy: same-origin\r\n\
+    X-Content-Type-Options: nosniff\r\n";
 
-/// Headers of every response of the demo's own server. The demo may be rebuilt at any time, so nothing is cached. `Allow` is
-/// required in the response to a method other than these. The `Cross-Origin` headers make the page
-/// `crossOriginIsolated`, so that its clock has a resolution of microseconds.
-const HEADERS: [(&str, &str); 6] = [
-    ("Allow", "GET, HEAD"),
-    ("Cache-Control", "no-store"),
-    ("Cross-Origin-Opener-Policy", "same-origin"),
-    ("Cross-Origin-Embedder-Policy", "require-corp"),
-    ("Cross-Origin-Resource-Policy", "same-origin"),
-    ("X-Content-Type-Options", "nosniff"),
-];
+/// Status and words of a refusal.
+type Refusal = (&'static str, &'static str);
 
-/// A running server. Dropping it stops the server.
+const MALFORMED: Refusal = ("400 Bad Request", "this is no HTTP");
+const TOO_LARGE: Refusal = ("431 Request Header Fields Too Large", "the headers are too many or too long");
+
+/// A running server, which ends with the program.
 #[derive(Debug)]
 pub struct Server {
     port: u16,
-    stopped: Arc<AtomicBool>,
-    accepting: Option<JoinHandle<()>>,
+    accepting: JoinHandle<()>,
 }
 
 /// Listens on a port of 127.0.0.1. Port 0 stands for any free port.
 pub fn listen(port: u16) -> Result<TcpListener> {
-    TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|error| match error.kind() {
-        io::ErrorKind::AddrInUse => {
-            anyhow!("port {port} is taken by another program: choose another with `--port N`")
-        }
-        _ => anyhow!("cannot serve on port {port}: {error}; choose another with `--port N`"),
-    })
+    TcpListener::bind((Ipv4Addr::LOCALHOST, port))
+        .map_err(|error| anyhow!("cannot serve on port {port}: {error}; choose another with `--port N`"))
 }
 
 impl Server {
     /// Serves `folder` to every client of the port.
     pub fn start(listener: TcpListener, folder: &Path) -> Result<Self> {
-        Self::start_within(LIMITS, &HEADERS, listener, folder)
+        Self::start_with(HEADERS, listener, folder)
     }
 
     /// Serves `folder` without any special header, as static hosts do.
     pub fn start_plain(listener: TcpListener, folder: &Path) -> Result<Self> {
-        Self::start_within(LIMITS, &[], listener, folder)
+        Self::start_with("", listener, folder)
     }
 
-    fn start_within(limits: Limits, headers: Headers, listener: TcpListener, folder: &Path) -> Result<Self> {
+    fn start_with(headers: &'static str, listener: TcpListener, folder: &Path) -> Result<Self> {
         let port = listener.local_addr()?.port();
-        let stopped = Arc::new(AtomicBool::new(false));
-        let (stop, folder) = (Arc::clone(&stopped), Arc::<Path>::from(folder));
+        let folder = Arc::<Path>::from(folder);
         let accepting = thread::spawn(move || {
-            for call in listener.incoming().take_while(|_| !stop.load(Ordering::Relaxed)) {
-                match call {
-                    // The folder's reference count is one more than the number of requests being
-                    // answered.
-                    Ok(stream) if Arc::strong_count(&folder) > limits.calls => refuse(&stream, headers),
-                    Ok(stream) => {
-                        let folder = Arc::clone(&folder);
-                        // If no thread can be started, the request is dropped; a later one may
-                        // succeed.
-                        let _ =
-                            thread::Builder::new().spawn(move || answer(&stream, &folder, limits, headers));
-                    }
-                    Err(_) => thread::sleep(PAUSE),
-                }
+            for call in listener.incoming() {
+                let Ok(stream) = call else {
+                    // The system may have run out of file handles.
+                    thread::sleep(Duration::from_millis(50));
+                    continue;
+                };
+                // The folder's reference count is one more than the number of requests being answered.
+                let is_full = Arc::strong_count(&folder) > CALLS;
+                let folder = Arc::clone(&folder);
+                // If no thread can be started, the request is dropped; a later one may succeed.
+                let _ = thread::Builder::new().spawn(move || answer(&stream, is_full, &folder, headers));
             }
         });
-        Ok(Self { port, stopped, accepting: Some(accepting) })
+        Ok(Self { port, accepting })
     }
 
     /// The address to type into a browser.
@@ -116,116 +99,84 @@ impl Server {
     }
 
     /// Serves until the program is ended from outside.
-    pub fn wait(mut self) -> Result<()> {
-        let ended = self.accepting.take().map(JoinHandle::join);
+    pub fn wait(self) -> Result<()> {
+        let ended = self.accepting.join();
         Err(anyhow!("the web server broke down ({ended:?}): start it again"))
     }
 }
 
-impl Drop for Server {
-    fn drop(&mut self) {
-        self.stopped.store(true, Ordering::Relaxed);
-        // The accepting thread sees the flag at the next connection, which is made here.
-        let called = TcpStream::connect((Ipv4Addr::LOCALHOST, self.port));
-        if let (Ok(_), Some(accepting)) = (called, self.accepting.take()) {
-            // If it panicked, it has said so already.
-            let _ = accepting.join();
+/// Answers one request. A client that sends nothing in time gets no response.
+fn answer(mut stream: &TcpStream, is_full: bool, folder: &Path, headers: &str) -> io::Result<()> {
+    stream.set_read_timeout(Some(PATIENCE))?;
+    stream.set_write_timeout(Some(PATIENCE))?;
+    let call =
+        if is_full { Err(("503 Service Unavailable", "too many calls at once")) } else { call(stream)? };
+    let is_head = matches!(call, Ok((true, _)));
+    let found = call.and_then(|(_, path)| {
+        let body = content(folder, &path).ok_or(("404 Not Found", "there is no such file"))?;
+        Ok(("200 OK", mime(&path), body))
+    });
+    let refuse = |(status, words): Refusal| (status, "text/plain; charset=utf-8", words.into());
+    let (status, mime, body) = found.unwrap_or_else(refuse);
+    let length = body.len();
+    write!(stream, "HTTP/1.1 {status}\r\nContent-Type: {mime}\r\nContent-Length: {length}\r\n")?;
+    write!(stream, "{headers}Connection: close\r\n\r\n")?;
+    stream.write_all(if is_head { &[] } else { &body })?;
+    stream.shutdown(Shutdown::Write)?;
+    stream.set_read_timeout(Some(LINGER))?;
+    io::copy(&mut stream, &mut io::sink()).map(drop)
+}
+
+/// Reads a request: whether it asks for the headers alone, and the path of a file.
+fn call(mut stream: &TcpStream) -> io::Result<Result<(bool, PathBuf), Refusal>> {
+    let (mut head, mut part) = (Vec::new(), [0; 4096]);
+    while head.len() < LONGEST_HEAD {
+        match stream.read(&mut part)? {
+            0 if head.is_empty() => return Err(io::ErrorKind::UnexpectedEof.into()),
+            0 => return Ok(Err(MALFORMED)),
+            length => head.extend_from_slice(&part[..length]),
+        }
+        if let Some(call) = parse(&head).transpose() {
+            return Ok(call);
         }
     }
+    Ok(Err(TOO_LARGE))
 }
 
-/// A connection with a deadline, after which reads and writes fail.
-struct Timed<'a> {
-    stream: &'a TcpStream,
-    end: Instant,
-}
-
-impl<'a> Timed<'a> {
-    fn new(stream: &'a TcpStream, time: Duration) -> Self {
-        Self { stream, end: Instant::now() + time }
-    }
-
-    fn left(&self) -> io::Result<Option<Duration>> {
-        let left = self.end.saturating_duration_since(Instant::now());
-        if left.is_zero() { Err(io::ErrorKind::TimedOut.into()) } else { Ok(Some(left)) }
-    }
-}
-
-impl Read for Timed<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        self.stream.set_read_timeout(self.left()?)?;
-        self.stream.read(buffer)
-    }
-}
-
-impl Write for Timed<'_> {
-    fn write(&mut self, buffer: &[u8]) -> io::Result<usize> {
-        self.stream.set_write_timeout(self.left()?)?;
-        self.stream.write(buffer)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.stream.flush()
-    }
-}
-
-/// Answers one request. A client that does not send it in time gets no response.
-fn answer(stream: &TcpStream, folder: &Path, limits: Limits, headers: Headers) {
-    let request = Request::read(&mut Timed::new(stream, limits.asking));
-    let is_head = request.as_ref().is_ok_and(|request| request.method == "HEAD");
-    let response = match request {
-        Ok(request) => respond(&request, folder),
-        Err(BadCall::Silent) => return,
-        Err(BadCall::Malformed) => Response::plain("400 Bad Request", "this is no HTTP"),
-        Err(BadCall::TooLarge) => {
-            Response::plain("431 Request Header Fields Too Large", "the headers are too many or too long")
-        }
+/// Parses the head of a request. Returns `None` while it is incomplete.
+fn parse(head: &[u8]) -> Result<Option<(bool, PathBuf)>, Refusal> {
+    let mut headers = [httparse::EMPTY_HEADER; MOST_HEADERS];
+    let mut request = httparse::Request::new(&mut headers);
+    let status = request.parse(head).map_err(|error| match error {
+        httparse::Error::TooManyHeaders => TOO_LARGE,
+        _ => MALFORMED,
+    })?;
+    let (true, Some(method), Some(target)) = (status.is_complete(), request.method, request.path) else {
+        return Ok(None);
     };
-    let written = response.write(&mut Timed::new(stream, limits.answering), headers, is_head);
-    if written.and_then(|()| stream.shutdown(Shutdown::Write)).is_ok() {
-        let _ = io::copy(&mut Timed::new(stream, LINGER), &mut io::sink());
+    let mut hosts = request.headers.iter().filter(|header| header.name.eq_ignore_ascii_case("host"));
+    let host = hosts.next().map_or("", |header| str::from_utf8(header.value).unwrap_or_default());
+    if hosts.next().is_some() {
+        return Err(MALFORMED);
     }
-}
-
-/// Refuses a request over the limit. The response is so short that writing it does not have to wait
-/// for the client to read.
-fn refuse(stream: &TcpStream, headers: Headers) {
-    let full = Response::plain("503 Service Unavailable", "too many calls at once");
-    let written = full.write(&mut Timed::new(stream, PAUSE), headers, false);
-    let _ = written.and_then(|()| stream.shutdown(Shutdown::Write));
-}
-
-fn respond(request: &Request, folder: &Path) -> Response {
-    let host =
-        request.host.rsplit_once(':').filter(|(_, port)| port.bytes().all(|byte| byte.is_ascii_digit()));
-    let host = host.map_or(request.host.as_str(), |(name, _)| name);
-    if host.is_empty() {
-        return Response::plain("400 Bad Request", "a Host is missing");
+    let named = host.rsplit_once(':').filter(|(_, port)| port.bytes().all(|byte| byte.is_ascii_digit()));
+    match named.map_or(host, |(name, _)| name) {
+        "" => return Err(("400 Bad Request", "a Host is missing")),
+        name if HOSTS.iter().any(|host| host.eq_ignore_ascii_case(name)) => {}
+        _ => return Err(("421 Misdirected Request", "this is another host")),
     }
-    if !HOSTS.iter().any(|name| host.eq_ignore_ascii_case(name)) {
-        return Response::plain("421 Misdirected Request", "this is another host");
+    if !["GET", "HEAD"].contains(&method) {
+        return Err(("405 Method Not Allowed", "only GET and HEAD are answered"));
     }
-    if !matches!(request.method.as_str(), "GET" | "HEAD") {
-        return Response::plain("405 Method Not Allowed", "only GET and HEAD are answered");
-    }
-    let Some(path) = file_of(&request.target) else {
-        return Response::plain("403 Forbidden", "only files below this folder are served");
-    };
-    match read(folder, &path) {
-        Ok(body) => Response { status: "200 OK", mime: mime(&path), body },
-        Err(_) => Response::plain("404 Not Found", "there is no such file"),
-    }
+    let file = file_of(target).ok_or(("403 Forbidden", "only files below this folder are served"))?;
+    Ok(Some((method == "HEAD", file)))
 }
 
 /// Reads a file below a folder. Symbolic links are not followed, because they may lead out of the
 /// folder.
-fn read(folder: &Path, path: &Path) -> io::Result<Vec<u8>> {
-    let file = folder.canonicalize()?.join(path);
-    if file.canonicalize()? == file && file.is_file() {
-        fs::read(file)
-    } else {
-        Err(io::ErrorKind::NotFound.into())
-    }
+fn content(folder: &Path, path: &Path) -> Option<Vec<u8>> {
+    let file = folder.canonicalize().ok()?.join(path);
+    if file.canonicalize().ok()? == file { fs::read(file).ok() } else { None }
 }
 
 /// The path that a request's address stands for, relative to the folder, or `None` if the path
@@ -236,30 +187,134 @@ fn file_of(url: &str) -> Option<PathBuf> {
     let (folders, name) = path.rsplit_once('/').unwrap_or(("", &path));
     let name = if name.is_empty() { "index.html" } else { name };
     let parts = folders.split('/').filter(|_| !folders.is_empty()).chain([name]);
-    parts.map(|part| is_plain(part).then_some(part)).collect()
-}
-
-/// Whether a part of a path is only a file name, on every operating system.
-fn is_plain(part: &str) -> bool {
-    !part.is_empty() && !part.starts_with('.') && !part.contains(['/', '\\', ':', '\0'])
+    let is_name =
+        |part: &str| !part.is_empty() && !part.starts_with('.') && !part.contains(['/', '\\', ':', '\0']);
+    parts.map(|part| is_name(part).then_some(part)).collect()
 }
 
 fn mime(path: &Path) -> &'static str {
     match path.extension().and_then(|extension| extension.to_str()) {
         Some("html") => "text/html; charset=utf-8",
         Some("css") => "text/css; charset=utf-8",
-        Some("js" | "mjs") => "text/javascript; charset=utf-8",
+        Some("js") => "text/javascript; charset=utf-8",
         Some("json") => "application/json",
-        Some("csv") => "text/csv; charset=utf-8",
-        Some("txt" | "md") => "text/plain; charset=utf-8",
+        Some("txt") => "text/plain; charset=utf-8",
         Some("wasm") => "application/wasm",
         Some("svg") => "image/svg+xml",
         Some("png") => "image/png",
-        Some("ico") => "image/x-icon",
-        Some("woff2") => "font/woff2",
         _ => "application/octet-stream",
     }
 }
 
 #[cfg(test)]
-mod tests;
+mod tests {
+    use super::*;
+
+    /// A folder with a page, and a server of it.
+    fn served() -> (tempfile::TempDir, Server) {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("index.html"), "the page").unwrap();
+        let server = Server::start(listen(0).unwrap(), folder.path()).unwrap();
+        (folder, server)
+    }
+
+    /// Sends bytes, and returns all that comes back.
+    fn send(server: &Server, bytes: &[u8]) -> String {
+        let mut stream = TcpStream::connect(("127.0.0.1", server.port)).unwrap();
+        // An error does not matter: the server may refuse the request before all of it is sent.
+        let _ = stream.write_all(bytes);
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).expect("an answer that no reset follows");
+        answer
+    }
+
+    fn ask(server: &Server, request: &str) -> String {
+        send(server, format!("{request} HTTP/1.1\r\nHost: localhost\r\n\r\n").as_bytes())
+    }
+
+    #[test]
+    fn an_address_never_leads_out_of_the_folder() {
+        for (url, file) in [
+            ("/", "index.html"),
+            ("/?width=960&height=540", "index.html"),
+            ("/data/", "data/index.html"),
+            ("/two%20words.svg#part", "two words.svg"),
+        ] {
+            assert_eq!(file_of(url), Some(file.into()), "{url}");
+        }
+        for url in "|index.html|http://127.0.0.1/|/..|/../a|/b/../../a|/%2e%2e/a|/..%2fa|/.git/a|/..\\a|/c:/a|/%00|/%ff\
+            |//a/b|/b//a|/%2fa/b"
+            .split('|')
+        {
+            assert_eq!(file_of(url), None, "{url}");
+        }
+    }
+
+    #[test]
+    fn the_folder_is_served_isolated_and_uncached() {
+        let (folder, server) = served();
+        let page = ask(&server, "GET /");
+        assert!(page.starts_with("HTTP/1.1 200") && page.ends_with("the page"), "{page}");
+        assert!(
+            page.contains(&format!("Type: text/html; charset=utf-8\r\nContent-Length: 8\r\n{HEADERS}")),
+            "{page}"
+        );
+        assert_eq!(ask(&server, "HEAD /") + "the page", page);
+        assert!(ask(&server, "GET /none.html").starts_with("HTTP/1.1 404"));
+        assert!(ask(&server, "GET /../index.html").starts_with("HTTP/1.1 403"));
+        assert!(ask(&server, "POST /").starts_with("HTTP/1.1 405"));
+        // A link is not followed, not even to a file that is served.
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(folder.path().join("index.html"), folder.path().join("link")).unwrap();
+        assert!(ask(&server, "GET /link").starts_with("HTTP/1.1 404"));
+    }
+
+    #[test]
+    fn only_requests_to_this_machine_are_answered() {
+        let (_folder, server) = served();
+        let hosted = |hosts: &str| format!("GET / HTTP/1.1\r\n{hosts}\r\n").into_bytes();
+        let local = "Host: 127.0.0.1\r\n";
+        for (bytes, status) in [
+            (hosted(local), "200"),
+            (hosted("Host: 127.0.0.1:8080\r\n"), "200"),
+            (hosted("host: LocalHost:1\r\n"), "200"),
+            (hosted("Host: evil.example\r\n"), "421"),
+            (hosted("Host: 127.0.0.1.evil.example:8080\r\n"), "421"),
+            (hosted("Host: evil.example:127.0.0.1\r\n"), "421"),
+            (hosted("Host: localhost@evil.example\r\n"), "421"),
+            (hosted("Host: \r\n"), "400"),
+            (hosted(""), "400"),
+            (hosted(&format!("{local}Host: evil.example\r\n")), "400"),
+            (hosted(&format!("{local}{}", "A: b\r\n".repeat(70))), "431"),
+            (hosted(&format!("{local}A: {}\r\n", "b".repeat(4 << 20))), "431"),
+            (b"GET /\r\n\r\n".to_vec(), "400"),
+            (b"GET /\xff HTTP/1.1\r\n\r\n".to_vec(), "400"),
+            (b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03".to_vec(), "400"),
+        ] {
+            let answer = send(&server, &bytes);
+            let found = answer.split(' ').nth(1);
+            assert_eq!(found, Some(status), "{}", String::from_utf8_lossy(&bytes[..bytes.len().min(80)]));
+        }
+    }
+
+    #[test]
+    fn calls_over_the_limit_are_refused_until_others_end() {
+        let (_folder, server) = served();
+        let mut held: Vec<_> =
+            (0..CALLS).map(|_| TcpStream::connect(("127.0.0.1", server.port)).unwrap()).collect();
+        assert!(ask(&server, "GET /").starts_with("HTTP/1.1 503"));
+        held.truncate(CALLS / 2);
+        // The server needs some time to see that the connections are closed. The others stay silent.
+        while !ask(&server, "GET /").ends_with("the page") {
+            thread::sleep(Duration::from_millis(50));
+        }
+    }
+
+    #[test]
+    fn a_taken_port_is_told_with_its_remedy() {
+        let taken = listen(0).unwrap();
+        let port = taken.local_addr().unwrap().port();
+        let error = listen(port).unwrap_err().to_string();
+        assert!(error.contains(&port.to_string()) && error.contains("--port N"), "{error}");
+    }
+}
