@@ -103,7 +103,7 @@ pub(crate) struct Export {
     #[arg(long, default_value = "light")]
     pub(crate) name: String,
     /// soft, hard, linear, smooth, step, quadratic=A, cubic=A,D, power=N, inverted-power=N,
-    /// mixed-power=N,M,S, inverted-mixed-power=N,M,S, real-power=P, inverted-real-power=P or
+    /// real-power=P, inverted-real-power=P or
     /// table=SAMPLES from 65535 on the axis [default: soft]
     #[arg(long, value_parser = model::falloff)]
     pub(crate) falloff: Option<AnyFalloff>,

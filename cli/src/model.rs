@@ -64,12 +64,6 @@ pub(crate) fn falloff(text: &str) -> Result<AnyFalloff, String> {
         ("cubic", &[edge, middle]) => Cubic::with_slopes(edge, middle).map(Into::into),
         ("power", &[n]) => IntegerPower::new(exponent(n)?).map(Into::into),
         ("inverted-power", &[n]) => InvertedIntegerPower::new(exponent(n)?).map(Into::into),
-        ("mixed-power", &[n, m, share]) => {
-            MixedPower::new([exponent(n)?, exponent(m)?], share).map(Into::into)
-        }
-        ("inverted-mixed-power", &[n, m, share]) => {
-            InvertedMixedPower::new([exponent(n)?, exponent(m)?], share).map(Into::into)
-        }
         ("real-power", &[exponent]) => RealPower::new(exponent).map(Into::into),
         ("inverted-real-power", &[exponent]) => InvertedRealPower::new(exponent).map(Into::into),
         ("table", samples) => {
@@ -77,7 +71,7 @@ pub(crate) fn falloff(text: &str) -> Result<AnyFalloff, String> {
             // The light lives as long as the command.
             Table::new(Vec::leak(samples.iter().map(sample).collect::<Result<_, _>>()?)).map(Into::into)
         }
-        ("quadratic" | "cubic" | "power" | "inverted-power" | "mixed-power" | "inverted-mixed-power", _)
+        ("quadratic" | "cubic" | "power" | "inverted-power", _)
         | ("real-power" | "inverted-real-power", _) => {
             return Err(format!("expected other parameters of `{name}`: see `luminaire export --help`"));
         }

@@ -199,13 +199,12 @@ const SETTINGS: [(&str, &str); 8] = [
 
 /// Instructions on a Cortex-M0 of a program of `docs/effects.json`, or by how much they exceed the
 /// soft spotlight's. `{}` is the figure.
-const COUNTED: [(&str, &str, bool, &str); 13] = [
+const COUNTED: [(&str, &str, bool, &str); 12] = [
     ("core/guide/falloff.md", "spot-soft-lambert", false, "takes {} instructions with the soft edge"),
     ("core/guide/falloff.md", "spot-smooth-lambert", true, "smoothstep takes {} more"),
     ("core/guide/falloff.md", "spot-table-lambert", true, "a table {},"),
     ("core/guide/falloff.md", "spot-cubic-lambert", true, "a cubic {}."),
     ("core/guide/falloff.md", "spot-real-power-lambert", true, "real exponent takes {} more"),
-    ("core/guide/falloff.md", "spot-mixed-power-lambert", true, "which takes {} more"),
     ("core/guide/microcontroller.md", "spot-soft-lambert-compiled", true, "{} instructions on a Cortex-M0"),
     ("core/guide/microcontroller.md", "rgb565-ramp", false, "dithered pixel in {} instructions"),
     ("core/guide/moving.md", "spot-soft-lambert-placed", true, "| `moved_to` | {} |"),

@@ -42,8 +42,8 @@ use core::fmt::{self, Formatter};
 pub use crate::{
     attenuation::CompiledAnyAttenuation,
     falloff::{
-        CompiledAnyFalloff, CompiledCubic, CompiledFittedFalloff, CompiledInvertedMixedPower,
-        CompiledInvertedRealPower, CompiledMixedPower, CompiledQuadratic, CompiledRealPower,
+        CompiledAnyFalloff, CompiledCubic, CompiledFittedFalloff, CompiledInvertedRealPower,
+        CompiledQuadratic, CompiledRealPower,
     },
     number::float::{FloatFrame, FloatRamp},
     source::{AsSource, as_source},

@@ -53,8 +53,6 @@ pub enum Parameter {
     CoefficientSum,
     /// The exponent of a power.
     Exponent,
-    /// The share of the larger exponent in a mixture of two powers.
-    Share,
     /// A measured intensity.
     Sample,
     /// The number of samples, transmissions or depths.
@@ -168,7 +166,6 @@ impl fmt::Display for Parameter {
             Self::MiddleSlope => "middle slope",
             Self::CoefficientSum => "sum of coefficients",
             Self::Exponent => "exponent",
-            Self::Share => "share",
             Self::Sample => "sample",
             Self::SampleCount => "number of samples",
             Self::Position => "position",

@@ -17,7 +17,6 @@
 //! | [`Power`] | `t^N` | log2 N for powers of two | OpenGL's cosine power by [`Cone::opengl`](crate::Cone::opengl) |
 //! | [`InvertedPower`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
 //! | [`IntegerPower`], [`InvertedIntegerPower`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
-//! | [`MixedPower`], [`InvertedMixedPower`] | a weighted sum of two integer powers | 2 more than both powers | curves between the powers |
 //! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, real `p` in (0, 1024] | 11, and two tables | imports |
 //! | [`Table`] | samples, evenly spaced or [`Knot`]s | 2, or 1 and a binary search | goniometric data |
 //! | [`SoftOrHard`], [`FittedFalloff`], [`AnyFalloff`] | one of the above | the same, and a branch | the choice at run time |
@@ -30,7 +29,6 @@ pub(crate) mod exponent;
 pub(crate) mod fit;
 mod formula;
 mod integer;
-mod mixed;
 mod polynomial;
 mod power;
 mod quadratic;
@@ -51,7 +49,6 @@ pub use self::{
     cubic::{CompiledCubic, Cubic, Smooth},
     formula::Formula,
     integer::{IntegerPower, InvertedIntegerPower},
-    mixed::{CompiledInvertedMixedPower, CompiledMixedPower, InvertedMixedPower, MixedPower},
     power::{InvertedPower, Power},
     quadratic::{CompiledQuadratic, Hard, Linear, Quadratic, Soft},
     real::{CompiledInvertedRealPower, CompiledRealPower, InvertedRealPower, RealPower},

@@ -44,14 +44,6 @@ macro_rules! falloffs {
             InvertedPower(InvertedIntegerPower) = "inverted-power", InvertedIntegerPower::new(4), |t| 1.0 - squared(squared(1.0 - t)),
                 any |n| InvertedIntegerPower::new(exponent(n()) as u32),
                 constant InvertedPower<4> = "inverted-power-4", InvertedPower, |t| 1.0 - squared(squared(1.0 - t));
-            /// A mixture of two integer powers: a bright middle in a wide beam.
-            MixedPower(MixedPower) = "mixed-power", MixedPower::new([1, 16], 0.375),
-                |t| 0.625 * t + 0.375 * squared(squared(squared(squared(t)))),
-                any |n| MixedPower::new([n(), n()].map(|n| (1_025.0 * n) as u32), n());
-            /// A mixture of two inverted integer powers.
-            InvertedMixedPower(InvertedMixedPower) = "inverted-mixed-power", InvertedMixedPower::new([2, 3], 0.5625),
-                |t| 1.0 - squared(1.0 - t) * (1.0 - 0.5625 * t),
-                any |n| InvertedMixedPower::new([n(), n()].map(|n| (1_025.0 * n) as u32), n());
             /// A power of a non-integer exponent.
             RealPower(RealPower) = "real-power", RealPower::new(2.25), |t| power(t, 2.25),
                 any |n| RealPower::new(exponent(2.0 * n() - 1.0));

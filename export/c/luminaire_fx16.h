@@ -556,16 +556,6 @@ static inline uint32_t luminaire_coarse_times(uint32_t a, uint32_t b) {
     return luminaire_min((a * b + (UINT32_C(1) << 13)) >> 14, LUMINAIRE_FULL_SCALE);
 }
 
-static inline uint32_t luminaire_coarse_mixed(uint32_t low, uint32_t high, int16_t share) {
-    uint32_t fall = luminaire_coarse_times((low - high) & 0xffff, (uint16_t)share);
-    return low > fall ? low - fall : 0;
-}
-
-static inline uint32_t luminaire_fine_mixed(uint32_t low, uint32_t high, int16_t share) {
-    uint32_t part = (uint32_t)(share < 0 ? 0 : share > 16384 ? 16384 : share) << 17;
-    return low - luminaire_fine_product(low > high ? low - high : 0, part);
-}
-
 /* Rounds a product with 30 fraction bits to a share, at most 1. */
 static inline uint32_t luminaire_coarse_capped(uint32_t product) {
     return luminaire_min((product + (UINT32_C(1) << 15)) >> 16, LUMINAIRE_FULL_SCALE);

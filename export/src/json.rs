@@ -67,14 +67,6 @@ enum Parameters {
         exponent: f32,
         floor: f32,
     },
-    MixedPower {
-        exponents: [u32; 2],
-        share: f32,
-    },
-    InvertedMixedPower {
-        exponents: [u32; 2],
-        share: f32,
-    },
     Samples {
         samples: Vec<u16>,
     },
@@ -219,8 +211,6 @@ fn parameters(falloff: AnyFalloff) -> Parameters {
         Formula::Polynomial(coefficients) => Parameters::Polynomial { coefficients },
         Formula::Power(exponent) => Parameters::Power { exponent },
         Formula::InvertedPower(exponent, floor) => Parameters::InvertedPower { exponent, floor },
-        Formula::MixedPower(exponents, share) => Parameters::MixedPower { exponents, share },
-        Formula::InvertedMixedPower(exponents, share) => Parameters::InvertedMixedPower { exponents, share },
         Formula::Table(table) if table.knots().is_empty() => {
             Parameters::Samples { samples: table.samples().to_vec() }
         }

@@ -30,8 +30,6 @@ pub(crate) enum Operation<S: Arithmetic> {
     Of(usize, usize),
     /// `1 - x` of an intensity.
     Rest(usize),
-    /// `low - (low - high) share` of two intensities.
-    Mixed(usize, usize, S),
     /// 1 for a fraction above 0.
     Step(usize),
     /// `x^2 (3 - 2x)`.
@@ -51,9 +49,7 @@ impl<S: Arithmetic> Operation<S> {
     pub(crate) fn operands(&self) -> impl Iterator<Item = usize> {
         let (first, second) = match *self {
             Self::Argument => (None, None),
-            Self::FineProduct(a, b) | Self::Product(a, b) | Self::Of(a, b) | Self::Mixed(a, b, _) => {
-                (Some(a), Some(b))
-            }
+            Self::FineProduct(a, b) | Self::Product(a, b) | Self::Of(a, b) => (Some(a), Some(b)),
             Self::Complement(a)
             | Self::RealPower(a, _)
             | Self::Scalar(a)
@@ -193,10 +189,6 @@ impl<S: Arithmetic> Fraction<S> for Symbol<'_, S> {
 
     fn of(self, value: Self) -> Self {
         self.record_with(value, Operation::Of)
-    }
-
-    fn mixed(low: Self, high: Self, share: S) -> Self {
-        low.record_with(high, |low, high| Operation::Mixed(low, high, share))
     }
 
     fn step(self) -> Self {

@@ -32,11 +32,6 @@ fn falloff(falloff: &Value, t: f64) -> f64 {
     let u = 1.0 - t;
     let numbers =
         |member: &str| falloff[member].as_array().expect("a list").iter().map(number).collect::<Vec<_>>();
-    let mixed = |x: f64| {
-        let share = number(&falloff["share"]);
-        let exponents = numbers("exponents");
-        (1.0 - share) * x.powf(exponents[0]) + share * x.powf(exponents[1])
-    };
     match falloff["formula"].as_str().expect("a formula") {
         "step" => 1.0,
         "polynomial" => {
@@ -48,8 +43,6 @@ fn falloff(falloff: &Value, t: f64) -> f64 {
             let (floor, exponent) = (number(&falloff["floor"]), number(&falloff["exponent"]));
             (1.0 - u.max(floor).powf(exponent)) / (1.0 - floor.powf(exponent))
         }
-        "mixed-power" => mixed(t),
-        "inverted-mixed-power" => 1.0 - mixed(u),
         "samples" => {
             let samples = numbers("samples");
             let place = u * (samples.len() - 1) as f64;

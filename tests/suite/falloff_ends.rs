@@ -3,10 +3,7 @@
 
 use luminaire::{
     Error, Vec3,
-    falloff::{
-        AnyFalloff, Falloff, Formula, InvertedMixedPower, InvertedRealPower, MixedPower, Quadratic,
-        RealPower, SoftOrHard,
-    },
+    falloff::{AnyFalloff, Falloff, Formula, InvertedRealPower, Quadratic, RealPower, SoftOrHard},
     import::Godot,
 };
 
@@ -82,27 +79,13 @@ fn figures_of_real_powers_hold_at_the_ends_of_their_exponents() -> Result<(), Er
     Ok(())
 }
 
-/// Mixtures that jump or that are one of their powers, and slopes of nearly 0.
+/// Slopes of nearly 0.
 #[test]
 fn figures_of_polynomials_hold_at_the_ends_of_their_parameters() -> Result<(), Error> {
-    for (exponents, share) in [([1, 2], 0.0), ([1, 2], 1.0), ([1, 900], 0.5), ([1_000, 1_024], 0.5)] {
-        assert_figures(MixedPower::new(exponents, share)?, [0.0; 2], 4e-3);
-        assert_figures(InvertedMixedPower::new(exponents, share)?, [0.0; 2], 4e-3);
-    }
     for slope in [0.0, 0.000_5, 1.999, 2.0] {
         assert_figures(Quadratic::new(slope)?, [0.0; 2], 4e-3);
         assert_eq!(Quadratic::from_bits(slope.to_bits()).edge_slope(), slope);
     }
-    Ok(())
-}
-
-/// A mixture with a power of 0 is full to its edge where more than the intensity is left there, and
-/// its edge is at least as steep as that of a step.
-#[test]
-fn the_figures_of_a_mixture_that_jumps() -> Result<(), Error> {
-    let jump = MixedPower::new([0, 1], 0.25)?;
-    assert_eq!((jump.beam_versine(), jump.field_versine()), (1.0, 1.0));
-    assert_eq!(MixedPower::new([0, 1], 0.0)?.steepness(0.0), 1.0);
     Ok(())
 }
 
@@ -112,9 +95,8 @@ fn the_figures_of_a_mixture_that_jumps() -> Result<(), Error> {
 fn the_steepness_of_a_step_and_of_a_line() -> Result<(), Error> {
     assert_eq!(RealPower::new(1e-5)?.steepness(0.0), 1.0);
     assert_eq!(InvertedRealPower::new(1e-5)?.steepness(0.0), 1.0);
-    for line in [MixedPower::new([1, 2], 0.0)?.steepness(0.0), RealPower::new(1.0)?.steepness(0.0)] {
-        assert!((line - 2.0).abs() < 1e-6, "{line}, expected (line - 2.0).abs() < 1e-6");
-    }
+    let line = RealPower::new(1.0)?.steepness(0.0);
+    assert!((line - 2.0).abs() < 1e-6, "{line}, expected 2");
     Ok(())
 }
 
@@ -128,10 +110,6 @@ fn soft_or_hard_is_the_formula_of_either() {
 
 #[test]
 fn bits_beyond_the_parameters_become_the_nearest() {
-    let [above, below] = [1.000_5_f32, -1.0].map(f32::to_bits);
-    assert_eq!(InvertedMixedPower::from_bits([0, 0, above]).to_bits(), [1, 2, 1.0_f32.to_bits()]);
-    assert_eq!(MixedPower::from_bits([0, 0, below]).to_bits(), [0, 1, 0]);
-    assert_eq!(MixedPower::from_bits([9_999, 9_999, f32::NAN.to_bits()]).to_bits(), [1_023, 1_024, 0]);
-    assert_eq!(RealPower::from_bits(below).exponent(), 0.0);
+    assert_eq!(RealPower::from_bits((-1.0_f32).to_bits()).exponent(), 0.0);
     assert_eq!(RealPower::from_bits(9_999_f32.to_bits()).exponent(), 1_024.0);
 }

@@ -10,7 +10,7 @@ use luminaire::number::Light16;
 use luminaire::{
     Angle, Cone, Error, Fx16, Scalar, SpotLight, Vec3,
     codegen::{Source, as_source},
-    falloff::{Cubic, Falloff, InvertedMixedPower, MixedPower, Quadratic, Soft},
+    falloff::{Cubic, Falloff, Quadratic, Soft},
     light::CompiledSpotLight,
     projector::{Projection, Shadow},
 };
@@ -80,8 +80,6 @@ fn a_generated_falloff_names_its_type() -> Result<(), Error> {
     }
     assert_named(Quadratic::new(0.5)?, "CompiledQuadratic::<");
     assert_named(Cubic::with_slopes(1.0, 1.0)?, "CompiledCubic::<");
-    assert_named(MixedPower::new([1, 2], 0.5)?, "CompiledMixedPower::<");
-    assert_named(InvertedMixedPower::new([1, 2], 0.5)?, "CompiledInvertedMixedPower::<");
     Ok(())
 }
 

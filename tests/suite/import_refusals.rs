@@ -6,10 +6,7 @@ use luminaire::{
     Angle, Error, Fx16, Fx32, Vec3,
     attenuation::Attenuation,
     error::{Expected, Parameter},
-    falloff::{
-        Falloff, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, MixedPower,
-        RealPower,
-    },
+    falloff::{Falloff, IntegerPower, InvertedIntegerPower, InvertedRealPower, RealPower},
     import::{Difference, Direct3d, Gltf, Godot, Imported, OpenGl, OpenGlLight, Penumbra, Ramp, Three},
     light::{CompiledPointLight, CompiledSpotLight},
 };
@@ -136,21 +133,10 @@ fn penumbras_are_refused_by_their_names() {
 }
 
 #[test]
-fn exponents_and_shares_out_of_range() {
+fn exponents_out_of_range() {
     let message = "exponent = 1025: expected a whole number from 1 to 1024";
     assert_refused(IntegerPower::new(1_025), message);
     assert_refused(InvertedIntegerPower::new(0), "exponent = 0: expected a whole number from 1 to 1024");
-    assert_refused(MixedPower::new([3, 3], 0.5), "exponent = 3: expected a whole number from 4 to 1024");
-    assert_refused(
-        MixedPower::new([1_024, 1_025], 0.5),
-        "exponent = 1024: expected a whole number from 0 to 1023",
-    );
-    assert_refused(
-        InvertedMixedPower::new([0, 3], 0.5),
-        "exponent = 0: expected a whole number from 1 to 1023",
-    );
-    assert_refused(InvertedMixedPower::new([1, 3], 1.5), "share = 1.5: expected a finite number from 0 to 1");
-    assert!(MixedPower::new([0, 1], 0.0).is_ok());
     for exponent in [0.0, -1.0, 1_024.1, f32::NAN] {
         let message = format!("exponent = {exponent}: expected more than 0 and at most 1024");
         assert_refused(RealPower::new(exponent), &message);

@@ -8,8 +8,7 @@ use luminaire::{
     display::Exposure,
     dynamic::AnyLight,
     falloff::{
-        Cubic, Hard, IntegerPower, InvertedIntegerPower, InvertedMixedPower, InvertedRealPower, MixedPower,
-        Quadratic, RealPower, Soft, Table,
+        Cubic, Hard, IntegerPower, InvertedIntegerPower, InvertedRealPower, Quadratic, RealPower, Soft, Table,
     },
     light::{LightModel, SurfacePoint},
     specular::Phong,
@@ -134,10 +133,6 @@ fn profiles_keep_what_they_are_given() {
     assert_eq!(Cubic::new(1.25, -3.0, 2.75).expect("sound"), cubic);
     assert_eq!(IntegerPower::new(12).expect("sound").exponent(), 12);
     assert_eq!(InvertedIntegerPower::new(12).expect("sound").exponent(), 12);
-    let mixed = MixedPower::new([2, 7], 0.25).expect("sound");
-    assert_eq!((mixed.exponents(), mixed.share()), ([2, 7], 0.25));
-    let mixed = InvertedMixedPower::new([2, 7], 0.25).expect("sound");
-    assert_eq!((mixed.exponents(), mixed.share()), ([2, 7], 0.25));
     assert_eq!(RealPower::new(2.2).expect("sound").exponent(), 2.2);
     let rim = InvertedRealPower::new(0.3).expect("sound");
     assert_eq!((rim.exponent(), rim.floor()), (0.3, 0.0));

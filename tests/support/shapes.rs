@@ -14,7 +14,6 @@ pub fn random(rng: &mut Rng, tables: &[&'static [u16]]) -> AnyFalloff {
             Ok(AnyFalloff::Step(_)) | Err(_) => {}
             Ok(falloff) => match falloff.formula() {
                 Formula::Power(exponent) | Formula::InvertedPower(exponent, _) if exponent < 1.0 => {}
-                Formula::MixedPower([0, _], _) => {}
                 _ => return falloff,
             },
         }

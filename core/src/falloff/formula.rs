@@ -19,10 +19,6 @@ pub enum Formula<'a> {
     /// 0 except for lights imported from Godot; for `p < 1` the floor keeps the derivative with
     /// respect to `t` finite at `t = 1`.
     InvertedPower(f32, f32),
-    /// `(1 - s) t^n + s t^m` with `[n, m]` and `s`.
-    MixedPower([u32; 2], f32),
-    /// `1 - (1 - s) u^n - s u^m` with `u = 1 - t`, `[n, m]` and `s`.
-    InvertedMixedPower([u32; 2], f32),
     /// A table of samples with linear interpolation.
     Table(Table<'a>),
     /// Any other function, in f64.
@@ -35,10 +31,6 @@ impl Formula<'_> {
     /// measurements.
     pub fn exact(&self, t: f64) -> f64 {
         let power = |x: f64, exponent: f32| libm::pow(x, exponent.into());
-        let mixed = |x: f64, [low, high]: [u32; 2], share: f32| {
-            let [low, high] = [low, high].map(|n| libm::pow(x, n.into()));
-            (1.0 - f64::from(share)) * low + f64::from(share) * high
-        };
         if t <= 0.0 {
             return 0.0;
         }
@@ -53,8 +45,6 @@ impl Formula<'_> {
                 let lack = power((1.0 - t).max(floor.into()), exponent);
                 (1.0 - lack) / (1.0 - power(floor.into(), exponent))
             }
-            Self::MixedPower(exponents, share) => mixed(t, exponents, share),
-            Self::InvertedMixedPower(exponents, share) => 1.0 - mixed(1.0 - t, exponents, share),
             Self::Table(table) if table.knots().is_empty() => interpolated(table.samples(), 1.0 - t),
             Self::Table(table) => along(table.knots(), 1.0 - t),
             Self::Function(exact) => exact(t),

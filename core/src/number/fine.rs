@@ -129,12 +129,6 @@ where
     }
 
     #[inline]
-    fn mixed(low: Self, high: Self, share: S) -> Self {
-        let share = Self::of_scalar(share);
-        Self(low.0 - Self(low.0.saturating_sub(high.0)).times(share).0)
-    }
-
-    #[inline]
     fn step(self) -> Self {
         if self.0 > 0 { Self::ONE } else { Self(0) }
     }

@@ -45,10 +45,6 @@ pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
     fn lack(value: Self::Value) -> Self::Value {
         value.rest()
     }
-    /// Returns `low - (low - high) share`, for `high <= low`.
-    ///
-    /// The result is in `[0, 1]` for every share.
-    fn mixed(low: Self::Value, high: Self::Value, share: S) -> Self::Value;
     /// Returns 1 if `t > 0`, else 0.
     fn step(self) -> Self::Value;
     /// Returns `t^2 (3 - 2 t)`: two multiplications.
@@ -78,11 +74,6 @@ pub struct FloatFraction(pub(super) f32);
 
 impl Fraction<f32> for FloatFraction {
     type Value = f32;
-
-    #[inline]
-    fn mixed(low: f32, high: f32, share: f32) -> f32 {
-        float::clamp(low - (low - high) * share)
-    }
 
     #[inline]
     fn complement(self) -> Self {

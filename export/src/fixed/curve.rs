@@ -52,9 +52,6 @@ fn expression(name: &str, operation: &Operation<Fx16>, precision: &str, results:
         Operation::Scalar(x) => call("scalar", &[of(x)]),
         Operation::Of(a, b) => call("of", &[of(a), of(b)]),
         Operation::Rest(x) => call("rest", &[of(x)]),
-        Operation::Mixed(low, high, share) => {
-            call("mixed", &[of(low), of(high), &share.to_bits().to_string()])
-        }
         Operation::Step(x) => call("step", &[of(x)]),
         Operation::Smooth(x) => call("smooth", &[of(x)]),
         Operation::Quadratic(x, g) => call("quadratic", &[of(x), &g.to_bits().to_string()]),

@@ -71,7 +71,6 @@ impl Lowering<'_> {
             Operation::Complement(x) | Operation::Rest(x) => number(1.0) - of(x),
             Operation::FineProduct(a, b) | Operation::Product(a, b) | Operation::Of(a, b) => of(a) * of(b),
             Operation::Scalar(x) => of(x),
-            Operation::Mixed(low, high, share) => clamp(of(low) - (of(low) - of(high)) * number(share)),
             Operation::Step(x) => if_less(number(0.0), of(x), number(1.0), number(0.0)),
             Operation::Smooth(x) => clamp(of(x) * of(x) * (number(3.0) - (of(x) + of(x)))),
             Operation::Quadratic(x, g) => clamp(of(x) * (number(1.0) + (number(1.0) - of(x)) * number(g))),

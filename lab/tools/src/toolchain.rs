@@ -88,7 +88,9 @@ impl Toolchain {
         // Flags in the environment are meant for the host, and would silently replace `flags`.
         build.env_remove("RUSTFLAGS").env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"));
         if let Library::FromSource { rustc } = &self.library {
-            build.arg(format!("-Zbuild-std={library}")).arg("--target-dir").arg(self.target_dir());
+            // Without features: what shows a backtrace is a tenth of the library's build, and is never linked.
+            build.arg(format!("-Zbuild-std={library}")).arg("-Zbuild-std-features=");
+            build.arg("--target-dir").arg(self.target_dir());
             build.env("RUSTC", rustc).env("RUSTC_BOOTSTRAP", "1");
             // These variables belong to the active compiler, and `rustc` may be another.
             build.env("RUSTC_WRAPPER", "").env("RUSTC_WORKSPACE_WRAPPER", "").env_remove("LD_LIBRARY_PATH");

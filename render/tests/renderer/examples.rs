@@ -15,7 +15,7 @@ const CALLED_FOR: [(Example, &str); 8] = [
     (
         Example::Gallery,
         "ambient, diffuse, specular, directional, point, spot, soft, hard, linear, smooth, step, quadratic, cubic, power, \
-         inverted-power, mixed-power, inverted-mixed-power, table, hotspot, cutoff, unattenuated, inverse-square, polynomial, \
+         inverted-power, real-power, inverted-real-power, table, hotspot, cutoff, unattenuated, inverse-square, polynomial, \
          smooth-range, window, range",
     ),
 ];

@@ -4,7 +4,7 @@
 
 use super::{Fraction, neighbours};
 use crate::number::knot::{Knot, SLOPE_BITS};
-use crate::number::{Arithmetic, Fx16, Fx32, RealExponent, Weight16, Weight32};
+use crate::number::{Fx16, Fx32, RealExponent, Weight16, Weight32};
 
 /// Declares the fraction type of a scalar type, with the integer types that hold its products.
 macro_rules! fraction {
@@ -50,11 +50,6 @@ macro_rules! fraction {
 
         impl Fraction<$scalar> for $name {
             type Value = $scalar;
-
-            #[inline]
-            fn mixed(low: $scalar, high: $scalar, share: $scalar) -> $scalar {
-                low.minus(low.minus(high).times(share)).max($scalar::ZERO)
-            }
 
             #[inline]
             fn complement(self) -> Self {
@@ -215,7 +210,7 @@ mod tests {
     use crate::falloff::{
         Cubic, Curve, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft,
     };
-    use crate::number::fraction::FloatFraction;
+    use crate::number::Arithmetic as _;
 
     extern crate std;
 
@@ -287,18 +282,6 @@ mod tests {
     fn every_weight_has_an_answer() {
         let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(Weight16::from_bits);
         let wide = [i64::MIN, -(1 << 32), -1, 0, 1 << 32, i64::MAX].map(Weight32::from_bits);
-        for share in [i32::MIN, -1, 0, 1 << 30, i32::MAX].map(Fx32::from_bits) {
-            let narrow = Fx16::from_bits((share.to_bits() >> 16) as i16);
-            for (low, high) in [(1.0, 0.0), (1.0, 0.9), (0.2, 0.1), (0.0, 0.0)] {
-                let value = Fraction16::mixed(Fx16::from_f32(low), Fx16::from_f32(high), narrow);
-                assert!((Fx16::ZERO..=Fx16::ONE).contains(&value));
-                let value = Fraction32::mixed(Fx32::from_f32(low), Fx32::from_f32(high), share);
-                assert!((Fx32::ZERO..=Fx32::ONE).contains(&value));
-                for share in [share.to_f32(), f32::NAN, f32::INFINITY, f32::MIN, 1e9] {
-                    assert!((0.0..=1.0).contains(&FloatFraction::mixed(low, high, share)));
-                }
-            }
-        }
         for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
             for t in [0, 1, 12_345, 16_384, 32_767, 32_768_u16] {
                 let (narrow, fine) = (Fraction16(t.into()), Fraction32(u32::from(t) << 16));

@@ -8,7 +8,7 @@ use luminaire::{
         SmoothRange, Windowed,
     },
     falloff::{
-        AnyFalloff, Hard, InvertedMixedPower, InvertedPower, Linear, MixedPower, Power, Smooth, Soft, Step,
+        AnyFalloff, Hard, InvertedPower, InvertedRealPower, Linear, Power, RealPower, Smooth, Soft, Step,
         Table,
     },
 };
@@ -62,8 +62,8 @@ fn kind(number: usize) -> Result<(&'static str, Cone<AnyFalloff>), Error> {
         6 => ("framing projector", Cone::from_outer(Step.into(), Angle::degrees(34.0))?),
         7 => ("accent spot", field(Linear.into())?),
         8 => ("zoom profile", field(InvertedPower::<4>.into())?),
-        9 => ("lensed spot", field(MixedPower::new([2, 5], 0.5)?.into())?),
-        10 => ("contour spot", field(InvertedMixedPower::new([2, 6], 0.4)?.into())?),
+        9 => ("lensed spot", field(RealPower::new(2.75)?.into())?),
+        10 => ("contour spot", field(InvertedRealPower::new(3.5)?.into())?),
         _ => ("measured spot", field(Table::of(&MEASURED).into())?),
     })
 }

@@ -35,11 +35,10 @@ pub(crate) fn file() -> String {
 
 /// Words in the names of models, each with the word that it has replaced. A section's seed is made
 /// from the old words, so that renaming a model keeps its scenes.
-const FIRST_WORDS: [(&str, &str); 11] = [
+const FIRST_WORDS: [(&str, &str); 10] = [
     ("step", "cut-off"),
     ("quadratic", "blend"),
     ("inverted-power-4", "rim-4"),
-    ("inverted-mixed-power", "mixed-rim"),
     ("inverted-real-power", "real-rim"),
     ("cut-at", "hard-range"),
     ("gltf-range", "windowed"),
