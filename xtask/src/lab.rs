@@ -10,7 +10,7 @@ use tools::progress::Progress;
 
 /// The commands of the laboratory, with a sentence for the help.
 pub(crate) const COMMANDS: [(&str, &str); 11] = [
-    ("board", "Build the firmware of a board with a display: rp2040, stm32f411 or esp32c3"),
+    ("board", "Build the firmware of a board with a display: rp2040"),
     ("conform", "Compare the results of every model, bit by bit, with the conformance vectors"),
     ("effects", "Write what each effect costs: instructions a pixel and bytes of flash"),
     ("firmware", "Count what the kernels cost on microcontrollers, in QEMU"),

@@ -26,7 +26,7 @@ pub(crate) enum Request {
     Renderers,
     /// Count what the kernels cost on microcontrollers, in QEMU
     Firmware(FirmwareOptions),
-    /// Build the firmware of a board with a display: rp2040, stm32f411 or esp32c3
+    /// Build the firmware of a board with a display: rp2040
     Board(DeviceOptions),
     /// Draw a picture on microcontrollers, in QEMU, and count the instructions of a pixel
     Frame(FrameOptions),

@@ -1,19 +1,14 @@
-//! The boards' part of `cargo xtask full`.
+//! The board's part of `cargo xtask full`.
 
 use tools::board::in_folder;
 use tools::suite::Suite;
 use tools::{command, tally};
 
-use super::{ALL, check};
+use super::{RP2040, build, check};
 
-/// The packages that are not the firmware of a board: what the boards share, and the firmware to
-/// copy.
-const OTHERS: [&str; 2] = ["panel", "template"];
-
-/// Adds the steps of each board: its firmware is formatted and built, and checked where an emulator
-/// runs it.
+/// Adds the steps: the packages are formatted, and the firmware is built and checked in an emulator.
 pub fn run(suite: &mut Suite) {
-    for name in OTHERS.into_iter().chain(ALL.iter().map(|device| device.name)) {
+    for name in ["panel", "template", RP2040] {
         suite.step(&format!("board: {name}, cargo fmt"), |progress| {
             let mut fmt = in_folder(name, command::cargo("fmt"));
             fmt.arg("--check");
@@ -23,16 +18,7 @@ pub fn run(suite: &mut Suite) {
     suite.count("board: panel, cargo test", |progress| {
         tally::cargo_test(in_folder("panel", command::cargo("test")), progress)
     });
-    for device in &ALL {
-        let name = device.name;
-        if device.is_run {
-            suite.remarked(&format!("board: {name} sends the host's pixels to its display"), |progress| {
-                check::check(&device.build(progress)?, progress)
-            });
-        } else {
-            suite.step(&format!("board: {name} is built, not run"), |progress| {
-                device.build(progress).map(|_| ())
-            });
-        }
-    }
+    suite.remarked("board: rp2040 sends the host's pixels to its display", |progress| {
+        check::check(&build(progress)?, progress)
+    });
 }
