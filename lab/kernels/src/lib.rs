@@ -13,13 +13,11 @@
 //! |---|---|
 //! | `fx16`, `fx32`, `f32` | the crate `luminaire` |
 //! | `fx16-quick`, `fx32-quick`, `f32-quick` | the quick evaluations of the crate `luminaire` |
-//! | `f32-cosine` | f32, with the versine by `1 - l.s`, which cancels |
-//! | `f32-fast` | f32, with micromath's estimate of the reciprocal root, unrefined |
 //! | `f64` | the versine form in twice the width |
 //! | `rival` | the methods of others: f32, each with its own formula |
 //!
 //! Files, in the order in which they build on one another: `value`, `profile`, `scene`, `truth`,
-//! `kernel`, `ours`, `cosine`, `fast`, `double`, `rival`, `list`.
+//! `kernel`, `ours`, `cosine`, `double`, `rival`, `list`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -28,7 +26,6 @@ extern crate std;
 
 mod cosine;
 mod double;
-mod fast;
 mod kernel;
 mod list;
 mod ours;
@@ -38,9 +35,8 @@ pub mod scene;
 pub mod truth;
 mod value;
 
-pub use cosine::{CosineFalloff, CosinePoint};
+pub use cosine::CosineFalloff;
 pub use double::{DoubleFalloff, DoublePoint};
-pub use fast::FastPoint;
 pub use kernel::{Kernel, Row, Stage, Visitor};
 pub use list::{Setting, falloffs, points, priced, rungs};
 pub use ours::{Highlit, OurFalloff, OurPoint, QuickPoint};

@@ -9,9 +9,8 @@ use luminaire::{
 use luminaire_oracle as oracle;
 
 use crate::{
-    cosine::{CosineFalloff, CosinePoint, cosine},
+    cosine::cosine,
     double::{DoubleFalloff, DoublePoint},
-    fast::FastPoint,
     kernel::{Row, Visitor},
     ours::{Highlit, OurFalloff, OurPoint, QuickPoint},
     profile::Shape,
@@ -88,11 +87,6 @@ fn shape<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
     ours::<Fx16, P>(&cone, &truth, visitor);
     ours::<Fx32, P>(&cone, &truth, visitor);
     ours::<f32, P>(&cone, &truth, visitor);
-    let row = Row::falloff(P::NAME, "f32-cosine");
-    match cone.compile() {
-        Ok(falloff) => visitor.falloff(row, CosineFalloff::new(falloff), &truth),
-        Err(_) => visitor.refused(row, Cone::narrowest::<f32>(profile).to_degrees() / 2.0),
-    }
     let double = DoubleFalloff::<P>::new(setting.outer_versine());
     visitor.falloff(Row::falloff(P::NAME, "f64"), double, &truth);
 }
@@ -136,8 +130,6 @@ pub fn points(setting: Setting, visitor: &mut impl Visitor) {
     let outer = setting.outer_versine();
     for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
         let truth = light_of::<Soft>(setting, population, 1.0, false);
-        visitor.point(Row::lit(kernel, "f32-cosine"), CosinePoint::new(outer), &truth);
-        visitor.point(Row::lit(kernel, "f32-fast"), FastPoint::new(outer), &truth);
         visitor.point(Row::lit(kernel, "f64"), DoublePoint::new(outer), &truth);
     }
 }
@@ -328,8 +320,7 @@ mod tests {
                 if truth.population == Population::Lit {
                     assert!(exact > 0.0, "{row:?} has a site that is dark");
                     let error = (light - exact).abs() / exact.max(1.0);
-                    self.worst =
-                        self.worst.max(if row.format == "f32-fast" { 0.0 } else { oracle::counted(error) });
+                    self.worst = self.worst.max(oracle::counted(error));
                 } else {
                     assert_eq!((light, exact), (0.0, 0.0), "{row:?} has a site that is lit");
                 }

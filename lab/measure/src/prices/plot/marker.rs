@@ -8,12 +8,10 @@ use plotters::prelude::*;
 use super::{Area, Pixel};
 
 /// Each format with its colour, of M. Okabe and K. Ito, *Color Universal Design*, 2008.
-pub(super) const ALL: [(&str, RGBColor); 7] = [
+pub(super) const ALL: [(&str, RGBColor); 5] = [
     ("fx16", RGBColor(0xd5, 0x5e, 0x00)),
     ("fx32", RGBColor(0x00, 0x72, 0xb2)),
     ("f32", RGBColor(0x00, 0x9e, 0x73)),
-    ("f32-cosine", RGBColor(0xe6, 0x9f, 0x00)),
-    ("f32-fast", RGBColor(0x56, 0xb4, 0xe9)),
     ("f64", RGBColor(0xcc, 0x79, 0xa7)),
     ("rival", BLACK),
 ];
@@ -38,8 +36,6 @@ pub(super) fn draw(
         "fx16" => root.draw(&Circle::new(place, radius as i32, style.filled()))?,
         "fx32" => root.draw(&polygon(place, 1.2 * radius, 4, 45.0, style))?,
         "f32" => root.draw(&polygon(place, 1.25 * radius, 3, -90.0, style))?,
-        "f32-cosine" => root.draw(&polygon(place, 1.25 * radius, 4, 0.0, style))?,
-        "f32-fast" => root.draw(&polygon(place, 1.25 * radius, 3, 90.0, style))?,
         "f64" => root.draw(&polygon(place, 1.15 * radius, 6, 0.0, style))?,
         _ => root.draw(&Cross::new(place, (0.8 * radius) as i32, style.stroke_width(2)))?,
     }
