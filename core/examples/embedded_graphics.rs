@@ -1,5 +1,5 @@
 //! A lit wall in 16-bit integers on a display of `embedded-graphics` 0.8 or its core 0.4, which the
-//! feature `embedded-graphics-core` connects. `draw` runs with every driver that implements
+//! feature `embedded-graphics-core04` connects. `draw` runs with every driver that implements
 //! `DrawTarget`; here the driver is an array, printed as characters.
 
 use std::convert::Infallible;

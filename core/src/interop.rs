@@ -1,13 +1,13 @@
 //! Conversions from and to types of other crates. Each conversion needs the feature named like the
-//! crate.
+//! crate, with the crate's version if that is not yet 1.0.
 //!
 //! | feature | [`Vec3`](crate::Vec3) | [`Rgb`](crate::Rgb) | [`Rgb565`](crate::display::Rgb565) | [`Angle`](crate::Angle), [`HalfAngle`](crate::HalfAngle) | fixed-point numbers |
 //! |---|---|---|---|---|---|
 //! | `bytemuck` | `Pod` | `Pod` | `Pod` | | `Pod` |
 //! | `defmt` | `Format` | `Format` | `Format` | `Format` | `Format` |
-//! | `embedded-graphics-core` | | `Rgb888`, `Bgr888` | `Rgb565`, `Bgr565` | | |
-//! | `glam` | `Vec3` | | | | |
-//! | `mint` | `Vector3`, `Point3` | | | | |
+//! | `embedded-graphics-core04` | | `Rgb888`, `Bgr888` | `Rgb565`, `Bgr565` | | |
+//! | `glam034` | `Vec3` | `Vec3` | | | |
+//! | `mint05` | `Vector3`, `Point3` | `Vector3` | | | |
 //! | `serde` | array | array | 16 bits | degrees | their bits |
 //!
 //! `defmt` also formats an [`Error`](crate::Error), its [`Parameter`](crate::error::Parameter) and
@@ -29,11 +29,11 @@ macro_rules! for_numbers {
 pub mod bytemuck;
 #[cfg(feature = "defmt")]
 pub mod defmt;
-#[cfg(feature = "embedded-graphics-core")]
+#[cfg(feature = "embedded-graphics-core04")]
 pub mod embedded_graphics;
-#[cfg(feature = "glam")]
+#[cfg(feature = "glam034")]
 pub mod glam;
-#[cfg(feature = "mint")]
+#[cfg(feature = "mint05")]
 pub mod mint;
 #[cfg(feature = "serde")]
 pub mod serde;

@@ -146,9 +146,9 @@
 //! | `micromath` | square roots and sines without `libm` and `std`: angles within 0.11 %, so results differ from those of the other features |
 //! | `bytemuck` | [`Vec3`], [`Rgb`], pixels and fixed-point numbers cast to bytes; the only unsafe code |
 //! | `defmt` | `Format` for errors, angles, vectors, colours and numbers, for logs of a microcontroller |
-//! | `embedded-graphics-core` | conversions between [`Rgb`]`<u8>` or pixels and its RGB and BGR colours |
-//! | `glam` | conversions between [`Vec3`]`<f32>` and `glam::Vec3` |
-//! | `mint` | conversions between [`Vec3`] and `mint::Vector3` or `mint::Point3` |
+//! | `embedded-graphics-core04` | conversions between [`Rgb`]`<u8>` or pixels and its RGB and BGR colours |
+//! | `glam034` | conversions between [`Vec3`]`<f32>` or [`Rgb`]`<f32>` and `glam::Vec3` |
+//! | `mint05` | conversions between [`Vec3`] or [`Rgb`] and `mint::Vector3`, [`Vec3`] and `mint::Point3` |
 //! | `serde` | serialisation of angles, vectors, colours, pixels and numbers; the latter two as their bits |
 //! | `arithmetic` | the arithmetic of the number formats, for tests and cost measurements: may change in any version |
 

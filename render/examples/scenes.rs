@@ -8,7 +8,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let folder = arguments.next().unwrap_or_else(|| ".".into());
     let seconds: f32 = arguments.next().map_or(Ok(0.0), |seconds| seconds.parse())?;
-    for example in Example::ALL {
+    for &example in Example::ALL {
         let setup = example.setup()?;
         let (width, height) = example.size();
         let mut renderer = Renderer::<f32>::new(width, height)?;

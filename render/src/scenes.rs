@@ -78,7 +78,7 @@ const SWING_PERIOD: f32 = 24.0;
 
 impl Example {
     /// All examples, ordered by the number of effects that they need, fewest first.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: &[Self] = &[
         Self::BareSpot,
         Self::Pocket,
         Self::ThreePoint,
@@ -152,7 +152,7 @@ impl Example {
 
     /// Returns the example with this [`name`](Self::name).
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|example| example.name() == name)
+        Self::ALL.iter().copied().find(|example| example.name() == name)
     }
 
     /// Builds the scene and its fixtures.

@@ -290,7 +290,7 @@ mod tests {
             0 => setting.design = Design::of(mark, number(random)),
             1 => setting.design = Design { beam: Some(number(random)), field: Some(number(random)) },
             2 => {
-                let fixture = random.choice(&FIXTURES).unwrap();
+                let fixture = random.choice(FIXTURES).unwrap();
                 let degrees = fixture.narrowest + random.f32() * (fixture.widest - fixture.narrowest);
                 setting.fixture = Some(fixture);
                 setting.design = Design::of(mark, degrees.min(fixture.widest));
@@ -310,7 +310,7 @@ mod tests {
     }
 
     fn random_state(random: &mut fastrand::Rng) -> (State, usize) {
-        let scene = random.choice(Example::ALL).unwrap();
+        let scene = *random.choice(Example::ALL).unwrap();
         let count = scene.setup().unwrap().fixtures.len();
         let mut state = State::of(scene, count);
         state.format = random.choice(Format::ALL).unwrap();
@@ -358,7 +358,7 @@ mod tests {
 
     #[test]
     fn a_scene_as_it_opens_is_its_name() {
-        for scene in Example::ALL {
+        for &scene in Example::ALL {
             let count = scene.setup().unwrap().fixtures.len();
             let mut state = State::of(scene, count);
             assert_eq!(write(&state, count), format!("v=1&scene={}", scene.name()));

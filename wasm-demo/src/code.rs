@@ -67,7 +67,7 @@ mod tests {
     #[test]
     fn every_light_of_every_scene_is_written_as_the_crate_writes_it() {
         let mut code = Code::new();
-        for scene in Example::ALL {
+        for &scene in Example::ALL {
             let desk = Desk::new(scene).unwrap();
             let job = job_of(&desk);
             for (number, original) in scene.setup().unwrap().fixtures.iter().enumerate() {

@@ -70,7 +70,7 @@ mod tests {
 
     #[test]
     fn every_fixture_is_found_by_its_name_and_by_its_slug() {
-        for fixture in &FIXTURES {
+        for fixture in FIXTURES {
             assert_eq!(find(fixture.name), Some(fixture));
             assert_eq!(with_slug(&slug(fixture)), Some(fixture), "two fixtures are {}", slug(fixture));
             assert!(middle(fixture) > 0.0, "{}", fixture.name);

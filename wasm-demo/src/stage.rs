@@ -76,7 +76,7 @@ impl Stage {
 
     /// The scenes to choose from.
     pub fn examples() -> Vec<ExampleState> {
-        Example::ALL.map(ExampleState::from).into()
+        Example::ALL.iter().copied().map(ExampleState::from).collect()
     }
 
     /// The name of the scene.

@@ -31,7 +31,7 @@ const FEATURES: [(&str, &[&str]); 5] = [
         &[
             "--no-default-features",
             "--features",
-            "arithmetic,bytemuck,defmt,embedded-graphics-core,fixed,glam,libm,micromath,mint,serde",
+            "arithmetic,bytemuck,defmt,embedded-graphics-core04,fixed,glam034,libm,micromath,mint05,serde",
         ],
     ),
 ];

@@ -1,5 +1,5 @@
 //! Conversions between [`Vec3`] and `mint::Vector3` or `mint::Point3`, the common types of
-//! mathematics crates.
+//! mathematics crates, and between [`Rgb`] and `mint::Vector3`.
 //!
 //! ```
 //! use luminaire::{Fx16, Scalar, Vec3};
@@ -7,7 +7,7 @@
 //! assert_eq!(<Fx16 as Scalar>::point(position), Fx16::point([0.0, 4.0, 0.0]));
 //! ```
 
-use crate::vec3::Vec3;
+use crate::{color::Rgb, vec3::Vec3};
 
 /// Implements conversions between a vector and a type of mint with the same components.
 macro_rules! both_ways {
@@ -28,6 +28,18 @@ macro_rules! both_ways {
 
 both_ways!(Vector3 Point3);
 
+impl<T> From<mint::Vector3<T>> for Rgb<T> {
+    fn from(mint::Vector3 { x, y, z }: mint::Vector3<T>) -> Self {
+        Self { red: x, green: y, blue: z }
+    }
+}
+
+impl<T> From<Rgb<T>> for mint::Vector3<T> {
+    fn from(Rgb { red, green, blue }: Rgb<T>) -> Self {
+        Self { x: red, y: green, z: blue }
+    }
+}
+
 /// By default a `Vec3` converts to a mint vector, not to a point.
 impl<T> mint::IntoMint for Vec3<T> {
     type MintType = mint::Vector3<T>;
@@ -44,6 +56,7 @@ mod tests {
         assert_eq!(vector, mint::Vector3 { x: 1, y: -2, z: 3 });
         assert_eq!(point, mint::Point3 { x: 1, y: -2, z: 3 });
         assert_eq!((Vec3::from(vector), Vec3::from(point)), (ours, ours));
+        assert_eq!(mint::Vector3::from(Rgb::from(vector)), vector);
     }
 
     #[test]

@@ -199,7 +199,7 @@ fn must_agree<S: Format>(example: Example, display: Display) {
 
 #[test]
 fn renderers_that_share_a_picture_find_the_same_edges() {
-    for example in Example::ALL {
+    for &example in Example::ALL {
         must_agree::<f32>(example, Display::Rgb888Dithered);
     }
     must_agree::<Fx16>(Example::ThreePoint, Display::Rgb888);

@@ -38,7 +38,7 @@ fn each_example_calls_for_what_it_shows() {
 
 #[test]
 fn as_many_lights_hang_as_the_summaries_say() {
-    let counts = Example::ALL.map(|example| example.setup().unwrap().fixtures.len());
+    let counts: Vec<_> = Example::ALL.iter().map(|example| example.setup().unwrap().fixtures.len()).collect();
     assert_eq!(counts, [1, 1, 3, 64, 8, 8, 11, 26]);
 }
 
@@ -56,7 +56,7 @@ fn names_tell_examples_apart() {
     let names: BTreeSet<_> = Example::ALL.iter().map(|example| example.name()).collect();
     let titles: BTreeSet<_> = Example::ALL.iter().map(|example| example.title()).collect();
     assert_eq!((names.len(), titles.len()), (Example::ALL.len(), Example::ALL.len()));
-    for example in Example::ALL {
+    for &example in Example::ALL {
         assert_eq!(Example::named(example.name()), Some(example));
     }
     assert_eq!(Example::named("Grid"), None);
@@ -64,7 +64,7 @@ fn names_tell_examples_apart() {
 
 #[test]
 fn the_seconds_alone_say_what_has_moved() {
-    for example in Example::ALL {
+    for &example in Example::ALL {
         let setup = example.setup().unwrap();
         assert_eq!(setup, example.setup().unwrap());
         for seconds in [-3.0, 0.0, 0.1, 1e6, 1e30] {

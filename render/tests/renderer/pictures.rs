@@ -89,7 +89,7 @@ fn file(example: Example) -> String {
 #[test]
 fn the_examples_look_as_they_did() -> Result<(), Box<dyn Error>> {
     let mut wrong = Vec::new();
-    for example in Example::ALL {
+    for &example in Example::ALL {
         let (picture, path) = (Picture::of(example)?, folder().join(file(example)));
         if env::var_os("LUMINAIRE_BLESS").is_some() {
             picture.keep(&path)?;
@@ -111,7 +111,7 @@ fn the_examples_look_as_they_did() -> Result<(), Box<dyn Error>> {
 /// The folder contains no picture of an example that was removed or renamed.
 #[test]
 fn no_picture_is_left_over() -> Result<(), Box<dyn Error>> {
-    let mut drawn = Example::ALL.map(file).to_vec();
+    let mut drawn: Vec<_> = Example::ALL.iter().copied().map(file).collect();
     let files = fs::read_dir(folder())?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
     let mut files = files.collect::<Result<Vec<_>, std::io::Error>>()?;
     drawn.sort();

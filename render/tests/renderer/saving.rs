@@ -76,7 +76,7 @@ fn off(fixture: &Fixture) -> Fixture {
 
 #[test]
 fn planned_pictures_are_those_of_everything() {
-    for example in Example::ALL {
+    for &example in Example::ALL {
         assert_same_everywhere(example, |setup| {
             [0.0, 1.7, 1.75, 6.3].map(|seconds| setup.fixtures_at(seconds).unwrap()).to_vec()
         });
@@ -226,7 +226,7 @@ fn only_the_tiles_of_lights_that_have_changed_are_relit() {
 
 #[test]
 fn where_nothing_has_changed_nothing_is_done() {
-    for example in Example::ALL {
+    for &example in Example::ALL {
         let setup = example.setup().unwrap();
         let mut renderer = renderer::<f32>(&setup);
         assert_eq!(renderer.account().triangles, setup.scene.triangle_count());

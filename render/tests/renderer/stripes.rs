@@ -109,7 +109,7 @@ fn agree<S: Format>(name: &str, setup: &Setup, count: usize) {
 
 #[test]
 fn shares_of_every_scene_have_the_bits_of_the_whole() {
-    for scene in Example::ALL {
+    for &scene in Example::ALL {
         let setup = scene.setup().unwrap();
         agree::<f32>(scene.name(), &setup, 2);
         if matches!(scene, Example::Show | Example::ThreePoint | Example::Gallery) {

@@ -22,7 +22,7 @@ fn near(one: [f32; 3], other: [f32; 3]) -> bool {
 
 #[test]
 fn every_light_aims_at_a_surface_of_its_scene() {
-    for scene in Example::ALL {
+    for &scene in Example::ALL {
         let desk = desk(scene);
         for light in 0..desk.state().lights.len() {
             let state = desk.light_state(light).unwrap();

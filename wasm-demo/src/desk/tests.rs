@@ -59,7 +59,7 @@ fn the_other_half_of_a_picture_has_a_format_that_holds_the_lights() {
 
 #[test]
 fn a_scene_opens_as_it_was_composed() {
-    for scene in Example::ALL {
+    for &scene in Example::ALL {
         let (setup, desk) = (scene.setup().unwrap(), desk(scene));
         for seconds in [0.0, 1.3] {
             assert_eq!(desk.rig().fixtures_at(seconds), setup.fixtures_at(seconds), "{scene:?}");
@@ -70,7 +70,7 @@ fn a_scene_opens_as_it_was_composed() {
 
 #[test]
 fn a_light_that_is_switched_off_is_dark_and_keeps_its_number() {
-    for scene in Example::ALL {
+    for &scene in Example::ALL {
         let mut desk = desk(scene);
         let lit = desk.rig().fixtures_at(1.0).unwrap();
         for light in 0..lit.len() {
@@ -357,7 +357,7 @@ fn turn_dials(desk: &mut Desk, light: usize, starts: &[Option<usize>]) -> usize 
 #[test]
 fn dials_accept_both_ends() {
     let mut count = 0;
-    for scene in Example::ALL {
+    for &scene in Example::ALL {
         for format in Format::ALL {
             let mut desk = desk(scene);
             desk.change(|state| {
@@ -456,7 +456,7 @@ fn a_cancelled_gesture_leaves_nothing() {
 #[test]
 fn every_fixture_is_a_light() {
     let mut desk = desk(Example::BareSpot);
-    for fixture in &FIXTURES {
+    for fixture in FIXTURES {
         choice(&mut desk, "fixture", fixture.name).unwrap();
         let state = light(&desk, 0);
         assert_eq!(state.fixture, fixture.name);
@@ -550,7 +550,7 @@ fn picture(desk: &Desk) -> Vec<u8> {
 
 #[test]
 fn an_added_light_is_seen_at_once() {
-    for scene in Example::ALL {
+    for &scene in Example::ALL {
         let mut desk = desk(scene);
         let (count, mut places) = (desk.rig().lights(), Vec::new());
         for added in count..count + 4 {

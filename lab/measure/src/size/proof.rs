@@ -35,7 +35,7 @@ pub(crate) const MAIN: Configuration = Configuration { name: "arithmetic", featu
 pub(crate) const MORE: [Configuration; 2] = [
     Configuration {
         name: "interop",
-        features: "fixed,bytemuck,defmt,embedded-graphics-core,glam,mint,serde",
+        features: "fixed,bytemuck,defmt,embedded-graphics-core04,glam034,mint05,serde",
     },
     Configuration { name: "micromath", features: "fixed,micromath" },
 ];

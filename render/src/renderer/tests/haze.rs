@@ -91,7 +91,7 @@ fn is_full() -> bool {
 #[test]
 fn interpolated_haze_of_examples_errs_by_at_most_half_a_code() {
     let (width, height) = if is_full() { (960, 540) } else { (300, 170) };
-    for example in Example::ALL {
+    for &example in Example::ALL {
         let setup = example.setup().unwrap();
         if setup.scene.haze().is_none() {
             continue;
