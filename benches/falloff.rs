@@ -23,8 +23,8 @@ fn versines(outer: f32) -> Vec<f32> {
     (0..POINTS).map(|i| 1.1 * outer * i as f32 / POINTS as f32).collect()
 }
 
-fn cone<P: Falloff>(profile: P) -> Cone<P> {
-    Cone::from_field(profile, Angle::degrees(15.0)).expect("a sound angle")
+fn cone<P: Falloff>(falloff: P) -> Cone<P> {
+    Cone::from_field(falloff, Angle::degrees(15.0)).expect("a sound angle")
 }
 
 /// Evaluates one versine after the other, each by a call that is not inlined, as `powf` is called.
@@ -40,8 +40,8 @@ fn at<S: Scalar, P: Falloff>(falloff: &CompiledCone<S, P>, versine: S::Versine) 
 }
 
 /// Benches a falloff, after checking that it is one half at the beam angle.
-fn bench<S: Scalar, P: Falloff>(criterion: &mut Criterion, name: &str, profile: P) {
-    let cone = cone(profile);
+fn bench<S: Scalar, P: Falloff>(criterion: &mut Criterion, name: &str, falloff: P) {
+    let cone = cone(falloff);
     let falloff = cone.compile::<S>().expect("held");
     let at_beam = falloff.at(falloff.versine(cone.beam().versine())).to_f32();
     assert!((at_beam - 0.5).abs() < 1e-3, "{name} is {at_beam} at the beam angle");

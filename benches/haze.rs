@@ -55,8 +55,8 @@ fn picture() -> Vec<Block> {
     blocks
 }
 
-fn spot<P: Falloff>(profile: P) -> SpotLight<P> {
-    let cone = Cone::from_field(profile, Angle::degrees(36.0)).expect("a sound angle");
+fn spot<P: Falloff>(falloff: P) -> SpotLight<P> {
+    let cone = Cone::from_field(falloff, Angle::degrees(36.0)).expect("a sound angle");
     SpotLight::new(Vec3::new(0.3, 4.5, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
         .and_then(|spot| spot.with_intensity(16.0))
         .expect("a sound light")
@@ -105,7 +105,7 @@ fn march(light: &CompiledSpotLight<f32, Soft>, view: &ViewRay, steps: u32) -> f3
         let s = (i as f32 + 0.5) * step;
         let point = view.eye.zip(view.direction, |e, d| e + s * d);
         let way = point.zip(Vec3::new(0.3, 4.5, 0.2), |p, l| p - l);
-        sum += light.falloff(point) / way.dot(way);
+        sum += light.falloff_at(point) / way.dot(way);
     }
     16.0 * 0.02 / 4.0 * step * sum
 }

@@ -26,8 +26,8 @@ struct Ramp<S: Scalar, P: Falloff> {
     intensities: Vec<S>,
 }
 
-fn ramp<S: Scalar, P: Falloff>(profile: P) -> Ramp<S, P> {
-    let cone = Cone::from_field(profile, Angle::degrees(15.0)).expect("a sound angle");
+fn ramp<S: Scalar, P: Falloff>(falloff: P) -> Ramp<S, P> {
+    let cone = Cone::from_field(falloff, Angle::degrees(15.0)).expect("a sound angle");
     let falloff = cone.compile::<S>().expect("held");
     let at = |i: usize| falloff.versine(cone.outer_versine() * i as f32 / POINTS as f32);
     Ramp { falloff, versines: (0..POINTS).map(at).collect(), intensities: vec![S::ZERO; POINTS] }

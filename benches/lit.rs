@@ -37,8 +37,8 @@ fn floor<S: Scalar>() -> Floor<S> {
     }
 }
 
-fn spot<P: Falloff>(profile: P) -> SpotLight<P> {
-    let cone = Cone::from_field(profile, Angle::degrees(26.0)).expect("a sound angle");
+fn spot<P: Falloff>(falloff: P) -> SpotLight<P> {
+    let cone = Cone::from_field(falloff, Angle::degrees(26.0)).expect("a sound angle");
     SpotLight::new(Vec3::new(0.3, 4.0, 0.2), Vec3::new(-0.05, -1.0, 0.0), cone)
         .and_then(|spot| spot.with_intensity(16.0))
         .and_then(|spot| spot.with_color(Rgb::new(1.0, 0.8, 0.6)))
@@ -74,10 +74,10 @@ fn columns<T>(columns: &Vec3<Vec<T>>) -> Vec3<&[T]> {
 fn bench<S: Scalar, P: Falloff>(
     criterion: &mut Criterion,
     name: &str,
-    profile: P,
+    falloff: P,
     light: fn(&CompiledSpotLight<S, P>, &mut Floor<S>),
 ) {
-    let spot = spot(profile).compile::<S>().expect("held");
+    let spot = spot(falloff).compile::<S>().expect("held");
     let mut lit = floor::<S>();
     light(&spot, &mut lit);
     let brightest = lit.light.red.iter().map(|&red| S::light_to_f32(red)).fold(0.0, f32::max);

@@ -33,8 +33,8 @@ fn beam<P: Falloff + 'static>(from: [f32; 3], to: [f32; 3], cone: Cone<P>, color
     })
 }
 
-fn cone<P: Falloff>(profile: P, field: f32) -> Cone<P> {
-    Cone::from_field(profile, Angle::degrees(field)).expect("a sound angle")
+fn cone<P: Falloff>(falloff: P, field: f32) -> Cone<P> {
+    Cone::from_field(falloff, Angle::degrees(field)).expect("a sound angle")
 }
 
 fn main() -> io::Result<()> {

@@ -1,11 +1,11 @@
-//! Searches the inputs with the largest error of each profile in each format, and prints the file
+//! Searches the inputs with the largest error of each falloff in each format, and prints the file
 //! that `tests/slow/worst.rs` checks the kernel against:
 //!
 //! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt`
 
 use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;
-use support::{format::Format, profiles::Shape, worst};
+use support::{falloffs::Shape, format::Format, worst};
 
 fn find<S: Format, P: Falloff>(shape: &Shape<P>) {
     if worst::is_smooth(shape) {

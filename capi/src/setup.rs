@@ -44,14 +44,14 @@ impl luminaire_spot_description {
             return Cone::from_beam(edge, beam);
         }
         let fitted = Cone::from_beam_and_field(beam, field)?;
-        Ok(fitted.with_profile(Edge::Fitted(fitted.profile())))
+        Ok(fitted.with_falloff(Edge::Fitted(fitted.falloff())))
     }
 
     fn compile(&self) -> Result<luminaire_spot, Error> {
         let spot = SpotLight::new(self.position, self.axis, self.cone()?)?
             .with_intensity(self.intensity)?
             .with_color(Rgb::from(self.color))?;
-        let edge = CompiledEdge::from(spot.cone().profile());
+        let edge = CompiledEdge::from(spot.cone().falloff());
         Ok(luminaire_spot::of(spot.compile()?, edge.words()))
     }
 }

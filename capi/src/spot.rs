@@ -197,7 +197,7 @@ pub extern "C" fn luminaire_spot_light(
 /// Returns the falloff of the cone at a point, from 0 to 2^14.
 #[unsafe(no_mangle)]
 pub extern "C" fn luminaire_spot_falloff(spot: Option<&luminaire_spot>, point: luminaire_point) -> i16 {
-    or_dark(spot).light().falloff(point.place()).to_bits()
+    or_dark(spot).light().falloff_at(point.place()).to_bits()
 }
 
 /// Returns whether the light may reach points within `radius` of `center`; the radius has steps of

@@ -51,10 +51,10 @@ fn line<P: Falloff>(cone: Result<Cone<P>, Error>, wide: &Light, part: Fx16, rand
     let shifted = |c: Length, by: u32| Length::from_bits(c.to_bits() >> by);
     let point = Vec3::new(shifted(point.x, 2), point.y, shifted(point.z, 2));
     let beside = Vec3 { x: Length::from_bits(target.x.to_bits() + shifted(point.x, 1).to_bits()), ..target };
-    let zoomed = light.zoomed(&wide.with_profile(light.profile()), part).moved_to(random.point());
+    let zoomed = light.zoomed(&wide.with_falloff(light.falloff()), part).moved_to(random.point());
     let moved = zoomed.aimed_at(target).expect("another point");
     let bits = |light: &CompiledSpotLight<Fx16, P>, point| {
-        (light.irradiance(point, UP).to_bits(), light.falloff(point).to_bits())
+        (light.irradiance(point, UP).to_bits(), light.falloff_at(point).to_bits())
     };
     let ((irradiance, falloff), (others, other)) = (bits(&light, point), bits(&moved, beside));
     format!("{irradiance} {falloff} {other} {others}\n")
@@ -86,7 +86,7 @@ fn expected() -> String {
             text,
             "{} {} {} {} {} {} {} {} {}",
             narrow.irradiance(point, UP).to_bits(),
-            wide.falloff(point).to_bits(),
+            wide.falloff_at(point).to_bits(),
             u8::from(narrow.can_reach(point, Length::from_bits(1 << 14))),
             light.red.to_bits(),
             light.green.to_bits(),

@@ -168,7 +168,7 @@ fn cone(options: &Export) -> Result<Cone<AnyFalloff>, ExportError> {
         }
         (Some(beam), Some(field), None) => {
             let cone = Cone::from_beam_and_field(beam, field)?;
-            cone.with_profile(cone.profile().into())
+            cone.with_falloff(cone.falloff().into())
         }
         (.., Some(outer)) => {
             let outer = outer.to_degrees().to_string();

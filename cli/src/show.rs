@@ -31,7 +31,7 @@ fn light(name: &str, light: &AnyLight) -> Result<Light, Refusal> {
     };
     let AnyLight::Spot(spot) = light else { return Err(refused("a spotlight")) };
     let cone = spot.cone();
-    let edge = match cone.profile() {
+    let edge = match cone.falloff() {
         AnyFalloff::Soft(_) => Edge::Soft,
         AnyFalloff::Hard(_) => Edge::Hard,
         _ => return Err(refused("a soft or a hard edge")),

@@ -122,7 +122,7 @@ impl AnyLight {
 
 fn cone_effects(spot: &SpotLight<AnyFalloff, AnyAttenuation>) -> Effects {
     let cone = spot.cone();
-    let mut effects = Effects::NONE.with(cone.profile().effect());
+    let mut effects = Effects::NONE.with(cone.falloff().effect());
     if cone.has_hotspot() {
         effects = effects.with(Effect::Hotspot);
     }
@@ -148,7 +148,7 @@ impl<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>> From<
     for AnyLight
 {
     fn from(light: SpotLight<P, A>) -> Self {
-        let cone = light.cone().with_profile(light.cone().profile().into());
+        let cone = light.cone().with_falloff(light.cone().falloff().into());
         Self::Spot(light.with_cone(cone).with_attenuation(light.attenuation().into()))
     }
 }

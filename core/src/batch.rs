@@ -67,7 +67,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Batched<S> for CompiledSpotLight<S, 
         normal: Vec3<S>,
     ) -> S::Irradiance {
         let cosine = ray.cosine(offset.facing(normal), normal);
-        let share = cosine.of(self.falloff.toward(ray, self.axis));
+        let share = cosine.of(self.cone.toward(ray, self.axis));
         A::expose(&self.attenuation, offset, ray, share, self.intensity)
     }
 }

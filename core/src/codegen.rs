@@ -106,7 +106,7 @@ where
 {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledCone::<{}, _>::", name::<S>())?;
-        call(out, "from_parts", &[&self.ramp, &self.profile, &self.curve])
+        call(out, "from_parts", &[&self.ramp, &self.falloff, &self.curve])
     }
 }
 
@@ -116,7 +116,7 @@ where
 {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "QuickCone::<{}, _>::", name::<S>())?;
-        call(out, "from_parts", &[&self.ramp, &self.profile, &self.curve])
+        call(out, "from_parts", &[&self.ramp, &self.falloff, &self.curve])
     }
 }
 
@@ -127,10 +127,10 @@ where
 {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledSpotLight::<{}, _, {}>::", name::<S>(), name::<A>())?;
-        let Self { position, axis, falloff, outside, attenuation, intensity, fine_below, .. } = *self;
+        let Self { position, axis, cone, outside, attenuation, intensity, fine_below, .. } = *self;
         let colors = [self.color, self.specular_color];
         let parts: [&dyn Source; 8] =
-            [&position, &axis, &falloff, &outside, &attenuation, &intensity, &fine_below, &colors];
+            [&position, &axis, &cone, &outside, &attenuation, &intensity, &fine_below, &colors];
         call(out, "from_parts", &parts)
     }
 }
@@ -142,9 +142,9 @@ where
 {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "QuickSpotLight::<{}, _, {}>::", name::<S>(), name::<A>())?;
-        let Self { position, axis, falloff, attenuation, intensity, color, specular_color } = *self;
+        let Self { position, axis, cone, attenuation, intensity, color, specular_color } = *self;
         let colors = [color, specular_color];
-        call(out, "from_parts", &[&position, &axis, &falloff, &attenuation, &intensity, &colors])
+        call(out, "from_parts", &[&position, &axis, &cone, &attenuation, &intensity, &colors])
     }
 }
 

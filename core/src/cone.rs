@@ -40,7 +40,7 @@ use crate::{
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cone<P = SoftOrHard> {
-    profile: P,
+    falloff: P,
     /// The versine of the inner half angle, in [0, outer]; 0 without a hotspot.
     inner: f32,
     /// The versine of the half angle at which the falloff ends, in (0, 1].
@@ -55,8 +55,8 @@ impl<P: Falloff> Cone<P> {
     /// # Errors
     /// An angle that is not more than 0, or whose outer angle would exceed 180 degrees. The largest
     /// field angle is 143.13 degrees for a soft falloff and 174.11 for a hard one.
-    pub fn from_field(profile: P, field: impl Into<Angle>) -> Result<Self, Error> {
-        Self::from_angle(profile, field.into(), profile.field_versine(), Parameter::FieldAngle)
+    pub fn from_field(falloff: P, field: impl Into<Angle>) -> Result<Self, Error> {
+        Self::from_angle(falloff, field.into(), falloff.field_versine(), Parameter::FieldAngle)
     }
 
     /// Creates the cone with this beam angle, at which the intensity is 50 %.
@@ -64,25 +64,25 @@ impl<P: Falloff> Cone<P> {
     /// # Errors
     /// An angle that is not more than 0, or whose outer angle would exceed 180 degrees. The largest
     /// beam angle is 90 degrees for a soft falloff and 145.93 for a hard one.
-    pub fn from_beam(profile: P, beam: impl Into<Angle>) -> Result<Self, Error> {
-        Self::from_angle(profile, beam.into(), profile.beam_versine(), Parameter::BeamAngle)
+    pub fn from_beam(falloff: P, beam: impl Into<Angle>) -> Result<Self, Error> {
+        Self::from_angle(falloff, beam.into(), falloff.beam_versine(), Parameter::BeamAngle)
     }
 
     /// Creates the cone with this outer angle, at which the light ends.
     ///
     /// # Errors
     /// An angle outside (0, 180] degrees.
-    pub fn from_outer(profile: P, outer: impl Into<Angle>) -> Result<Self, Error> {
-        Self::from_angle(profile, outer.into(), 1.0, Parameter::OuterAngle)
+    pub fn from_outer(falloff: P, outer: impl Into<Angle>) -> Result<Self, Error> {
+        Self::from_angle(falloff, outer.into(), 1.0, Parameter::OuterAngle)
     }
 
     /// Creates the cone in which the versine of this angle is `fraction` times the outer versine.
-    fn from_angle(profile: P, angle: Angle, fraction: f32, parameter: Parameter) -> Result<Self, Error> {
+    fn from_angle(falloff: P, angle: Angle, fraction: f32, parameter: Parameter) -> Result<Self, Error> {
         let largest = Angle::from_versine(fraction);
         let outer = angle.versine() / fraction;
         // The versine of a tiny positive angle may underflow to zero.
         if angle > Angle::degrees(0.0) && angle <= largest && outer >= f32::MIN_POSITIVE {
-            Ok(Self::open(profile, 0.0, outer.min(1.0)))
+            Ok(Self::open(falloff, 0.0, outer.min(1.0)))
         } else {
             let value = angle.to_degrees();
             Err(Error { parameter, value, accepted: Expected::angle_up_to(largest.to_degrees(), value) })
@@ -90,8 +90,8 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// Creates a cone without a cutoff.
-    fn open(profile: P, inner: f32, outer: f32) -> Self {
-        Self { profile, inner, outer, limit: outer }
+    fn open(falloff: P, inner: f32, outer: f32) -> Self {
+        Self { falloff, inner, outer, limit: outer }
     }
 
     /// Returns the cone with a hotspot: full intensity up to this angle.
@@ -133,8 +133,8 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// Returns the angular falloff.
-    pub fn profile(&self) -> P {
-        self.profile
+    pub fn falloff(&self) -> P {
+        self.falloff
     }
 
     /// Returns the full inner angle, up to which the intensity is that of the axis; 0 without a
@@ -145,12 +145,12 @@ impl<P: Falloff> Cone<P> {
 
     /// Returns the full beam angle, at which the falloff reaches 50 %, or a smaller cutoff.
     pub fn beam(&self) -> Angle {
-        self.angle_at(self.profile.beam_versine())
+        self.angle_at(self.falloff.beam_versine())
     }
 
     /// Returns the full field angle, at which the falloff reaches 10 %, or a smaller cutoff.
     pub fn field(&self) -> Angle {
-        self.angle_at(self.profile.field_versine())
+        self.angle_at(self.falloff.field_versine())
     }
 
     /// Returns the full angle from which on there is no light.
@@ -189,8 +189,8 @@ impl<P: Falloff> Cone<P> {
 
     /// Returns the same cone with its falloff converted to another type: from a run-time choice to
     /// a concrete type.
-    pub fn with_profile<Q: Falloff>(&self, profile: Q) -> Cone<Q> {
-        Cone { profile, inner: self.inner, outer: self.outer, limit: self.limit }
+    pub fn with_falloff<Q: Falloff>(&self, falloff: Q) -> Cone<Q> {
+        Cone { falloff, inner: self.inner, outer: self.outer, limit: self.limit }
     }
 
     /// Returns the luminous flux in lumens for an intensity on the axis in candela.
@@ -214,7 +214,7 @@ impl<P: Falloff> Cone<P> {
         let versine = if self.limit <= self.inner {
             self.limit
         } else {
-            self.inner + span * self.profile.integral((self.limit - self.inner) / span)
+            self.inner + span * self.falloff.integral((self.limit - self.inner) / span)
         };
         core::f32::consts::TAU * versine
     }
@@ -231,8 +231,8 @@ impl<P: Falloff> Cone<P> {
     /// In `f32` the error bound holds for all positions of light and point. The result exceeds 180
     /// degrees if the format can hold no cone with this falloff, such as `Fx16` with an inverted
     /// power of 99.
-    pub fn narrowest<S: Scalar>(profile: P) -> Angle {
-        narrowest::<S>(&slopes(profile, 0.0))
+    pub fn narrowest<S: Scalar>(falloff: P) -> Angle {
+        narrowest::<S>(&slopes(falloff, 0.0))
     }
 
     /// Compiles the cone for the format `S`.
@@ -255,7 +255,7 @@ impl<P: Falloff> Cone<P> {
     /// Compiles the cone for an `Arithmetic::coarse_error`.
     fn compile_for<S: Scalar>(&self, error: f32) -> CompiledCone<S, P> {
         let ramp = if error <= HALF_A_CODE { S::ramp } else { S::fine_ramp };
-        CompiledCone::new(ramp(self.inner, self.outer, self.limit), self.profile)
+        CompiledCone::new(ramp(self.inner, self.outer, self.limit), self.falloff)
     }
 
     /// Returns the `Arithmetic::coarse_error`, or an error if the format cannot hold the cone.
@@ -268,7 +268,7 @@ impl<P: Falloff> Cone<P> {
     pub(crate) fn compile_quick<S: Scalar>(&self) -> Result<QuickCone<S, P>, Error> {
         self.check::<S>()?;
         let ramp = S::quick_ramp(self.inner, self.outer, self.limit);
-        Ok(QuickCone::from_parts(ramp, self.profile, self.profile.compile()))
+        Ok(QuickCone::from_parts(ramp, self.falloff, self.falloff.compile()))
     }
 
     /// Returns the bound of [`SpotLight::quick_error`](crate::SpotLight::quick_error).
@@ -282,7 +282,7 @@ impl<P: Falloff> Cone<P> {
 
     /// Returns the bounds of the derivatives that this cone would have with this inner versine.
     fn slopes(&self, inner: f32) -> Slopes {
-        if inner < self.outer { slopes(self.profile, inner / self.outer) } else { Slopes::STEP }
+        if inner < self.outer { slopes(self.falloff, inner / self.outer) } else { Slopes::STEP }
     }
 
     /// Returns an error if the format cannot hold one of the angles. The error names the angle.
@@ -291,7 +291,7 @@ impl<P: Falloff> Cone<P> {
             |parameter, value: Angle, accepted| Err(Error { parameter, value: value.to_degrees(), accepted });
         let (outer, step) = (Angle::from_versine(self.outer), narrowest::<S>(&Slopes::STEP));
         let is_step = self.inner >= self.outer;
-        let least = if is_step { step } else { Self::narrowest::<S>(self.profile) };
+        let least = if is_step { step } else { Self::narrowest::<S>(self.falloff) };
         if outer < least {
             return refused(Parameter::OuterAngle, outer, Expected::AngleFrom(least.to_degrees()));
         }
@@ -368,15 +368,15 @@ impl<const N: u32> Cone<Power<N>> {
 
 /// Returns bounds of the derivatives of a falloff with a hotspot. `hotspot` is the inner versine
 /// divided by the outer versine, in [0, 1).
-fn slopes<P: Falloff>(profile: P, hotspot: f32) -> Slopes {
+fn slopes<P: Falloff>(falloff: P, hotspot: f32) -> Slopes {
     /// Relative width of a falloff between two versines so close that the versine is nearly
     /// constant.
     ///
     /// Here the derivative with respect to the falloff's argument `t` is the derivative with
     /// respect to the angle, multiplied by half this width.
     const RIM: f32 = 1.0 / 1024.0;
-    let fraction = profile.steepness(1.0 - RIM) * RIM / 2.0;
-    Slopes { angle: profile.steepness(hotspot), fraction: fraction * (1.0 + RIM) }
+    let fraction = falloff.steepness(1.0 - RIM) * RIM / 2.0;
+    Slopes { angle: falloff.steepness(hotspot), fraction: fraction * (1.0 + RIM) }
 }
 
 /// Returns the narrowest outer angle that a format can hold with these bounds of the derivatives.

@@ -38,7 +38,7 @@ mod table;
 
 use crate::number::Scalar;
 
-pub(crate) use self::any::with_profile;
+pub(crate) use self::any::with_falloff;
 #[cfg(feature = "arithmetic")]
 pub use self::curve::Curve;
 #[cfg(not(feature = "arithmetic"))]

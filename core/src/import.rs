@@ -152,11 +152,11 @@ impl Difference {
 
 /// Returns the cone of a falloff between an inner and an outer angle; a step if both angles are
 /// equal.
-fn ramp(profile: AnyFalloff, inner: Angle, outer: Angle) -> Result<Cone<AnyFalloff>, Error> {
+fn ramp(falloff: AnyFalloff, inner: Angle, outer: Angle) -> Result<Cone<AnyFalloff>, Error> {
     if inner >= outer {
         Cone::from_outer(AnyFalloff::Step(Step), outer)
     } else {
-        Cone::from_outer(profile, outer)?.with_inner(inner)
+        Cone::from_outer(falloff, outer)?.with_inner(inner)
     }
 }
 

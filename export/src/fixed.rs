@@ -62,7 +62,7 @@ pub fn c_header() -> String {
 pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError> {
     let (parts, law, trace) = match light {
         AnyLight::Spot(spot) => {
-            (spot.compile::<Fx16>()?.parts(), spot.attenuation(), Some(Trace::of(spot.cone().profile())))
+            (spot.compile::<Fx16>()?.parts(), spot.attenuation(), Some(Trace::of(spot.cone().falloff())))
         }
         AnyLight::Point(point) => (point.compile::<Fx16>()?.parts(), point.attenuation(), None),
         _ => {

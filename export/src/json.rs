@@ -199,8 +199,8 @@ fn shape(cone: &Cone<AnyFalloff>) -> Shape {
         outer_versine,
         cutoff_versine: cone.has_cutoff().then_some(limit),
         falloff: Profile {
-            name: models::falloff_name(cone.profile()),
-            parameters: parameters(cone.profile()),
+            name: models::falloff_name(cone.falloff()),
+            parameters: parameters(cone.falloff()),
         },
     }
 }

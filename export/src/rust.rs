@@ -139,7 +139,7 @@ where
     let parts = light.compile::<S>()?.parts();
     let Some(cone) = parts.cone else { unreachable!("a spotlight has a cone") };
     let colors = [light.color(), light.specular_color()].map(|color| color.map(S::from_f32));
-    Ok(luminaire::falloffs! { with_falloff; [light.cone().profile(), falloff, falloff_name, {
+    Ok(luminaire::falloffs! { with_falloff; [light.cone().falloff(), falloff, falloff_name, {
         let cone_of = CompiledCone::from_parts(cone.ramp, falloff, falloff.compile::<S>());
         let light = CompiledSpotLight::<S, _, A>::from_parts(
             parts.position, cone.axis, cone_of, cone.outside, law.constants::<S>(), parts.intensity,

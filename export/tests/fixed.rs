@@ -70,7 +70,7 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> (Vec<Answer>, usize) {
             let light = spot.compile::<Fx16>().expect("a light");
             let at = |place| {
                 let (point, normal) = words(place);
-                (light.irradiance(point, normal).to_bits(), Some(light.falloff(point).to_bits() as u32))
+                (light.irradiance(point, normal).to_bits(), Some(light.falloff_at(point).to_bits() as u32))
             };
             let fine = places.iter().filter(|place| light.is_fine(words(place).0)).count();
             (places.iter().map(at).collect(), fine)

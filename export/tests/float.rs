@@ -79,7 +79,7 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> Vec<[f32; 2]> {
     match light {
         AnyLight::Spot(spot) => {
             let light = spot.compile::<f32>().expect("a light");
-            at(&|point, normal| [light.irradiance(point, normal), light.falloff(point)])
+            at(&|point, normal| [light.irradiance(point, normal), light.falloff_at(point)])
         }
         AnyLight::Point(point) => {
             let light = point.compile::<f32>().expect("a light");
@@ -93,8 +93,8 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> Vec<[f32; 2]> {
 }
 
 fn is_real_power(light: &AnyLight) -> bool {
-    let profile = if let AnyLight::Spot(spot) = light { Some(spot.cone().profile()) } else { None };
-    matches!(profile, Some(AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_)))
+    let falloff = if let AnyLight::Spot(spot) = light { Some(spot.cone().falloff()) } else { None };
+    matches!(falloff, Some(AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_)))
 }
 
 /// Writes the program that evaluates each light at [`POINTS`] places.

@@ -101,7 +101,7 @@ fn irradiance(light: &Value, point: DVec3, normal: DVec3) -> f64 {
 fn json_has_all_that_a_light_needs() {
     let (mut rng, mut worst, mut lit) = (Rng::with_seed(7), 0.0_f64, 0);
     for spot in spots::<f32>(&mut rng, 4) {
-        if matches!(spot.cone().profile().formula(), Formula::Function(_)) {
+        if matches!(spot.cone().falloff().formula(), Formula::Function(_)) {
             continue;
         }
         let json = export(spot, "key", Language::Json).expect("a light");
@@ -263,7 +263,7 @@ fn what_cannot_be_exported_is_named() {
     let refused = told(narrow.into(), "key", Language::CFixed);
     assert!(refused.starts_with("outer angle = ") && refused.contains("at least"), "{refused}");
     assert!(export(narrow, "key", Language::Glsl).is_ok());
-    let long = light.with_cone(light.cone().with_profile(Table::of(Box::leak(Box::new([1_u16; 1_025])))));
+    let long = light.with_cone(light.cone().with_falloff(Table::of(Box::leak(Box::new([1_u16; 1_025])))));
     let refused = told(long.into(), "key", Language::Wgsl);
     assert!(refused.starts_with("length of a table = 1025: expected at most 1024"), "{refused}");
     assert!(export(long, "key", Language::CFixed).is_ok());

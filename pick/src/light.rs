@@ -134,9 +134,9 @@ impl Light {
         let cone = match (self.beam, self.field, self.outer) {
             (Some(beam), Some(field), None) => {
                 let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
-                match cone.profile() {
-                    FittedFalloff::Quadratic(fitted) => Shaped::Quadratic(cone.with_profile(fitted)),
-                    FittedFalloff::Cubic(fitted) => Shaped::Cubic(cone.with_profile(fitted)),
+                match cone.falloff() {
+                    FittedFalloff::Quadratic(fitted) => Shaped::Quadratic(cone.with_falloff(fitted)),
+                    FittedFalloff::Cubic(fitted) => Shaped::Cubic(cone.with_falloff(fitted)),
                 }
             }
             _ => match self.edge {
@@ -166,13 +166,13 @@ impl Light {
         Ok(cone)
     }
 
-    fn one_angle<P: Falloff>(&self, profile: P) -> Result<Cone<P>, Refusal> {
+    fn one_angle<P: Falloff>(&self, falloff: P) -> Result<Cone<P>, Refusal> {
         let degrees = Angle::degrees;
         Ok(match (self.beam, self.field, self.outer) {
-            (None, None, None) => Cone::from_field(profile, degrees(36.0))?,
-            (Some(beam), None, None) => Cone::from_beam(profile, degrees(beam))?,
-            (None, Some(field), None) => Cone::from_field(profile, degrees(field))?,
-            (None, None, Some(outer)) => Cone::from_outer(profile, degrees(outer))?,
+            (None, None, None) => Cone::from_field(falloff, degrees(36.0))?,
+            (Some(beam), None, None) => Cone::from_beam(falloff, degrees(beam))?,
+            (None, Some(field), None) => Cone::from_field(falloff, degrees(field))?,
+            (None, None, Some(outer)) => Cone::from_outer(falloff, degrees(outer))?,
             (.., Some(outer)) => {
                 return Err(Refusal::parameter(
                     "outer angle",
@@ -201,14 +201,14 @@ impl Light {
     /// Returns the exact light with this cone and this axis.
     pub(crate) fn truth(&self, cone: &Shaped, axis: [f32; 3]) -> oracle::SpotLight {
         let (formula, inner, outer) = shaped!(cone, cone => {
-            let Formula::Polynomial(coefficients) = cone.profile().formula() else {
+            let Formula::Polynomial(coefficients) = cone.falloff().formula() else {
                 unreachable!("the falloffs of `Shaped` are polynomials");
             };
             (coefficients, cone.inner().versine(), cone.outer_versine())
         });
         let outer = f64::from(outer);
-        let profile = oracle::Profile::Polynomial(formula.map(f64::from));
-        let cone = oracle::Cone { profile, inner: inner.into(), outer, limit: outer };
+        let falloff = oracle::Curve::Polynomial(formula.map(f64::from));
+        let cone = oracle::Cone { falloff, inner: inner.into(), outer, limit: outer };
         oracle::SpotLight {
             position: oracle::DVec3::from_array(self.place().map(f64::from)),
             axis: oracle::DVec3::from_array(axis.map(f64::from)),

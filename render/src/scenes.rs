@@ -129,7 +129,7 @@ impl Example {
             Self::Grid => "64 narrow spots with a soft edge: each lights a sixty-fourth of the floor.",
             Self::WideGrid => "8 wide spots with a soft edge, which light as many square metres as the 64.",
             Self::Gallery => {
-                "26 lights of every kind, profile and distance model, and highlights on the few things that shine."
+                "26 lights of every kind, falloff and distance model, and highlights on the few things that shine."
             }
             Self::Show => {
                 "Moving heads with coloured beams in haze, soft and hard, and two turning gobos, in a house without ambient light."

@@ -12,9 +12,9 @@ pub fn descriptions_are_taken_or_refused(words: &[u32]) {
 }
 
 fn description(words: &mut Words<'_>) -> Option<()> {
-    let profile = scene::falloff(words)?;
+    let falloff = scene::falloff(words)?;
 
-    let cone = scene::cone(words, profile)?;
+    let cone = scene::cone(words, falloff)?;
     let (inner, beam, field, outer) = (cone.inner(), cone.beam(), cone.field(), cone.outer());
     assert!(
         inner <= beam && beam <= field && field <= outer,
@@ -45,7 +45,7 @@ fn assert_held<S: Scalar, P: Falloff>(cone: Cone<P>) {
         ..
     } = error
     {
-        let plain = Cone::from_outer(cone.profile(), Angle::degrees((least * 1.000_01).min(180.0)));
+        let plain = Cone::from_outer(cone.falloff(), Angle::degrees((least * 1.000_01).min(180.0)));
         if cone.inner() < cone.outer() {
             let is_held = plain.is_ok_and(|plain| plain.compile::<S>().is_ok());
             assert_eq!(is_held, least <= 180.0, "{}: {error}", S::NAME);

@@ -17,9 +17,9 @@ pub fn beams_that_are_not_met_are_dark(words: &[u32]) {
 }
 
 fn not_met(words: &mut Words<'_>) -> Option<()> {
-    let profile = scene::falloff(words)?;
+    let falloff = scene::falloff(words)?;
 
-    let cone = scene::cone(words, profile)?;
+    let cone = scene::cone(words, falloff)?;
     let spot = SpotLight::new(words.numbers(-8.0, 8.0), words.direction(), cone).ok()?;
     let model = scene::attenuation(words)?;
     assert_not_met(words, spot.with_attenuation(model))

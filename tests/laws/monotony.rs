@@ -11,19 +11,18 @@ use luminaire::{
     falloff::{AnyFalloff, Soft},
 };
 
-/// Falloffs never rise with the versine: the strict profiles without exception, the others by at
+/// Falloffs never rise with the versine: the strict falloffs without exception, the others by at
 /// most one step.
 pub fn falloffs_fall<S: Format>(words: &[u32]) {
     let _: Option<()> = falloff::<S>(&mut Words::new(words));
 }
 
 fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let profile = scene::falloff(words)?;
-
-    let cone = scene::cone(words, profile)?;
-    let falloff = cone.compile::<S>().ok()?;
+    let falloff = scene::falloff(words)?;
+    let cone = scene::cone(words, falloff)?;
+    let compiled = cone.compile::<S>().ok()?;
     let is_strict = matches!(
-        profile,
+        falloff,
         AnyFalloff::Soft(_)
             | AnyFalloff::Hard(_)
             | AnyFalloff::Linear(_)
@@ -36,16 +35,16 @@ fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
         (S::versine_from_bits(words.wide()), S::versine_from_bits(words.wide()))
     } else {
         let (a, b) = words.pair(1.2 * cone.outer_versine());
-        (falloff.versine(a), falloff.versine(b))
+        (compiled.versine(a), compiled.versine(b))
     };
     let (inside, outside) = match a.partial_cmp(&b)? {
         Ordering::Greater => (b, a),
         _ => (a, b),
     };
-    let (near, far) = (falloff.at(inside).exact(), falloff.at(outside).exact());
+    let (near, far) = (compiled.at(inside).exact(), compiled.at(outside).exact());
     assert!(
         far <= near + slack,
-        "{profile:?} {cone:?}: {near} at {inside:?}, {far} at {outside:?}, expected far <= near + slack"
+        "{falloff:?} {cone:?}: {near} at {inside:?}, {far} at {outside:?}, expected far <= near + slack"
     );
     Some(())
 }

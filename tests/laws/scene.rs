@@ -65,11 +65,11 @@ macro_rules! with_any_highlight {
 pub(crate) use with_any_highlight;
 
 /// A cone that is given by its outer, field or beam angle, with or without a hotspot and a cutoff.
-pub fn cone<P: Falloff>(words: &mut Words<'_>, profile: P) -> Option<Cone<P>> {
+pub fn cone<P: Falloff>(words: &mut Words<'_>, falloff: P) -> Option<Cone<P>> {
     let design = [Cone::from_outer, Cone::from_field, Cone::from_beam][words.choice(3) as usize];
     // The logarithm of the angle is uniform, because narrow cones are the hard cases.
     let angle = words.number(-16.0, 7.5);
-    let mut cone = design(profile, Angle::degrees(angle.exp2())).ok()?;
+    let mut cone = design(falloff, Angle::degrees(angle.exp2())).ok()?;
     let outer = cone.outer().to_degrees();
     if words.choice(4) == 0 {
         cone = cone.with_inner(Angle::degrees(words.number(0.0, outer))).ok()?;

@@ -50,9 +50,9 @@ pub fn turned_scenes_are_the_same<S: Format>(words: &[u32]) {
 
 fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let turn = Turn::of(words);
-    let profile = Quadratic::new(words.between(0.0, 2.0)).ok()?;
+    let falloff = Quadratic::new(words.between(0.0, 2.0)).ok()?;
     let half = words.between(-10.0, 6.49).exp2();
-    let cone = Cone::from_outer(profile, HalfAngle::degrees(half)).ok()?;
+    let cone = Cone::from_outer(falloff, HalfAngle::degrees(half)).ok()?;
     let (position, normal) = (words.place(), words.direction());
     let off = words.numbers(-1.0, 1.0).map(|c| c * half.to_radians());
     // The components have so few bits that the squared length is exact in any order of summation.
@@ -64,7 +64,7 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
 
     let spot = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
         let light = SpotLight::new(turn(position), turn(axis), cone).ok()?.compile::<S>().ok()?;
-        Some(light.falloff(turn(point).map(S::length)).exact())
+        Some(light.falloff_at(turn(point).map(S::length)).exact())
     };
     let point_light = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
         let light =
@@ -73,7 +73,7 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
         Some(S::exact_light(light))
     };
     let exact = S::NAME == "f32" && turn.is_mirror_alone();
-    let cone_error = f64::from(S::DIRECTION_ERROR * profile.steepness(0.0) / half.to_radians());
+    let cone_error = f64::from(S::DIRECTION_ERROR * falloff.steepness(0.0) / half.to_radians());
     let step = f64::from(S::STEP);
     let within = if exact { 0.0 } else { 2.0 * (cone_error + 3.0 * step) };
     let (straight, turned) = (spot(&|v| v)?, spot(&|v| turn.turned(v))?);

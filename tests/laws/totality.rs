@@ -12,15 +12,15 @@ use luminaire::{
     specular::SpecularLobe,
 };
 
-/// Falloff and light of a spotlight with any profile are sound.
+/// Falloff and light of a spotlight with any falloff are sound.
 pub fn spotlights_answer<S: Format>(words: &[u32]) {
     let _: Option<()> = spotlight::<S>(&mut Words::new(words));
 }
 
 fn spotlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let profile = scene::falloff(words)?;
+    let falloff = scene::falloff(words)?;
 
-    let cone = scene::cone(words, profile)?;
+    let cone = scene::cone(words, falloff)?;
     spotlight_in::<S, _>(words, cone)
 }
 
@@ -29,7 +29,7 @@ fn spotlight_in<S: Format, P: Falloff>(words: &mut Words<'_>, cone: Cone<P>) -> 
     let spot = scene::spot(words, cone, place)?;
     let light = spot.compile::<S>().ok()?;
     let (point, normal) = (words.point::<S>(place), words.normal::<S>());
-    assert_within_one(light.falloff(point), "falloff");
+    assert_within_one(light.falloff_at(point), "falloff");
     let arrived = light.irradiance(point, normal);
     assert_eq!(arrived, light.irradiance_unskipped(point, normal), "{spot:?} {point:?} {normal:?}");
     assert_sound::<S>(arrived);

@@ -71,18 +71,18 @@ fn spots<S: Format, A: Attenuation>(
     jump: Option<f64>,
     errors: &mut [Errors; INTENSITIES.len()],
 ) {
-    let profiles: [(AnyFalloff, oracle::Falloff); 4] = [
+    let falloffs: [(AnyFalloff, oracle::Falloff); 4] = [
         (Soft.into(), oracle::soft),
         (Hard.into(), oracle::hard),
         (Linear.into(), oracle::linear),
         (Smooth.into(), oracle::smooth),
     ];
-    for (profile, exact) in profiles {
+    for (falloff, exact) in falloffs {
         for half_degrees in HALF_ANGLES {
-            let cone = Cone::from_outer(profile, sweep::half(half_degrees)).expect("a sound cone");
+            let cone = Cone::from_outer(falloff, sweep::half(half_degrees)).expect("a sound cone");
             let exact = oracle::Cone::new(exact, oracle::versine(half_degrees.into()));
             let chord = (2.0 * exact.outer).sqrt();
-            let steepness = f64::from(luminaire::falloff::Falloff::steepness(profile, 0.0));
+            let steepness = f64::from(luminaire::falloff::Falloff::steepness(falloff, 0.0));
             let slope = f64::from(S::DIRECTION_ERROR) * (steepness / chord + 1.0);
             for (intensity, errors) in INTENSITIES.into_iter().zip(&mut *errors) {
                 let spot = sweep::spot(rng, cone).with_attenuation(attenuation);

@@ -17,10 +17,9 @@ use support::with_every_shape;
 use support::{
     bounds::{self, REFUSE},
     every::{self, Seen},
+    falloffs::{self, STRICT, Shape, sound},
     format::Format,
-    oracle,
-    profiles::{self, STRICT, Shape, sound},
-    sweep,
+    oracle, sweep,
 };
 
 /// The half angles in degrees of the cones.
@@ -145,7 +144,7 @@ fn assert_kept(broken: Vec<String>) {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// Checks the four profiles that the 32-bit formats are tested with over every versine.
+/// Checks the four falloffs that the 32-bit formats are tested with over every versine.
 fn four<S: Countable>() -> Vec<String>
 where
     CompiledCone<S, Soft>: Sync,
@@ -157,7 +156,7 @@ where
         broken::<S, _>(&Shape::plain("soft", Soft, oracle::soft)),
         broken::<S, _>(&Shape::plain("hard", Hard, oracle::hard)),
         broken::<S, _>(&Shape::plain("smooth", Smooth, oracle::smooth)),
-        broken::<S, _>(&Shape::plain("cubic", profiles::cubic(), oracle::cubic)),
+        broken::<S, _>(&Shape::plain("cubic", falloffs::cubic(), oracle::cubic)),
     ]
     .concat()
 }
@@ -195,7 +194,7 @@ where
     P::Compiled<Fx32>: Sync,
 {
     let (ramp, oracle) = (Fx32::ramp(0.0, 1.0, 1.0), shape.oracle);
-    let falloff = CompiledCone::<Fx32, P>::from_parts(ramp, shape.profile, shape.profile.compile::<Fx32>());
+    let falloff = CompiledCone::<Fx32, P>::from_parts(ramp, shape.falloff, shape.falloff.compile::<Fx32>());
     let name = format!("{} fx32, every fraction", shape.name);
     let seen = every::input(&name, 0..=1 << 31, |fraction| {
         let versine = Fx32::versine_from_bits(((1 << 31) - fraction) << 30);

@@ -34,27 +34,27 @@ struct Angles {
 }
 
 impl Angles {
-    fn cone(self, profile: AnyFalloff) -> Option<Cone<AnyFalloff>> {
+    fn cone(self, falloff: AnyFalloff) -> Option<Cone<AnyFalloff>> {
         let half = HalfAngle::degrees;
-        let cone = Cone::from_outer(profile, half(self.outer)).ok()?.with_inner(half(self.inner)).ok()?;
+        let cone = Cone::from_outer(falloff, half(self.outer)).ok()?.with_inner(half(self.inner)).ok()?;
         if self.limit < self.outer { cone.with_cutoff(half(self.limit)).ok() } else { Some(cone) }
     }
 
-    fn is_accepted<S: Format>(self, profile: AnyFalloff) -> bool {
-        self.cone(profile).is_some_and(|cone| cone.compile::<S>().is_ok())
+    fn is_accepted<S: Format>(self, falloff: AnyFalloff) -> bool {
+        self.cone(falloff).is_some_and(|cone| cone.compile::<S>().is_ok())
     }
 
     /// Whether the format accepts the cone and evaluates it coarsely.
-    fn is_coarse<S: Format>(self, profile: AnyFalloff) -> bool {
+    fn is_coarse<S: Format>(self, falloff: AnyFalloff) -> bool {
         let [inner, outer, limit] = self.versines();
         let coarse =
-            CompiledCone::<S, _>::from_parts(S::ramp(inner, outer, limit), profile, profile.compile::<S>());
-        self.cone(profile).is_some_and(|cone| cone.compile::<S>() == Ok(coarse))
+            CompiledCone::<S, _>::from_parts(S::ramp(inner, outer, limit), falloff, falloff.compile::<S>());
+        self.cone(falloff).is_some_and(|cone| cone.compile::<S>() == Ok(coarse))
     }
 
     /// Random angles of a cone that the format accepts, most of them at the limit of that or of
     /// what is evaluated coarsely.
-    fn random<S: Format>(rng: &mut Rng, profile: AnyFalloff) -> Option<Self> {
+    fn random<S: Format>(rng: &mut Rng, falloff: AnyFalloff) -> Option<Self> {
         let hotspot = match rng.u8(..4) {
             0 | 1 => 0.0,
             2 => rng.f32(),
@@ -64,17 +64,17 @@ impl Angles {
         let is_held = if rng.bool() { Self::is_accepted::<S> } else { Self::is_coarse::<S> };
         let mut angles = match rng.u8(..4) {
             0 => at(90.0 * 1e-6_f32.powf(rng.f32())),
-            1 | 2 => at(bisected(1e-6, 90.0, 1e-3, |outer| is_held(at(outer), profile))),
+            1 | 2 => at(bisected(1e-6, 90.0, 1e-3, |outer| is_held(at(outer), falloff))),
             _ => {
                 let outer = 90.0 * 1e-6_f32.powf(rng.f32() * rng.f32());
                 let around = |inner| Self { outer, inner, limit: outer };
-                around(bisected(outer, 0.0, 1e-3, |inner| is_held(around(inner), profile)))
+                around(bisected(outer, 0.0, 1e-3, |inner| is_held(around(inner), falloff)))
             }
         };
         if rng.u8(..8) == 0 {
             angles.limit *= rng.f32();
         }
-        angles.is_accepted::<S>(profile).then_some(angles)
+        angles.is_accepted::<S>(falloff).then_some(angles)
     }
 
     fn versines(self) -> [f32; 3] {
@@ -192,7 +192,7 @@ impl<S: Format> Beam<S> {
     fn assert_same(&self, scene: &Scene) {
         let compiled = self.spot(scene).expect("a sound light").compile::<S>().expect("accepted before");
         let light = self.light(scene).expect("a sound light").compiled;
-        let [a, b] = [light, compiled].map(|light| light.falloff(scene.point.map(S::length)).exact());
+        let [a, b] = [light, compiled].map(|light| light.falloff_at(scene.point.map(S::length)).exact());
         assert_eq!(a.to_bits(), b.to_bits(), "{:?} {:?} {scene:?}", self.shape, self.angles);
     }
 
@@ -246,7 +246,7 @@ impl<S: Format> Light<'_, S> {
         } else {
             shape.formula().exact((outer - versine) / (outer - inner))
         };
-        (self.compiled.falloff(point).exact() - exact).abs()
+        (self.compiled.falloff_at(point).exact() - exact).abs()
     }
 }
 

@@ -16,10 +16,10 @@ use luminaire::{
 use support::with_every_shape;
 use support::{
     bounds,
+    falloffs::Shape,
     haze::{self, HALF_ANGLES, Row},
     in_scattering::Beam,
     oracle::{self, DVec3},
-    profiles::Shape,
     sweep,
     views::{distances, exact, exactly, near_beam, place, view},
 };

@@ -2,7 +2,7 @@
 //! with climbs by bits from the worst.
 //!
 //! `LUMINAIRE_FULL=1 cargo test --release --test slow haze16:: -- --nocapture` evaluates 60,000 rays
-//! a cone and profile, a third of them in climbs.
+//! a cone and falloff, a third of them in climbs.
 
 use luminaire::falloff::{Falloff, Hard, Smooth, Soft};
 use support::{
@@ -14,13 +14,13 @@ use support::{
 
 #[test]
 fn in_scattering_keeps_its_bound() {
-    fn row<P: Falloff>(name: &str, profile: P, truth: oracle::Falloff, bound: f64) {
+    fn row<P: Falloff>(name: &str, falloff: P, truth: oracle::Falloff, bound: f64) {
         let search = if is_full() {
             Search { starts: 40_000, climbs: 10, steps: 2_000, seed: 1 }
         } else {
             Search { starts: 800, climbs: 2, steps: 100, seed: 1 }
         };
-        let measured = HALF_ANGLES.map(|half| Lights::new(profile, truth, half).largest(search));
+        let measured = HALF_ANGLES.map(|half| Lights::new(falloff, truth, half).largest(search));
         println!("{name} {}", measured.map(|e| format!("{e:.3}")).join(", "));
         for measured in measured {
             let kept = if is_full() { bounds::check(name, measured, bound) } else { Ok(()) };

@@ -77,11 +77,11 @@ fn any_half(rng: &mut Rng) -> HalfAngle {
 /// ray. Returns how many rays are lit.
 fn lit<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>>(
     rng: &mut Rng,
-    profile: P,
+    falloff: P,
     attenuation: A,
 ) -> u64 {
     let half = any_half(rng);
-    let mut cone = Cone::from_outer(profile, half).expect("a sound angle");
+    let mut cone = Cone::from_outer(falloff, half).expect("a sound angle");
     if rng.bool() {
         let inner = HalfAngle::degrees(half.to_degrees() * 0.9 * rng.f32());
         let hotspot = cone.with_inner(inner).expect("a sound angle");

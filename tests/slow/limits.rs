@@ -13,10 +13,10 @@ use luminaire::{
 use support::{
     beams,
     bounds::{self, REFUSE},
+    falloffs::{self, Shape},
     format::Format,
     limits::{self, CONES, Column, DISTANCE, LIGHT_WITHIN, ROWS},
     oracle::{self, DVec3},
-    profiles::{self, Shape},
     sweep,
 };
 
@@ -40,7 +40,7 @@ fn errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f64; 2
             let way = sweep::direction_off(&mut rng, axis, off_axis);
             let point = position + DISTANCE * way;
             let ideal = exact.falloff(2.0 * (off_axis / 2.0).sin().powi(2));
-            let found = compiled.falloff(sweep::single(point).map(S::length));
+            let found = compiled.falloff_at(sweep::single(point).map(S::length));
             let code = f64::from(encode_srgb(found)) - oracle::srgb_code(ideal);
             worst = [
                 worst[0].max(oracle::counted(255.0 * (found.exact() - ideal).abs())),
@@ -86,7 +86,7 @@ fn broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
     println!("    linear: [{}], limits [{}]", show(measured[0]), show(limit[0]));
     println!("    codes:  [{}], limits [{}]", show(measured[1]), show(limit[1]));
     let name = format!("{} {}", shape.name, S::NAME);
-    let Some(row) = ROWS.iter().find(|row| row.profile == shape.name && row.format == S::NAME) else {
+    let Some(row) = ROWS.iter().find(|row| row.falloff == shape.name && row.format == S::NAME) else {
         return vec![format!("{name} has no row")];
     };
     let own = CONES.map(|half| own::<S, P>(shape, half));
@@ -110,7 +110,7 @@ fn four<S: Format>() -> Vec<String> {
         broken::<S, _>(&Shape::plain("soft", Soft, oracle::soft)),
         broken::<S, _>(&Shape::plain("hard", Hard, oracle::hard)),
         broken::<S, _>(&Shape::plain("smooth", Smooth, oracle::smooth)),
-        broken::<S, _>(&Shape::plain("cubic", profiles::cubic(), oracle::cubic)),
+        broken::<S, _>(&Shape::plain("cubic", falloffs::cubic(), oracle::cubic)),
     ]
     .concat()
 }
@@ -160,11 +160,11 @@ fn the_two_forms_keep_their_a_priori_bounds() {
 /// The tables of the documentation are those of the bounds.
 #[test]
 fn the_documented_tables_are_up_to_date() {
-    let block = limits::markdown(|row| match (row.profile, row.format) {
+    let block = limits::markdown(|row| match (row.falloff, row.format) {
         ("soft", format) => limit_of(&Shape::plain("soft", Soft, oracle::soft), format),
         ("hard", format) => limit_of(&Shape::plain("hard", Hard, oracle::hard), format),
         ("smooth", format) => limit_of(&Shape::plain("smooth", Smooth, oracle::smooth), format),
-        (_, format) => limit_of(&Shape::plain("cubic", profiles::cubic(), oracle::cubic), format),
+        (_, format) => limit_of(&Shape::plain("cubic", falloffs::cubic(), oracle::cubic), format),
     });
     let page = include_str!("../../docs/NUMERICS.md");
     assert!(page.contains(&block), "replace the tables under \"What a user sees\" by these:\n\n{block}");

@@ -1,4 +1,4 @@
-//! The narrowest beam of each profile in each format: where the error of a position reaches half of
+//! The narrowest beam of each falloff in each format: where the error of a position reaches half of
 //! one 8-bit step.
 
 use fastrand::Rng;
@@ -7,7 +7,7 @@ use luminaire::{
     falloff::{Falloff, Soft, Step},
 };
 use support::with_every_shape;
-use support::{format::Format, oracle, profiles::Shape, sweep};
+use support::{falloffs::Shape, format::Format, oracle, sweep};
 
 const HALF_A_STEP: f64 = 1.0 / 510.0;
 
@@ -51,7 +51,7 @@ fn error_at_the_narrowest<S: Format, P: Falloff>(shape: &Shape<P>) -> f64 {
             let way = sweep::direction_off(&mut rng, exact.axis, off_axis);
             let point = sweep::on_grid(exact.position + 50.0 * rng.f64().max(0.1) * way);
             let stored = sweep::single(point).map(S::length);
-            let error = (compiled.falloff(stored).exact() - exact.falloff(point)).abs();
+            let error = (compiled.falloff_at(stored).exact() - exact.falloff(point)).abs();
             worst = worst.max(oracle::counted(error));
         }
     }
@@ -92,7 +92,7 @@ fn fx16_holds_what_it_states() {
     with_every_shape!(assert_narrowest::<Fx16>);
 }
 
-/// The steepness a profile states is the largest slope of its reference over the angle, with and
+/// The steepness a falloff states is the largest slope of its reference over the angle, with and
 /// without a hotspot.
 fn assert_steepness<P: Falloff>(shape: &Shape<P>) {
     if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
@@ -104,7 +104,7 @@ fn assert_steepness<P: Falloff>(shape: &Shape<P>) {
         let at = |x: f64| cone.falloff(x * x);
         let slope = |x: f64| (at(x - 1e-7) - at(x + 1e-7)) / 2e-7;
         let largest = (1..199_999).map(|i| slope(f64::from(i) / 200_000.0)).fold(0.0, f64::max);
-        let stated = f64::from(shape.profile.steepness(hotspot as f32));
+        let stated = f64::from(shape.falloff.steepness(hotspot as f32));
         let near =
             if shape.name == "table" { largest..=1.1 * largest } else { 0.998 * largest..=1.002 * largest };
         assert!(near.contains(&stated), "{} at {hotspot}: {largest} is stated as {stated}", shape.name);
@@ -134,7 +134,7 @@ fn a_step_is_in_its_place() {
                 let fraction = if inside { 1.0 - 1.1 / 510.0 } else { 1.0 + 1.1 / 510.0 };
                 let way = sweep::direction_off(&mut rng, axis, fraction * f64::from(half).to_radians());
                 let point = sweep::on_grid(position + 1_000.0 * way);
-                let intensity = compiled.falloff(sweep::single(point).map(S::length)).exact();
+                let intensity = compiled.falloff_at(sweep::single(point).map(S::length)).exact();
                 assert_eq!(intensity, f64::from(u8::from(inside)), "{} {half}", S::NAME);
             }
         }
@@ -162,7 +162,7 @@ fn the_cosine_form_loses_what_the_versine_form_keeps() {
         let cosine = way.dot(spot.axis()) / way.dot(way).sqrt();
         let faulty = oracle::falloff(oracle::soft, f64::from(1.0 - cosine), outer);
         cosine_form = cosine_form.max(oracle::counted((faulty - exact).abs()));
-        let kept = spot.compile::<f32>().expect("held").falloff(site.point);
+        let kept = spot.compile::<f32>().expect("held").falloff_at(site.point);
         versine_form = versine_form.max(oracle::counted((f64::from(kept) - exact).abs()));
     }
     assert!((0.05..=1.0).contains(&cosine_form), "{cosine_form:.2e}");

@@ -1,4 +1,4 @@
-//! Powers as edge profiles, with integer and non-integer exponents up to the largest: the figures that
+//! Powers as edge falloffs, with integer and non-integer exponents up to the largest: the figures that
 //! set-up computes and the intensities, compared with f64.
 //! `cargo test --test slow powers:: -- --nocapture --test-threads 1` prints the errors.
 
@@ -128,14 +128,14 @@ fn every_real_exponent_keeps_its_figures() {
     }
 }
 
-/// The largest error of a profile's intensity in a cone of 180 degrees, between two versines given
+/// The largest error of a falloff's intensity in a cone of 180 degrees, between two versines given
 /// as fractions of the outer one. `REFUSE` if the format refuses the cone.
-fn error<S: Format, P: Falloff>(profile: P, exact: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
-    let cone = Cone::from_outer(profile, Angle::degrees(180.0)).expect("a sound angle");
+fn error<S: Format, P: Falloff>(falloff: P, exact: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
+    let cone = Cone::from_outer(falloff, Angle::degrees(180.0)).expect("a sound angle");
     let Ok(falloff) = cone.compile::<S>() else { return REFUSE };
     let outer = f64::from(cone.outer_versine());
     let (axis, edge) = (falloff.at(falloff.versine(0.0)).exact(), falloff.at(falloff.versine(1.0)).exact());
-    assert_eq!((axis, edge), (1.0, 0.0), "{profile:?}");
+    assert_eq!((axis, edge), (1.0, 0.0), "{falloff:?}");
     let count = 50_000 * sweep::effort() as u32;
     (0..=count)
         .map(|i| {
@@ -143,7 +143,7 @@ fn error<S: Format, P: Falloff>(profile: P, exact: impl Fn(f64) -> f64, [from, t
             let (near, far) = (place.powi(4), (1.0 - place).powi(4));
             let versine = falloff.versine((from + (to - from) * near / (near + far)) as f32);
             let found = falloff.at(versine).exact();
-            assert!((0.0..=1.0).contains(&found), "{profile:?}: {found}");
+            assert!((0.0..=1.0).contains(&found), "{falloff:?}: {found}");
             (found - exact((S::exact_versine(&falloff, versine) / outer).min(1.0))).abs()
         })
         .map(oracle::counted)

@@ -17,9 +17,10 @@ use luminaire::{
     falloff::{AnyFalloff, Cubic, Hard, Linear, Soft},
 };
 use support::{
+    falloffs,
     format::Format,
     oracle::{self, DVec3},
-    profiles, sweep,
+    sweep,
 };
 
 /// Frames of one motion, and pixels that are watched.
@@ -117,17 +118,17 @@ const QUANTUM: f32 = 1.0 / 65_536.0;
 /// A cone, and its reference in f64.
 struct Shape {
     name: &'static str,
-    profile: AnyFalloff,
+    falloff: AnyFalloff,
     exact: oracle::Falloff,
 }
 
 fn shapes() -> [Shape; 4] {
-    let cubic: Cubic = profiles::cubic();
+    let cubic: Cubic = falloffs::cubic();
     [
-        Shape { name: "soft", profile: Soft.into(), exact: oracle::soft },
-        Shape { name: "hard", profile: Hard.into(), exact: oracle::hard },
-        Shape { name: "linear", profile: Linear.into(), exact: oracle::linear },
-        Shape { name: "cubic", profile: cubic.into(), exact: oracle::cubic },
+        Shape { name: "soft", falloff: Soft.into(), exact: oracle::soft },
+        Shape { name: "hard", falloff: Hard.into(), exact: oracle::hard },
+        Shape { name: "linear", falloff: Linear.into(), exact: oracle::linear },
+        Shape { name: "cubic", falloff: cubic.into(), exact: oracle::cubic },
     ]
 }
 
@@ -217,7 +218,7 @@ impl<A: Attenuation> Kind<A> {
         let toward = direction(rng);
         let way = Way::random(rng, toward);
         let mut scene = self.scene(rng, half_degrees.into(), motion, way, toward);
-        let cone = Cone::from_outer(shape.profile, sweep::half(half_degrees)).expect("a sound angle");
+        let cone = Cone::from_outer(shape.falloff, sweep::half(half_degrees)).expect("a sound angle");
         let exact = oracle::Cone::new(shape.exact, oracle::versine(half_degrees.into()));
         let normals = scene.normals.map(|normal| normal.map(S::from_f32));
         let compile = |scene: &Scene| {
@@ -262,7 +263,7 @@ impl<A: Attenuation> Kind<A> {
     fn largest<S: Format>(&self, name: &str, narrow: &[f32], degrees: &[f32], starts: usize) -> Row {
         let mut largest = Row::default();
         for shape in shapes() {
-            let narrowest = Cone::narrowest::<S>(shape.profile).to_degrees() / 2.0;
+            let narrowest = Cone::narrowest::<S>(shape.falloff).to_degrees() / 2.0;
             let held = degrees.iter().copied().filter(|&half| half > narrowest);
             for half_degrees in narrow.iter().map(|times| times * 1.0001 * narrowest).chain(held) {
                 let mut rng = Rng::with_seed(24);

@@ -6,8 +6,8 @@
 use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;
 use support::{
+    falloffs::Shape,
     format::Format,
-    profiles::Shape,
     worst::{self, Find},
 };
 

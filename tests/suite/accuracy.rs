@@ -1,4 +1,4 @@
-//! Accuracy of every profile in all three formats against the f64 reference, row by row of the
+//! Accuracy of every falloff in all three formats against the f64 reference, row by row of the
 //! table of bounds.
 //!
 //! `cargo test --test suite accuracy:: -- --nocapture` prints the measured rows.
@@ -8,16 +8,16 @@ use luminaire::{Fx16, Fx32, falloff::Falloff};
 use support::with_every_shape;
 use support::{
     bounds::{self, REFUSE},
+    falloffs::Shape,
     format::Format,
     oracle::counted,
-    profiles::Shape,
     sweep::{self, HALF_ANGLES},
 };
 
 /// One error for each of [`HALF_ANGLES`].
 type Column = [f64; HALF_ANGLES.len()];
 
-/// The largest errors of one profile in one format.
+/// The largest errors of one falloff in one format.
 struct Measured {
     falloff: f64,
     spot: Column,
@@ -70,7 +70,7 @@ fn spot_errors<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32) -> [f
                 continue;
             }
             let full_scale = (exact.intensity / point.distance_squared(exact.position)).max(1.0);
-            let spot = (compiled.falloff(site.point).exact() - exact.falloff(point)).abs();
+            let spot = (compiled.falloff_at(site.point).exact() - exact.falloff(point)).abs();
             let lit = S::exact_light(compiled.irradiance(site.point, site.normal))
                 - exact.irradiance(point, normal);
             worst_spot = worst_spot.max(counted(spot));

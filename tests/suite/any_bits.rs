@@ -131,8 +131,8 @@ fn assert_shades<S: Raw, L: LightModel<S>, H: SpecularLobe>(
     }
 }
 
-fn assert_falls<S: Raw>(rng: &mut Rng, profile: AnyFalloff, curve: CompiledAnyFalloff<S>) {
-    let falloff = CompiledCone::<S, AnyFalloff>::from_parts(S::any_ramp(rng), profile, curve);
+fn assert_falls<S: Raw>(rng: &mut Rng, falloff: AnyFalloff, curve: CompiledAnyFalloff<S>) {
+    let falloff = CompiledCone::<S, AnyFalloff>::from_parts(S::any_ramp(rng), falloff, curve);
     for _ in 0..50 {
         let intensity = falloff.at(S::versine_from_bits(number(rng))).exact();
         assert!(
@@ -229,7 +229,7 @@ fn assert_any_bits_zoom<S: Raw>() {
         assert_lights(rng, zoomed);
         assert_shines(rng, zoomed);
         for _ in 0..20 {
-            let intensity = zoomed.falloff(vector(rng, S::length_from_bits)).exact();
+            let intensity = zoomed.falloff_at(vector(rng, S::length_from_bits)).exact();
             assert!(
                 (0.0..=1.0).contains(&intensity),
                 "{full:?} {part:?}: {intensity}, expected intensity in 0.0..=1.0"
@@ -296,25 +296,25 @@ fn float_bits(rng: &mut Rng) -> u32 {
     if rng.bool() { bits | 0x7f80_0001 } else { bits }
 }
 
-/// Asserts that the figures of a profile, and of cones made with it, are in range.
-fn assert_figures<P: Falloff + PartialEq>(rng: &mut Rng, profile: P) {
-    for figure in [profile.beam_versine(), profile.field_versine(), profile.integral(rng.f32())] {
-        assert!((0.0..=1.0).contains(&figure), "{profile:?}: {figure}, expected figure in 0.0..=1.0");
+/// Asserts that the figures of a falloff, and of cones made with it, are in range.
+fn assert_figures<P: Falloff + PartialEq>(rng: &mut Rng, falloff: P) {
+    for figure in [falloff.beam_versine(), falloff.field_versine(), falloff.integral(rng.f32())] {
+        assert!((0.0..=1.0).contains(&figure), "{falloff:?}: {figure}, expected figure in 0.0..=1.0");
     }
     for hotspot in [0.0, 0.99 * rng.f32()] {
-        let steepness = profile.steepness(hotspot);
+        let steepness = falloff.steepness(hotspot);
         assert!(
             steepness >= 0.0 && steepness.is_finite(),
-            "{profile:?} {hotspot}: {steepness}, expected steepness >= 0.0 and steepness.is_finite()"
+            "{falloff:?} {hotspot}: {steepness}, expected steepness >= 0.0 and steepness.is_finite()"
         );
     }
-    let cone = Cone::from_outer(profile, Angle::degrees(1.0 + 179.0 * rng.f32())).expect("a sound angle");
+    let cone = Cone::from_outer(falloff, Angle::degrees(1.0 + 179.0 * rng.f32())).expect("a sound angle");
     for flux in [cone.lumens(1000.0), cone.candela(1000.0)] {
         assert!(flux > 0.0 && flux.is_finite(), "{cone:?}: {flux}, expected flux > 0.0 and flux.is_finite()");
     }
     assert!(
-        Cone::narrowest::<Fx16>(profile).to_degrees().is_finite(),
-        "{profile:?}, expected Cone::narrowest::<Fx16>(profile).to_degrees().is_finite()"
+        Cone::narrowest::<Fx16>(falloff).to_degrees().is_finite(),
+        "{falloff:?}, expected Cone::narrowest::<Fx16>(falloff).to_degrees().is_finite()"
     );
 }
 

@@ -16,7 +16,7 @@ use luminaire::{
     projector::{Fixture, Gobo, Projection},
     specular::{NoSpecular, Phong, SpecularLobe},
 };
-use support::{arbitrary::vector, format::Format, profiles, sweep};
+use support::{arbitrary::vector, falloffs, format::Format, sweep};
 
 const COUNT: usize = 32;
 
@@ -38,13 +38,13 @@ fn distances() -> Result<Vec<AnyAttenuation>, Error> {
     ])
 }
 
-/// Lights of every kind, profile and attenuation: each spotlight has a new
+/// Lights of every kind, falloff and attenuation: each spotlight has a new
 /// random position and axis.
 fn any_lights(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
     let mut lights = Vec::new();
     for distance in distances()? {
-        for profile in AnyFalloff::samples() {
-            let cone = Cone::from_outer(profile, sweep::half(35.0))?;
+        for falloff in AnyFalloff::samples() {
+            let cone = Cone::from_outer(falloff, sweep::half(35.0))?;
             let spot = sweep::spot(rng, cone).with_attenuation(distance).with_intensity(3.0)?;
             lights.push(spot.into());
         }
@@ -234,15 +234,15 @@ fn beams_show_in_many_rays_as_in_each() {
     assert!((0.1..0.5).contains(&(seen as f32 / count as f32)), "{seen} of {count} rays show a beam");
 }
 
-/// A profile chosen at run time is the given one. A power with its exponent in the type becomes a
+/// A falloff chosen at run time is the given one. A power with its exponent in the type becomes a
 /// power with an exponent as a value, which may round differently.
 #[test]
 fn any_profile_is_what_it_was() {
     #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows of the list are made of")]
     use luminaire::{falloff::*, models::*};
-    fn assert_within<P: Falloff + Into<AnyFalloff>>(profile: P, most: f32) {
-        let typed = Cone::from_outer(profile, sweep::half(30.0)).expect("sound");
-        let chosen = typed.with_profile(profile.into());
+    fn assert_within<P: Falloff + Into<AnyFalloff>>(falloff: P, most: f32) {
+        let typed = Cone::from_outer(falloff, sweep::half(30.0)).expect("sound");
+        let chosen = typed.with_falloff(falloff.into());
         let angles = |cone: [luminaire::Angle; 2]| cone.map(|angle| angle.to_degrees());
         let [typed_angles, chosen_angles] =
             [angles([typed.beam(), typed.field()]), angles([chosen.beam(), chosen.field()])];
@@ -255,17 +255,17 @@ fn any_profile_is_what_it_was() {
             let (typed, chosen) = at(versine);
             assert!(
                 (typed - chosen).abs() <= most,
-                "{profile:?} at {versine}: {typed}, {chosen}, expected (typed - chosen).abs() <= most"
+                "{falloff:?} at {versine}: {typed}, {chosen}, expected (typed - chosen).abs() <= most"
             );
         }
     }
-    fn assert_same<P: Falloff + Into<AnyFalloff>>(profile: P) {
-        assert_within(profile, 0.0);
+    fn assert_same<P: Falloff + Into<AnyFalloff>>(falloff: P) {
+        assert_within(falloff, 0.0);
     }
     macro_rules! rows {
         ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?
            $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
-            $(assert_same::<$type>(profiles::sound($sample));)*
+            $(assert_same::<$type>(falloffs::sound($sample));)*
         };
     }
     luminaire::falloffs!(rows);
@@ -277,23 +277,23 @@ fn any_profile_is_what_it_was() {
     assert_within(InvertedPower::<1>, 4e-7);
     assert_within(InvertedPower::<2>, 4e-7);
     assert_within(InvertedPower::<6>, 4e-7);
-    assert_same(FittedFalloff::Quadratic(profiles::quadratic()));
-    assert_same(FittedFalloff::Cubic(profiles::cubic()));
+    assert_same(FittedFalloff::Quadratic(falloffs::quadratic()));
+    assert_same(FittedFalloff::Cubic(falloffs::cubic()));
 }
 
 fn down() -> Vec3<f32> {
     Vec3::new(0.0, -1.0, 0.0)
 }
 
-fn spot(profile: impl Falloff + Into<AnyFalloff>) -> Result<SpotLight<AnyFalloff>, Error> {
-    SpotLight::new(Vec3::new(0.0, 4.0, 0.0), down(), Cone::from_outer(profile.into(), Angle::degrees(40.0))?)
+fn spot(falloff: impl Falloff + Into<AnyFalloff>) -> Result<SpotLight<AnyFalloff>, Error> {
+    SpotLight::new(Vec3::new(0.0, 4.0, 0.0), down(), Cone::from_outer(falloff.into(), Angle::degrees(40.0))?)
 }
 
 /// The required effects of each light, by name.
 #[test]
 fn a_light_calls_for_what_it_is() -> Result<(), Error> {
     let names: Vec<_> = AnyFalloff::samples()
-        .map(|profile| Ok(AnyLight::from(spot(profile)?).effects().to_string()))
+        .map(|falloff| Ok(AnyLight::from(spot(falloff)?).effects().to_string()))
         .collect::<Result<_, Error>>()?;
     macro_rules! rows {
         ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?

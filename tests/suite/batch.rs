@@ -12,8 +12,8 @@ use luminaire::{
 };
 use support::{
     arbitrary::{bits, vector},
+    falloffs::AnyShape,
     format::Format,
-    profiles::AnyShape,
     sweep,
 };
 

@@ -8,9 +8,9 @@ use luminaire::{
 };
 use support::with_every_shape;
 use support::{
+    falloffs::Shape,
     format::Format,
     oracle::{self, half_degrees},
-    profiles::Shape,
 };
 
 fn assert_near(what: &str, found: f32, expected: f64, within: f64) {
@@ -59,7 +59,7 @@ fn flux_is_the_integral_of_the_intensity() {
     with_every_shape!(assert_flux);
 }
 
-/// The shares of the paper's profiles: a third and two thirds of a full cone.
+/// The shares of the paper's falloffs: a third and two thirds of a full cone.
 #[test]
 fn soft_has_a_third_of_the_flux_and_hard_two() {
     let full = Cone::from_outer(Step, Angle::degrees(30.0)).expect("sound").lumens(1.0);
@@ -94,16 +94,16 @@ fn assert_cut<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
     }
 }
 
-/// An inner angle equal to the outer one makes a step, with every profile and format.
+/// An inner angle equal to the outer one makes a step, with every falloff and format.
 #[test]
 fn inner_at_outer_is_a_step() {
-    fn assert_step<S: Format, P: Falloff>(profile: P) {
+    fn assert_step<S: Format, P: Falloff>(falloff: P) {
         let angle = Angle::degrees(40.0);
-        let cone = Cone::from_outer(profile, angle).and_then(|cone| cone.with_inner(angle)).expect("sound");
+        let cone = Cone::from_outer(falloff, angle).and_then(|cone| cone.with_inner(angle)).expect("sound");
         let falloff = cone.compile::<S>().expect("held");
         let outer = cone.outer_versine();
-        assert_eq!(falloff.at(falloff.versine(outer.next_down())), S::ONE, "{profile:?}");
-        assert_eq!(falloff.at(falloff.versine(outer)), S::ZERO, "{profile:?}");
+        assert_eq!(falloff.at(falloff.versine(outer.next_down())), S::ONE, "{falloff:?}");
+        assert_eq!(falloff.at(falloff.versine(outer)), S::ZERO, "{falloff:?}");
         assert_eq!((cone.inner(), cone.beam(), cone.field()), (cone.outer(), cone.outer(), cone.outer()));
     }
     assert_step::<f32, _>(Soft);

@@ -15,9 +15,10 @@ use luminaire::{
     },
 };
 use support::{
+    falloffs,
     format::Format,
     oracle::{self, DVec3},
-    profiles, sweep,
+    sweep,
 };
 
 /// The ranges of a format, as its documentation states them.
@@ -51,30 +52,30 @@ impl Domain {
     }
 }
 
-/// A profile and its formula in f64.
+/// A falloff and its formula in f64.
 struct Shape {
     name: String,
-    profile: AnyFalloff,
+    falloff: AnyFalloff,
     exact: Box<dyn Fn(f64) -> f64>,
 }
 
 impl Shape {
-    fn new(name: &str, profile: impl Into<AnyFalloff>, exact: impl Fn(f64) -> f64 + 'static) -> Self {
-        Self { name: name.into(), profile: profile.into(), exact: Box::new(exact) }
+    fn new(name: &str, falloff: impl Into<AnyFalloff>, exact: impl Fn(f64) -> f64 + 'static) -> Self {
+        Self { name: name.into(), falloff: falloff.into(), exact: Box::new(exact) }
     }
 
     /// The narrowest half angle in degrees, plus a margin for the rounding of an angle.
     fn narrowest<S: Format>(&self) -> f32 {
-        Cone::narrowest::<S>(self.profile).to_degrees() / 2.0 * 1.000_01
+        Cone::narrowest::<S>(self.falloff).to_degrees() / 2.0 * 1.000_01
     }
 
     fn cone(&self, half_degrees: f32) -> Cone<AnyFalloff> {
-        Cone::from_outer(self.profile, sweep::half(half_degrees)).expect("a sound angle")
+        Cone::from_outer(self.falloff, sweep::half(half_degrees)).expect("a sound angle")
     }
 }
 
 fn plain() -> [Shape; 4] {
-    let cubic: Cubic = profiles::cubic();
+    let cubic: Cubic = falloffs::cubic();
     [
         Shape::new("soft", Soft, oracle::soft),
         Shape::new("hard", Hard, oracle::hard),
@@ -140,7 +141,7 @@ fn worst<S: Format>(
         let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
         let versine = oracle::versine_between(way, axis);
         let exact = if versine < outer { (shape.exact)((outer - versine) / outer) } else { 0.0 };
-        let found = spot.compile::<S>().expect("in the domain").falloff(point.map(S::length)).exact();
+        let found = spot.compile::<S>().expect("in the domain").falloff_at(point.map(S::length)).exact();
         worst = worst.max(255.0 * (found - exact).abs());
     }
     worst
@@ -343,9 +344,9 @@ fn assert_angles<S: Format>() {
             let codes = worst::<S>(&shape, half_degrees, 8_000, |rng| near_scene::<S>(rng, half_degrees));
             assert_held::<S>("angles", &shape, half_degrees, least, codes);
         }
-        let accepted = Expected::AngleFrom(Cone::narrowest::<S>(shape.profile).to_degrees());
+        let accepted = Expected::AngleFrom(Cone::narrowest::<S>(shape.falloff).to_degrees());
         assert_refused(shape.cone(0.999_9 * narrowest).compile::<S>(), Parameter::OuterAngle, accepted);
-        let wide = Cone::from_outer(shape.profile, Angle::degrees(180.001));
+        let wide = Cone::from_outer(shape.falloff, Angle::degrees(180.001));
         let error = wide.expect_err("wider than a half space");
         assert!(matches!(error.accepted, Expected::AngleUpTo(179.999..180.001)), "{error}");
     }
@@ -375,7 +376,7 @@ fn assert_exponents<S: Format>(held: usize) {
         }
     }
     for shape in shapes.iter().filter(|shape| !can_hold(shape)) {
-        let accepted = Expected::AngleFrom(Cone::narrowest::<S>(shape.profile).to_degrees());
+        let accepted = Expected::AngleFrom(Cone::narrowest::<S>(shape.falloff).to_degrees());
         assert_refused(shape.cone(90.0).compile::<S>(), Parameter::OuterAngle, accepted);
     }
     assert_eq!(shapes.iter().filter(can_hold).count(), held, "{}", S::NAME);
@@ -498,7 +499,7 @@ fn assert_far<S: Format>(light: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, p
     let shape = Shape::new("soft", Soft, oracle::soft);
     let spot =
         SpotLight::new(light, axis, shape.cone(half_degrees)).expect("sound").with_attenuation(InverseSquare);
-    let found = spot.compile::<S>().expect("in the domain").falloff(point.map(S::length)).exact();
+    let found = spot.compile::<S>().expect("in the domain").falloff_at(point.map(S::length)).exact();
     let way = f32::exact_point(point) - f32::exact_point(light);
     let versine = oracle::versine_between(way, f32::exact_direction(axis));
     let exact = oracle::falloff(oracle::soft, versine, oracle::versine(half_degrees.into()));
@@ -539,7 +540,7 @@ fn lack_on_axis<S: Format>(shape: &Shape, half_degrees: f32) -> f64 {
         let vector = |v: [i32; 3]| Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32);
         let point = vector([0, 1, 2].map(|i| light[i] + times * axis[i]));
         let spot = SpotLight::new(vector(light), vector(axis), cone).expect("a sound axis");
-        let found = spot.compile::<S>().expect("held").falloff(point.map(S::length));
+        let found = spot.compile::<S>().expect("held").falloff_at(point.map(S::length));
         worst = worst.max((1.0 - found.exact()) / f64::from(S::STEP));
     }
     worst

@@ -6,7 +6,7 @@ use luminaire::{
     Cone, Fx16, Fx32,
     falloff::{FittedFalloff, Hard, Soft, SoftOrHard},
 };
-use support::{format::Format, profiles::AnyShape, sweep};
+use support::{falloffs::AnyShape, format::Format, sweep};
 
 /// Skipped light is exactly zero: with and without early-outs the results are bit-identical,
 /// inside, outside and at the edge.
@@ -50,7 +50,7 @@ fn skipping_is_exact_in_fx16() {
     AnyShape::all().iter().for_each(assert_skipping_is_exact::<Fx16>);
 }
 
-/// A profile chosen at run time and one that is a type are the same light.
+/// A falloff chosen at run time and one that is a type are the same light.
 #[test]
 fn a_choice_at_run_time_changes_no_bit() {
     let mut rng = Rng::with_seed(3);
@@ -64,15 +64,15 @@ fn a_choice_at_run_time_changes_no_bit() {
             let distance = sweep::distance(&mut rng);
             let site = sweep::site::<Fx16>(&mut rng, position, axis, 10.0, distance);
             let typed = match edge {
-                SoftOrHard::Soft => chosen.with_profile(Soft).irradiance(site.point, site.normal),
-                SoftOrHard::Hard => chosen.with_profile(Hard).irradiance(site.point, site.normal),
+                SoftOrHard::Soft => chosen.with_falloff(Soft).irradiance(site.point, site.normal),
+                SoftOrHard::Hard => chosen.with_falloff(Hard).irradiance(site.point, site.normal),
             };
             assert_eq!(chosen.irradiance(site.point, site.normal), typed);
         }
     }
 }
 
-/// A fitted profile and the type that it chose are the same falloff.
+/// A fitted falloff and the type that it chose are the same falloff.
 #[test]
 fn a_fitted_profile_changes_no_bit() {
     for field in [14.5, 17.0, 26.0] {
@@ -80,9 +80,9 @@ fn a_fitted_profile_changes_no_bit() {
         let chosen = cone.compile::<Fx32>().expect("held");
         for versine in sweep::versines(cone.outer_versine().into(), 10_000) {
             let versine = chosen.versine(versine);
-            let typed = match cone.profile() {
-                FittedFalloff::Quadratic(quadratic) => chosen.with_profile(quadratic).at(versine),
-                FittedFalloff::Cubic(cubic) => chosen.with_profile(cubic).at(versine),
+            let typed = match cone.falloff() {
+                FittedFalloff::Quadratic(quadratic) => chosen.with_falloff(quadratic).at(versine),
+                FittedFalloff::Cubic(cubic) => chosen.with_falloff(cubic).at(versine),
             };
             assert_eq!(chosen.at(versine), typed);
         }

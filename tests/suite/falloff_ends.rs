@@ -20,13 +20,13 @@ fn slope_within(formula: Formula<'_>, hotspot: f64, [from, to]: [f64; 2]) -> f64
 
 /// The figures of a falloff whose slope may have no bound within strips at both ends. Differences
 /// miss a part of a slope that changes quickly.
-fn assert_figures<P: Falloff>(profile: P, strips: [f64; 2], slope_error: f64) {
-    assert_angles_and_flux(profile, 1e-6);
-    let formula = profile.formula();
+fn assert_figures<P: Falloff>(falloff: P, strips: [f64; 2], slope_error: f64) {
+    assert_angles_and_flux(falloff, 1e-6);
+    let formula = falloff.formula();
     for hotspot in [0.0, 0.25, 0.9] {
         let start = f64::from(hotspot).sqrt();
         let found = slope_within(formula, hotspot.into(), [start + strips[0], 1.0 - strips[1]]);
-        let stated = profile.steepness(hotspot);
+        let stated = falloff.steepness(hotspot);
         assert!(
             relative(stated, found.max(1.0)) < slope_error,
             "{formula:?}: {stated} at {hotspot}, expected {found}"
@@ -34,9 +34,9 @@ fn assert_figures<P: Falloff>(profile: P, strips: [f64; 2], slope_error: f64) {
     }
 }
 
-fn assert_angles_and_flux<P: Falloff>(profile: P, integral_error: f64) {
-    let formula = profile.formula();
-    for (found, intensity) in [(profile.beam_versine(), 0.5), (profile.field_versine(), 0.1)] {
+fn assert_angles_and_flux<P: Falloff>(falloff: P, integral_error: f64) {
+    let formula = falloff.formula();
+    for (found, intensity) in [(falloff.beam_versine(), 0.5), (falloff.field_versine(), 0.1)] {
         let exact = last_u(|t| formula.exact(t.max(1e-30)), intensity);
         // Some are found by halving the whole ramp 26 times.
         assert!(
@@ -50,7 +50,7 @@ fn assert_angles_and_flux<P: Falloff>(profile: P, integral_error: f64) {
         let at = |i: f64| f64::from(to) * (i / f64::from(steps)).powi(3);
         let height = |i: f64| formula.exact(1.0 - at(i + 0.5)) * (at(i + 1.0) - at(i));
         let exact: f64 = (0..steps).map(|i| height(f64::from(i))).sum();
-        let found = profile.integral(to);
+        let found = falloff.integral(to);
         assert!(relative(found, exact) < integral_error, "{formula:?}: {found} up to {to}, expected {exact}");
     }
 }
@@ -71,7 +71,7 @@ fn figures_of_real_powers_hold_at_the_ends_of_their_exponents() -> Result<(), Er
         }
         let godot = Godot { spot_angle_attenuation: 1.0 / exponent, ..Godot::default() };
         let light = godot.import(Vec3::default(), Vec3::new(0.0, -1.0, 0.0))?.light;
-        let AnyFalloff::InvertedRealPower(floored) = light.cone().profile() else { panic!("a real power") };
+        let AnyFalloff::InvertedRealPower(floored) = light.cone().falloff() else { panic!("a real power") };
         assert_figures(floored, [strip, 0.0], 6e-4);
     }
     assert_angles_and_flux(RealPower::new(1_024.0)?, 2e-7);

@@ -22,13 +22,13 @@ fn rounded(value: f64, bits: i32) -> f64 {
 /// Takes an offset of any length to the unit direction that a candidate would compute.
 type Normalise<'a> = &'a dyn Fn(DVec3) -> DVec3;
 
-/// The largest error of a profile at a half angle, when the versine is half the squared difference
+/// The largest error of a falloff at a half angle, when the versine is half the squared difference
 /// of the candidate's direction and the axis, and all else is exact.
-fn difference_error(normalise: Normalise, profile: oracle::Falloff, half_degrees: f64) -> f64 {
-    largest_error(profile, half_degrees, |way, axis| normalise(way).distance_squared(axis) / 2.0)
+fn difference_error(normalise: Normalise, falloff: oracle::Falloff, half_degrees: f64) -> f64 {
+    largest_error(falloff, half_degrees, |way, axis| normalise(way).distance_squared(axis) / 2.0)
 }
 
-fn largest_error(profile: oracle::Falloff, half_degrees: f64, versine: impl Fn(DVec3, DVec3) -> f64) -> f64 {
+fn largest_error(falloff: oracle::Falloff, half_degrees: f64, versine: impl Fn(DVec3, DVec3) -> f64) -> f64 {
     let outer = oracle::versine(half_degrees);
     let mut rng = Rng::with_seed(11);
     (0..POINTS)
@@ -36,8 +36,8 @@ fn largest_error(profile: oracle::Falloff, half_degrees: f64, versine: impl Fn(D
             let axis = sweep::direction(&mut rng);
             let off_axis = rng.f64() * half_degrees.to_radians();
             let way = sweep::direction_off(&mut rng, axis, off_axis) * (1.0 + 9.0 * rng.f64());
-            let exact = oracle::falloff(profile, oracle::versine_between(way, axis), outer);
-            (oracle::falloff(profile, versine(way, axis), outer) - exact).abs()
+            let exact = oracle::falloff(falloff, oracle::versine_between(way, axis), outer);
+            (oracle::falloff(falloff, versine(way, axis), outer) - exact).abs()
         })
         .fold(0.0, f64::max)
 }
@@ -73,7 +73,7 @@ fn a_direction_needs_more_bits_than_a_scalar() {
     println!("largest error with a direction of so many fraction bits (half a step is {HALF_A_STEP:.2e})");
     println!("bits  {}", columns.map(|(name, ..)| name).join("  "));
     let errors = [14, 15, 16, 18, 30].map(|bits| {
-        let errors = columns.map(|(_, profile, degrees)| difference_error(&stored(bits), profile, degrees));
+        let errors = columns.map(|(_, falloff, degrees)| difference_error(&stored(bits), falloff, degrees));
         println!("{bits:4}  {}", errors.map(|error| format!("{error:10.1e}")).join("  "));
         errors
     });
@@ -110,7 +110,7 @@ fn the_offset_gets_the_larger_half_of_the_product() {
 /// with a shift does not.
 #[test]
 fn a_reciprocal_is_a_mantissa_and_a_shift() {
-    println!("largest error of the soft profile with the reciprocal of the outer versine in a format");
+    println!("largest error of the soft falloff with the reciprocal of the outer versine in a format");
     println!("half angle  I16F16   I8F24    16-bit mantissa and shift");
     for degrees in [30.0, 5.0, 1.0, 0.1] {
         let outer = oracle::versine(degrees);

@@ -74,8 +74,8 @@ fn a_generated_light_lights_as_the_compiled_one() {
 
 #[test]
 fn a_generated_falloff_names_its_type() -> Result<(), Error> {
-    fn assert_named<P: Falloff<Compiled<Fx16>: Source>>(profile: P, name: &str) {
-        let written = as_source(&profile.compile::<Fx16>()).to_string();
+    fn assert_named<P: Falloff<Compiled<Fx16>: Source>>(falloff: P, name: &str) {
+        let written = as_source(&falloff.compile::<Fx16>()).to_string();
         assert!(written.contains(name) && written.contains("Fx16"), "{written}");
     }
     assert_named(Quadratic::new(0.5)?, "CompiledQuadratic::<");

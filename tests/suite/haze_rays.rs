@@ -44,7 +44,7 @@ fn beam<P: Falloff, A: Attenuation>(
 /// relative to the in-scattering or, if that is more, to `share` of the in-scattering along a line
 /// across the axis at the same distance from the light.
 fn largest_error<P: Falloff, A: Attenuation>(
-    profile: (P, fn(f64) -> f64),
+    falloff: (P, fn(f64) -> f64),
     attenuation: (A, oracle::Attenuation),
     share: f64,
     rays: impl Fn(&mut Rng, &Beam) -> Vec<ViewRay>,
@@ -52,9 +52,9 @@ fn largest_error<P: Falloff, A: Attenuation>(
 ) -> (f64, u32) {
     let (mut worst, mut lit, mut rng) = (0.0_f64, 0, Rng::with_seed(68));
     for (half, axis) in [2.0, 20.0, 60.0, 88.0].into_iter().flat_map(|half| AXES.map(|axis| (half, axis))) {
-        let cone = Cone::from_outer(profile.0, sweep::half(half)).expect("a sound cone");
+        let cone = Cone::from_outer(falloff.0, sweep::half(half)).expect("a sound cone");
         let spot = SpotLight::new(LIGHT, axis, cone).expect("a sound light").with_attenuation(attenuation.0);
-        let (compiled, beam) = beam(spot, profile.1, attenuation.1);
+        let (compiled, beam) = beam(spot, falloff.1, attenuation.1);
         let across = share * beam.across();
         for view in rays(&mut rng, &beam) {
             let (nearest, height) = distances(&beam, &exactly(&view));

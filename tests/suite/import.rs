@@ -39,14 +39,14 @@ pub(crate) fn fall(light: &SpotLight<AnyFalloff, AnyAttenuation>, distance: f64)
 /// The factor by which the importer scaled the intensity: Godot's value on the axis, if the import
 /// is a real power.
 pub(crate) fn on_axis(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -> f64 {
-    if matches!(light.cone().profile(), AnyFalloff::InvertedRealPower(_)) {
+    if matches!(light.cone().falloff(), AnyFalloff::InvertedRealPower(_)) {
         (original.angle)(1.0)
     } else {
         1.0
     }
 }
 
-/// The largest difference over the angle between an original and the profile that replaces it,
+/// The largest difference over the angle between an original and the falloff that replaces it,
 /// relative to the original on the axis. `t` goes from 1 in the middle of the ramp to 2^-24 at its
 /// edge, and with OpenGL only as far as the cutoff.
 fn angle_difference(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Original) -> f64 {
@@ -61,7 +61,7 @@ fn angle_difference(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Or
             // Slightly inside the jumps, because f64 cannot decide on which side of a jump an angle
             // is.
             let cosine = 1.0 - (outer - t * (outer - inner)) + if place == 0.0 { 1e-15 } else { 0.0 };
-            (light.cone().profile().formula().exact(t) - (original.angle)(cosine) / on_axis).abs()
+            (light.cone().falloff().formula().exact(t) - (original.angle)(cosine) / on_axis).abs()
         })
         .fold(0.0, f64::max)
 }
@@ -93,12 +93,12 @@ fn what_the_kernel_has_is_exact() {
     for (Imported { light, difference }, original) in imports::exact() {
         assert_eq!((difference.angle, difference.distance), (0.0, 0.0), "{}", original.name);
         let is_step =
-            original.inner == original.outer || matches!(light.cone().profile(), AnyFalloff::Step(_));
+            original.inner == original.outer || matches!(light.cone().falloff(), AnyFalloff::Step(_));
         if !is_step {
             let angle = angle_difference(&light, &original);
             // Where a root is steep, the original formula itself loses digits by cancellation.
             let is_real =
-                matches!(light.cone().profile(), AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_));
+                matches!(light.cone().falloff(), AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_));
             let most = if is_real { 1e-8 } else { 1e-12 };
             assert!(angle < most, "{}: {angle:.1e} over the angle", original.name);
         }
@@ -121,7 +121,7 @@ fn a_light_from_godot_has_no_hotspot() {
 fn equal_angles_are_a_step() {
     for (Imported { light, .. }, original) in imports::exact() {
         if original.inner == original.outer {
-            assert!(matches!(light.cone().profile(), AnyFalloff::Step(_)), "{}", original.name);
+            assert!(matches!(light.cone().falloff(), AnyFalloff::Step(_)), "{}", original.name);
         }
     }
 }
@@ -155,7 +155,7 @@ fn a_difference_is_what_a_dense_search_finds() {
             original.name,
             difference.angle,
             difference.distance,
-            light.cone().profile()
+            light.cone().falloff()
         );
         // Differences under 1e-7 over the distance are only the rounding of coefficients.
         let stated = [(difference.angle, 1e-8), (difference.distance, 1e-7)];
@@ -204,7 +204,7 @@ fn a_difference_of_the_place_is_a_boundless_slope() {
     let mut boundless = 0;
     for (Imported { light, difference }, original) in imports::exact() {
         let is_step =
-            original.inner == original.outer || matches!(light.cone().profile(), AnyFalloff::Step(_));
+            original.inner == original.outer || matches!(light.cone().falloff(), AnyFalloff::Step(_));
         let at = |within: f64| (original.angle)((original.outer.acos() * (1.0 - within)).cos());
         let [edge, near, far] = [1e-10, 1e-6, 1e-4].map(at);
         let is_boundless = !is_step && near - edge > 0.011 * (far - edge);
@@ -337,29 +337,33 @@ fn a_cutoff_of_half_a_turn_is_a_point_light() {
     }
 }
 
-/// A light with a profile chosen by an importer equals the light with that profile as a type.
+/// A light with a falloff chosen by an importer equals the light with that falloff as a type.
 #[test]
 fn a_matched_profile_changes_no_bit() {
     fn assert_same<S: Scalar, P: Falloff>(
         chosen: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>,
-        profile: P,
+        falloff: P,
         x: f32,
     ) {
         let point = Vec3::new(x, -1.0, 0.0).map(S::length);
-        assert_eq!(chosen.with_profile(profile).falloff(point), chosen.falloff(point), "{profile:?} at {x}");
+        assert_eq!(
+            chosen.with_falloff(falloff).falloff_at(point),
+            chosen.falloff_at(point),
+            "{falloff:?} at {x}"
+        );
     }
     let mut seen = Vec::new();
     let hard = imports::godot(45.0, 0.5, 5.0, 1.0);
     for (Imported { light, .. }, _) in imports::exact().into_iter().chain(imports::near()).chain([hard]) {
         let Ok(chosen) = light.compile::<Fx32>() else { continue };
-        let profile = light.cone().profile();
-        let kind = std::mem::discriminant(&profile);
+        let falloff = light.cone().falloff();
+        let kind = std::mem::discriminant(&falloff);
         if seen.contains(&kind) {
             continue;
         }
         seen.push(kind);
         for x in (0..300_u16).map(|i| f32::from(i) / 100.0) {
-            match profile {
+            match falloff {
                 AnyFalloff::Step(typed) => assert_same(&chosen, typed, x),
                 AnyFalloff::Linear(typed) => assert_same(&chosen, typed, x),
                 AnyFalloff::Soft(typed) => assert_same(&chosen, typed, x),
@@ -369,11 +373,11 @@ fn a_matched_profile_changes_no_bit() {
                 AnyFalloff::InvertedPower(typed) => assert_same(&chosen, typed, x),
                 AnyFalloff::RealPower(typed) => assert_same(&chosen, typed, x),
                 AnyFalloff::InvertedRealPower(typed) => assert_same(&chosen, typed, x),
-                _ => panic!("no import makes {profile:?}"),
+                _ => panic!("no import makes {falloff:?}"),
             }
         }
     }
-    assert_eq!(seen.len(), 9, "every kind of profile is imported by one of the lights");
+    assert_eq!(seen.len(), 9, "every kind of falloff is imported by one of the lights");
 }
 
 /// The defaults are those of `glLight`: a point light without attenuation.

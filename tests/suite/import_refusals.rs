@@ -156,7 +156,7 @@ fn assert_light<S: Format>(light: S::Irradiance, unskipped: S::Irradiance, what:
 fn assert_spot<S: Format, P: Falloff, A: Attenuation>(rng: &mut Rng, light: &CompiledSpotLight<S, P, A>) {
     for _ in 0..20 {
         let (point, normal) = (vector(rng, S::length_from_bits), vector(rng, S::scalar_from_bits));
-        let falloff = light.falloff(point).exact();
+        let falloff = light.falloff_at(point).exact();
         assert!(
             (0.0..=1.0).contains(&falloff),
             "{light:?} {point:?}: {falloff}, expected falloff in 0.0..=1.0"

@@ -67,7 +67,7 @@ fn assert_compiled<S: Scalar>() {
     let spot = spot.with_specular_color(BLUE).and_then(|spot| spot.compile::<S>()).expect("held");
     assert_eq!((spot.color().map(S::to_f32), spot.specular_color().map(S::to_f32)), (RED, BLUE));
     assert_eq!(spot.colors(), [spot.color(), spot.specular_color()]);
-    assert_eq!(spot.profile(), Soft);
+    assert_eq!(spot.falloff(), Soft);
     assert_eq!(<S as Scalar>::point([1.5, -2.25, 300.0]), PLACE.map(S::length));
     assert_eq!(<S as Scalar>::normal(DOWN), DOWN.map(S::from_f32));
     let surface = SurfacePoint::<S>::matte(PLACE.map(S::length), DOWN.map(S::from_f32));
@@ -138,12 +138,12 @@ fn profiles_keep_what_they_are_given() {
     assert_eq!((rim.exponent(), rim.floor()), (0.3, 0.0));
     let samples = [65_535, 1_234, 0];
     assert_eq!(Table::new(&samples).expect("sound").samples(), samples);
-    assert_eq!(cone().profile(), Soft);
+    assert_eq!(cone().falloff(), Soft);
     let falloff = cone().compile::<Fx16>().expect("held");
-    assert_eq!((falloff.profile(), falloff.with_profile(Hard).profile()), (Soft, Hard));
-    assert_eq!(falloff.with_profile(Hard).with_profile(Soft), falloff);
+    assert_eq!((falloff.falloff(), falloff.with_falloff(Hard).falloff()), (Soft, Hard));
+    assert_eq!(falloff.with_falloff(Hard).with_falloff(Soft), falloff);
     let hard = Cone::from_outer(Hard, Angle::degrees(30.0)).expect("sound");
-    assert_eq!(falloff.with_profile(Hard), hard.compile::<Fx16>().expect("held"));
+    assert_eq!(falloff.with_falloff(Hard), hard.compile::<Fx16>().expect("held"));
     assert_eq!(Exposure::factor(4.0).expect("sound"), Exposure::stops(2).expect("sound"));
 }
 

@@ -47,14 +47,14 @@ fn a_cosine_power_of_the_papers_field_angle_has_exponent_268() {
 
 /// Each angle of a cone determines the other two, and from these it is restored to a few units in
 /// the last place.
-fn assert_angles_follow<P: Falloff>(profile: P) {
+fn assert_angles_follow<P: Falloff>(falloff: P) {
     for tenths in 1..1790_u16 {
         let outer = Angle::degrees(f32::from(tenths) / 10.0);
-        let cone = Cone::from_outer(profile, outer).expect("a sound angle");
+        let cone = Cone::from_outer(falloff, outer).expect("a sound angle");
         let within = 2e-6 * outer.to_degrees();
         assert_degrees("outer", cone.outer(), outer.to_degrees(), within);
-        let from_field = Cone::from_field(profile, cone.field()).expect("a sound angle");
-        let from_beam = Cone::from_beam(profile, cone.beam()).expect("a sound angle");
+        let from_field = Cone::from_field(falloff, cone.field()).expect("a sound angle");
+        let from_beam = Cone::from_beam(falloff, cone.beam()).expect("a sound angle");
         for same in [from_field, from_beam] {
             assert_degrees("outer", same.outer(), outer.to_degrees(), within);
             assert_degrees("field", same.field(), cone.field().to_degrees(), within);

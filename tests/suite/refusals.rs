@@ -133,7 +133,7 @@ fn a_color_out_of_range() {
 /// more bits accepts the cone.
 #[test]
 fn a_cone_too_narrow_for_its_format() {
-    // Too narrow even for the profile `Step`.
+    // Too narrow even for the falloff `Step`.
     let needle = Cone::from_outer(Hard, Angle::degrees(0.1)).expect("a sound angle");
     let error = needle.compile::<Fx16>().expect_err("too narrow for 16 bits");
     assert_eq!(error.accepted, Expected::AngleFrom(Cone::narrowest::<Fx16>(Hard).to_degrees()));

@@ -56,7 +56,7 @@ fn assert_no_lit_sphere_is_skipped<S: Format>() {
             let off = angle * (1.0 + 1e-3 * (rng.f64() - 0.9));
             let point = position + distance * (off.cos() * axis + off.sin() * right);
             let point = sweep::single(point).map(S::length);
-            if light.falloff(point) == S::ZERO {
+            if light.falloff_at(point) == S::ZERO {
                 continue;
             }
             let outward = off.cos() * right - off.sin() * axis;
@@ -148,7 +148,7 @@ fn share_in_vain<S: Format>() -> f64 {
         }
         for light in &lights {
             let reach = row.reach(light, length);
-            let has_light = |&i: &usize| light.falloff(point(i)) > S::ZERO;
+            let has_light = |&i: &usize| light.falloff_at(point(i)) > S::ZERO;
             evaluated += reach.len();
             lit += reach.filter(has_light).count();
         }

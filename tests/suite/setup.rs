@@ -1,4 +1,4 @@
-//! Accuracy of set-up against f64: angles, cones, flux and the properties of profiles, row by row
+//! Accuracy of set-up against f64: angles, cones, flux and the properties of falloffs, row by row
 //! of `support/operations.rs`. Set-up computes in f32, whatever the format of the light.
 
 use fastrand::Rng;
@@ -10,10 +10,10 @@ use luminaire::{
 use support::with_every_shape;
 use support::{
     bounds,
+    falloffs::Shape,
     format::Format,
     operations::FIGURES,
     oracle::{self, half_degrees},
-    profiles::Shape,
     sweep,
 };
 
@@ -65,7 +65,7 @@ fn angles_keep_their_figures() {
     assert_figure("angle of a versine", over_angles(angle));
 }
 
-/// The last `u` at which a profile has at least the given intensity, by bisection in f64.
+/// The last `u` at which a falloff has at least the given intensity, by bisection in f64.
 pub(crate) fn last_u(oracle: impl Fn(f64) -> f64, intensity: f64) -> f64 {
     let (mut light, mut dark) = (0.0, 1.0);
     for _ in 0..60 {
@@ -75,7 +75,7 @@ pub(crate) fn last_u(oracle: impl Fn(f64) -> f64, intensity: f64) -> f64 {
     light
 }
 
-/// The integral of a profile over `u` from 0, by the midpoint rule.
+/// The integral of a falloff over `u` from 0, by the midpoint rule.
 fn integral(oracle: oracle::Falloff, to: f64) -> f64 {
     let steps = 20_000;
     let width = to / f64::from(steps);
@@ -88,7 +88,7 @@ fn the_f64_form_of_a_falloff_is_its_formula() {
     fn assert_formula<P: Falloff>(shape: &Shape<P>) {
         for i in 0..=1_000 {
             let t = f64::from(i) / 1_000.0;
-            let (found, expected) = ((shape.oracle)(t), shape.profile.formula().exact(t));
+            let (found, expected) = ((shape.oracle)(t), shape.falloff.formula().exact(t));
             assert!(
                 (found - expected).abs() < 1e-15,
                 "{} at {t}: {found}, {expected}, expected (found - expected).abs() < 1e-15",
@@ -100,9 +100,9 @@ fn the_f64_form_of_a_falloff_is_its_formula() {
 }
 
 fn profile_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
-    let beam = relative(shape.profile.beam_versine(), last_u(shape.oracle, 0.5));
-    let field = relative(shape.profile.field_versine(), last_u(shape.oracle, 0.1));
-    let at = |u: f32| relative(shape.profile.integral(u), integral(shape.oracle, u.into()));
+    let beam = relative(shape.falloff.beam_versine(), last_u(shape.oracle, 0.5));
+    let field = relative(shape.falloff.field_versine(), last_u(shape.oracle, 0.1));
+    let at = |u: f32| relative(shape.falloff.integral(u), integral(shape.oracle, u.into()));
     [beam, field, (1..=20_u8).map(|i| at(f32::from(i) / 20.0)).fold(0.0, f64::max)]
 }
 
@@ -113,9 +113,9 @@ fn largest<const N: usize>(errors: impl IntoIterator<Item = [f64; N]>) -> [f64; 
 #[test]
 fn profiles_keep_their_figures() {
     let [beam, field, integral] = largest(with_every_shape!(profile_errors));
-    assert_figure("beam versine of a profile", beam);
-    assert_figure("field versine of a profile", field);
-    assert_figure("integral of a profile", integral);
+    assert_figure("beam versine of a falloff", beam);
+    assert_figure("field versine of a falloff", field);
+    assert_figure("integral of a falloff", integral);
 }
 
 /// The largest slope of a falloff over the angle, per outer half angle, by differences: of the
@@ -134,11 +134,11 @@ fn largest_slope(formula: Formula<'_>, hotspot: f64) -> f64 {
 fn the_steepness_is_the_largest_slope() {
     fn assert_steepness<P: Falloff>(shape: &Shape<P>) {
         for hotspot in [0.0, 0.25, 0.9] {
-            let stated = f64::from(shape.profile.steepness(hotspot));
-            let found = largest_slope(shape.profile.formula(), hotspot.into());
+            let stated = f64::from(shape.falloff.steepness(hotspot));
+            let found = largest_slope(shape.falloff.formula(), hotspot.into());
             // The differences of a kink at an end are off by their width.
             let holds = (0.999_999..=1.000_2).contains(&(stated / found));
-            let is_step = shape.profile.formula().exact(1e-9) == 1.0;
+            let is_step = shape.falloff.formula().exact(1e-9) == 1.0;
             assert!(holds || is_step, "{} {hotspot}: {stated} for {found}", shape.name);
         }
     }
@@ -168,10 +168,10 @@ fn design_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 3] {
     };
     largest((1..=300).map(|i| {
         let degrees = 0.01 * 17_000.0_f32.powf(i as f32 / 300.0);
-        let (profile, angle) = (shape.profile, Angle::degrees(degrees));
-        let outer = error(Cone::from_outer(profile, angle), degrees, 1.0);
-        let field = error(Cone::from_field(profile, angle), degrees, to_field);
-        let beam = error(Cone::from_beam(profile, angle), degrees, to_beam);
+        let (falloff, angle) = (shape.falloff, Angle::degrees(degrees));
+        let outer = error(Cone::from_outer(falloff, angle), degrees, 1.0);
+        let field = error(Cone::from_field(falloff, angle), degrees, to_field);
+        let beam = error(Cone::from_beam(falloff, angle), degrees, to_beam);
         // If the outer angle would exceed 180 degrees, there is no cone.
         [outer, field, beam].map(|error| error.unwrap_or(0.0))
     }))

@@ -16,8 +16,8 @@ use luminaire::{
 };
 use support::{
     arbitrary::{bits, vector},
+    falloffs::{AnyShape, STRICT},
     format::Format,
-    profiles::{AnyShape, STRICT},
     sweep,
 };
 
@@ -43,7 +43,7 @@ fn assert_total<S: Format>(shape: &AnyShape) {
         for _ in 0..100 {
             let point = vector(&mut rng, S::length_from_bits);
             let normal = vector(&mut rng, S::scalar_from_bits);
-            let intensity = compiled.falloff(point).exact();
+            let intensity = compiled.falloff_at(point).exact();
             assert!(
                 (0.0..=1.0).contains(&intensity),
                 "{spot:?} {point:?}: {intensity}, expected intensity in 0.0..=1.0"
@@ -149,7 +149,7 @@ fn every_bit_pattern_has_an_answer_in_fx16() {
 }
 
 /// Asserts that the falloff is exactly 1 on the axis and exactly 0 at the edge and beyond. Between
-/// them it never rises: the profiles in `STRICT` without exception, the others by at most one step
+/// them it never rises: the falloffs in `STRICT` without exception, the others by at most one step
 /// of the format.
 fn assert_exact_at_both_ends<S: Format>(shape: &AnyShape) {
     let slack = if STRICT.contains(&shape.name) { 0.0 } else { f64::from(S::STEP) };

@@ -52,13 +52,13 @@ fn assert_both_within<S: Format, P: Falloff>(cone: &Cone<P>, beam: f32, field: f
 
 fn steepness<P: Falloff>(cone: &Cone<P>) -> f32 {
     let hotspot = cone.inner().versine() / cone.outer_versine();
-    if hotspot < 1.0 { cone.profile().steepness(hotspot) } else { 1.0 }
+    if hotspot < 1.0 { cone.falloff().steepness(hotspot) } else { 1.0 }
 }
 
 #[test]
 fn the_papers_fresnel_has_both_its_angles() {
     let cone = Cone::from_beam_and_field(degrees(7.0), degrees(15.0)).expect("reachable");
-    assert!(matches!(cone.profile(), FittedFalloff::Cubic(_)));
+    assert!(matches!(cone.falloff(), FittedFalloff::Cubic(_)));
     assert_both::<f32, _>(&cone, 7.0, 15.0);
     assert_both::<Fx32, _>(&cone, 7.0, 15.0);
     assert_both::<Fx16, _>(&cone, 7.0, 15.0);
@@ -87,7 +87,7 @@ fn every_ratio_is_reached() {
             let field = field_of(beam, ratio);
             let cone = Cone::from_beam_and_field(degrees(beam), degrees(field)).expect("reachable");
             assert_both::<f32, _>(&cone, beam, field);
-            let kind = match cone.profile() {
+            let kind = match cone.falloff() {
                 _ if cone.inner().to_degrees() > 0.0 => 0,
                 FittedFalloff::Quadratic(_) => 1,
                 FittedFalloff::Cubic(_) => 2,
@@ -106,12 +106,12 @@ fn every_ratio_is_reached() {
 /// f32 finds the slope to three digits only.
 #[test]
 fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
-    let slope = |field| match Cone::from_beam_and_field(degrees(10.0), degrees(field)).expect("ok").profile()
+    let slope = |field| match Cone::from_beam_and_field(degrees(10.0), degrees(field)).expect("ok").falloff()
     {
         FittedFalloff::Quadratic(quadratic) => quadratic.edge_slope(),
         FittedFalloff::Cubic(cubic) => panic!("{cubic:?}"),
     };
-    let field = |profile: &dyn Fn() -> Angle| profile().to_degrees();
+    let field = |falloff: &dyn Fn() -> Angle| falloff().to_degrees();
     let soft = field(&|| Cone::from_beam(luminaire::falloff::Soft, degrees(10.0)).expect("sound").field());
     let hard = field(&|| Cone::from_beam(luminaire::falloff::Hard, degrees(10.0)).expect("sound").field());
     assert!(slope(soft * 0.999_999) < 1e-2 && slope(hard * 1.000_001) > 1.999);
@@ -123,7 +123,7 @@ fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
             near_hard.inner().to_degrees() >= 0.0,
             "{near_hard:?}, expected near_hard.inner().to_degrees() >= 0.0"
         );
-        let FittedFalloff::Quadratic(quadratic) = near_hard.profile() else { panic!("{near_hard:?}") };
+        let FittedFalloff::Quadratic(quadratic) = near_hard.falloff() else { panic!("{near_hard:?}") };
         assert!(
             (1.99..=2.0).contains(&quadratic.edge_slope()),
             "{quadratic:?}, expected quadratic.edge_slope() in 1.99..=2.0"
@@ -216,7 +216,7 @@ fn of_two_cubics_the_one_without_a_ring_is_taken() {
             // half, so that f32 finds the angle less precisely.
             let error = if i % 16 == 0 { 5e-5 } else { 4e-6 };
             assert_both_within::<f32, _>(&cone, 7.0, field, error);
-            let [a, b, c] = cone.profile().coefficients().map(f64::from);
+            let [a, b, c] = cone.falloff().coefficients().map(f64::from);
             assert_eq!(a + b + c, 1.0);
             let taken = cubics::Cubic { a, b, c };
             assert!(taken.smallest_slope() > -1e-5, "{taken:?}, expected taken.smallest_slope() > -1e-5");

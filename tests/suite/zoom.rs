@@ -52,10 +52,10 @@ impl Zoom {
         zoom
     }
 
-    fn cones<P: Falloff>(&self, profile: P) -> Result<[Cone<P>; 2], Error> {
+    fn cones<P: Falloff>(&self, falloff: P) -> Result<[Cone<P>; 2], Error> {
         let cone = |side: usize| {
             let (outer, cutoff) = (self.outer[side], self.cutoff[side]);
-            let cone = Cone::from_outer(profile, half(outer))?
+            let cone = Cone::from_outer(falloff, half(outer))?
                 .with_inner(half(outer * cutoff * self.inner[side]))?;
             if cutoff < 1.0 { cone.with_cutoff(half(outer * cutoff)) } else { Ok(cone) }
         };
@@ -63,7 +63,7 @@ impl Zoom {
     }
 
     /// The exact cone at a part of the way.
-    fn exact(&self, profile: oracle::Falloff, part: f64) -> oracle::Cone {
+    fn exact(&self, falloff: oracle::Falloff, part: f64) -> oracle::Cone {
         let between = |angle: fn(&Self, usize) -> f32| {
             let [from, to] = [0, 1].map(|side| oracle::versine(angle(self, side).into()).sqrt());
             (from + (to - from) * part).powi(2)
@@ -71,7 +71,7 @@ impl Zoom {
         oracle::Cone {
             inner: between(|zoom, side| zoom.outer[side] * zoom.cutoff[side] * zoom.inner[side]),
             limit: between(|zoom, side| zoom.outer[side] * zoom.cutoff[side]),
-            ..oracle::Cone::new(profile, between(|zoom, side| zoom.outer[side]))
+            ..oracle::Cone::new(falloff, between(|zoom, side| zoom.outer[side]))
         }
     }
 }
@@ -106,7 +106,7 @@ fn error<S: Format>((zoom, point): Input) -> f64 {
     let Some((point, expected)) = place::<S>(zoom.exact(oracle::soft, part.exact()), point) else {
         return 0.0;
     };
-    (from.zoomed(&to, part).falloff(point).exact() - expected).abs()
+    (from.zoomed(&to, part).falloff_at(point).exact() - expected).abs()
 }
 
 /// The error of a zoomed light of the quick evaluation, relative to its stated error.
@@ -197,12 +197,12 @@ fn the_ends_of_a_zoom_are_its_cones() {
 }
 
 /// The early-outs of a zoomed light change no bit, and outside of the cone is no light.
-fn assert_skips<S: Format, P: Falloff>(profile: P) {
+fn assert_skips<S: Format, P: Falloff>(falloff: P) {
     let mut rng = Rng::with_seed(2);
     let (mut rims, mut lit) = (0, 0);
     for _ in 0..2_000 {
         let zoom = Zoom::somewhere(&mut rng, 1.0);
-        let Ok([from, to]) = zoom.cones(profile) else { continue };
+        let Ok([from, to]) = zoom.cones(falloff) else { continue };
         let Ok([narrow, wide]) = sweep::spot(&mut rng, from).compile_zoom::<S>(&to) else { continue };
         let part = S::from_f32(zoom.part);
         let zoomed = narrow.zoomed(&wide, part);
@@ -215,7 +215,7 @@ fn assert_skips<S: Format, P: Falloff>(profile: P) {
             let normal = sweep::single(-way).map(S::from_f32);
             let light = zoomed.irradiance(point, normal);
             assert_eq!(light, zoomed.irradiance_unskipped(point, normal), "{zoom:?}");
-            assert_eq!(zoomed.falloff(point) > S::ZERO, light > S::Irradiance::default(), "{zoom:?}");
+            assert_eq!(zoomed.falloff_at(point) > S::ZERO, light > S::Irradiance::default(), "{zoom:?}");
             rims += 1;
             lit += i32::from(light > S::Irradiance::default());
         }

@@ -17,7 +17,7 @@ use luminaire::{
 /// The half angles of the cones, in degrees.
 pub const HALF_ANGLES: [f32; 5] = [3.0, 7.5, 22.0, 45.0, 80.0];
 
-/// The bounds of the errors by profile, in linear codes, at each of [`HALF_ANGLES`]: searched
+/// The bounds of the errors by falloff, in linear codes, at each of [`HALF_ANGLES`]: searched
 /// (`tests/slow/haze16.rs`).
 pub const BOUNDS: [(&str, f64); 3] = [("soft", 0.6), ("hard", 0.45), ("smooth", 0.5)];
 
@@ -45,8 +45,8 @@ pub struct Lights<P> {
 }
 
 impl<P: Falloff> Lights<P> {
-    pub fn new(profile: P, truth: oracle::Falloff, degrees: f32) -> Self {
-        let cone = Cone::from_outer(profile, HalfAngle::degrees(degrees)).expect("a sound angle");
+    pub fn new(falloff: P, truth: oracle::Falloff, degrees: f32) -> Self {
+        let cone = Cone::from_outer(falloff, HalfAngle::degrees(degrees)).expect("a sound angle");
         Self { cone, truth, half: f64::from(degrees).to_radians() }
     }
 

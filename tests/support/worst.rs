@@ -2,9 +2,9 @@
 //! for by climbing.
 
 use super::{
+    falloffs::Shape,
     format::Format,
     oracle::climb::{self, Search, Worst, one_of},
-    profiles::Shape,
     sweep,
 };
 use fastrand::Rng;
@@ -68,7 +68,7 @@ pub fn error<S: Format, P: Falloff>(shape: &Shape<P>, half_degrees: f32, place: 
     let spot = SpotLight::new(Vec3::default(), place.axis, shape.at(half_degrees)).ok()?;
     let exact = sweep::stored::<S, _, _>(&spot, cone);
     let point = place.point.map(S::length);
-    let found = spot.compile::<S>().ok()?.falloff(point).exact();
+    let found = spot.compile::<S>().ok()?.falloff_at(point).exact();
     Some((found - exact.falloff(S::exact_point(point))).abs())
 }
 

@@ -84,7 +84,7 @@ impl Desk {
         let on = Setting { is_on: true, ..*setting }.applied(original, 1.0)?;
         let on = on.light();
         let own_edge = match original.light() {
-            AnyLight::Spot(spot) => spot.cone().profile().effect().name(),
+            AnyLight::Spot(spot) => spot.cone().falloff().effect().name(),
             _ => "",
         };
         // The aim of a light that the scene moves is that at this time.

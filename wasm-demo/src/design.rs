@@ -68,7 +68,7 @@ impl Design {
         edge: Option<AnyFalloff>,
         original: Cone<AnyFalloff>,
     ) -> Result<Cone<AnyFalloff>, Error> {
-        let profile = edge.unwrap_or(original.profile());
+        let profile = edge.unwrap_or(original.falloff());
         match (self.beam, self.field) {
             (Some(beam), Some(field)) => fitted(beam, field),
             (Some(beam), None) => Cone::from_beam(profile, Angle::degrees(beam)),
@@ -81,7 +81,7 @@ impl Design {
 
 fn fitted(beam: f32, field: f32) -> Result<Cone<AnyFalloff>, Error> {
     let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
-    Ok(cone.with_profile(cone.profile().into()))
+    Ok(cone.with_falloff(cone.falloff().into()))
 }
 
 /// Share by which the ends of a range are drawn in, so that an end in degrees is accepted.

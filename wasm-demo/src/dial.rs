@@ -50,7 +50,7 @@ impl Desk {
             ..DialEnds::default()
         };
         if let AnyLight::Spot(spot) = on {
-            let (cone, edge) = (spot.cone(), spot.cone().profile());
+            let (cone, edge) = (spot.cone(), spot.cone().falloff());
             let outer = [self.state().format.narrowest(edge), Angle::degrees(180.0)]
                 .map(|outer| Cone::from_outer(edge, outer).unwrap_or(cone));
             let angle = |name, of: fn(&Cone<_>) -> Angle| {

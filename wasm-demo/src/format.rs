@@ -281,7 +281,7 @@ mod tests {
 
     #[test]
     fn the_curve_passes_its_marks_in_every_format() {
-        let cone = Cone::from_field(Soft, Angle::degrees(30.0)).unwrap().with_profile(SoftOrHard::Soft);
+        let cone = Cone::from_field(Soft, Angle::degrees(30.0)).unwrap().with_falloff(SoftOrHard::Soft);
         let half = |angle: Angle| angle.to_degrees() / 2.0;
         let angles = [0.0, half(cone.beam()), half(cone.field()), half(cone.outer()) * 1.01];
         for format in Format::ALL {

@@ -12,7 +12,7 @@ use super::CompiledAnyLight;
 use crate::{
     attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, with_attenuation},
     cone::CompiledCone,
-    falloff::{AnyFalloff, Falloff, with_profile},
+    falloff::{AnyFalloff, Falloff, with_falloff},
     number::{FullOffset, Offset, Scalar},
     shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint},
     specular::SpecularLobe,
@@ -122,25 +122,25 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
     }
 
     fn spot(&mut self, light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>) {
-        with_profile!(light.falloff, profile, curve => self.cone(light, profile, curve));
+        with_falloff!(light.cone, falloff, curve => self.cone(light, falloff, curve));
     }
 
     fn cone<P: Falloff>(
         &mut self,
         light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>,
-        profile: P,
+        falloff: P,
         curve: P::Compiled<S>,
     ) {
         let CompiledSpotLight {
             position, axis, outside, intensity, fine_below, color, specular_color, ..
         } = *light;
         let colors = [color, specular_color];
-        let falloff = CompiledCone::from_parts(light.falloff.ramp, profile, curve);
+        let cone = CompiledCone::from_parts(light.cone.ramp, falloff, curve);
         match plain(&light.attenuation) {
             Some(Plain::InverseSquare) => self.light(&CompiledSpotLight::<S, P>::from_parts(
                 position,
                 axis,
-                falloff,
+                cone,
                 outside,
                 (),
                 intensity,
@@ -152,7 +152,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
                 self.light(&CompiledSpotLight::<S, P, NoAttenuation>::from_parts(
                     position,
                     axis,
-                    falloff,
+                    cone,
                     outside,
                     (),
                     gain,

@@ -20,14 +20,14 @@ impl CompiledAnyLight<f32> {
 
 /// Evaluates an expression with the concrete types of the falloffs that most beams have, and with the
 /// enums for all others. A loop for each falloff of the list would take 70 kB in a WebAssembly module.
-macro_rules! with_frequent_profile {
-    ($cone:expr, $profile:ident, $curve:ident => $answer:expr) => {
-        with_frequent_profile!(@ $cone, $profile, $curve, $answer, Soft, Hard, Quadratic, Cubic)
+macro_rules! with_frequent_falloff {
+    ($cone:expr, $falloff:ident, $curve:ident => $answer:expr) => {
+        with_frequent_falloff!(@ $cone, $falloff, $curve, $answer, Soft, Hard, Quadratic, Cubic)
     };
-    (@ $cone:expr, $profile:ident, $curve:ident, $answer:expr, $($variant:ident),*) => {
-        match ($cone.profile, $cone.curve) {
-            $((AnyFalloff::$variant($profile), CompiledAnyFalloff::$variant($curve)) => $answer,)*
-            ($profile, $curve) => $answer,
+    (@ $cone:expr, $falloff:ident, $curve:ident, $answer:expr, $($variant:ident),*) => {
+        match ($cone.falloff, $cone.curve) {
+            $((AnyFalloff::$variant($falloff), CompiledAnyFalloff::$variant($curve)) => $answer,)*
+            ($falloff, $curve) => $answer,
         }
     };
 }
@@ -46,7 +46,7 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// other attenuations share one loop with branches on falloff and attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
-            with_frequent_profile!(self.falloff, profile, curve => each(&self.by_square(profile, curve), rays, lights));
+            with_frequent_falloff!(self.falloff, falloff, curve => each(&self.by_square(falloff, curve), rays, lights));
         } else {
             each(self, rays, lights);
         }
@@ -65,8 +65,8 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
         lights: &mut [f32; N],
     ) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
-            with_frequent_profile!(self.falloff, profile, curve => {
-                each_through(&self.by_square(profile, curve), rays, filter, lights)
+            with_frequent_falloff!(self.falloff, falloff, curve => {
+                each_through(&self.by_square(falloff, curve), rays, filter, lights)
             });
         } else {
             each_through(self, rays, filter, lights);
@@ -74,8 +74,8 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     }
 
     /// Returns the beam with the concrete types of its falloff and of the inverse-square law.
-    fn by_square<P: Falloff>(&self, profile: P, curve: P::Compiled<f32>) -> BeamScattering<P, InverseSquare> {
-        let falloff = CompiledCone::from_parts(self.falloff.ramp, profile, curve);
+    fn by_square<P: Falloff>(&self, falloff: P, curve: P::Compiled<f32>) -> BeamScattering<P, InverseSquare> {
+        let falloff = CompiledCone::from_parts(self.falloff.ramp, falloff, curve);
         let Self { position, axis, gain, cone, reach, .. } = *self;
         BeamScattering::from_parts(position, axis, falloff, (), gain, cone, reach)
     }

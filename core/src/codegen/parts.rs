@@ -39,7 +39,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Returns the constants of the light, except those of its falloff and its colours.
     pub fn parts(&self) -> Parts<S, A> {
         let Self { position, axis, attenuation, intensity, fine_below, outside, .. } = *self;
-        let cone = Some(ConeParts { axis, ramp: self.falloff.ramp, outside });
+        let cone = Some(ConeParts { axis, ramp: self.cone.ramp, outside });
         Parts { position, attenuation, intensity, fine_below, cone }
     }
 }

@@ -11,19 +11,19 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledCone<S: Scalar, P: Falloff = SoftOrHard> {
     pub(crate) ramp: S::Ramp,
-    pub(crate) profile: P,
+    pub(crate) falloff: P,
     pub(crate) curve: P::Compiled<S>,
 }
 
 impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
-    pub(super) fn new(ramp: S::Ramp, profile: P) -> Self {
-        Self { ramp, profile, curve: profile.compile() }
+    pub(super) fn new(ramp: S::Ramp, falloff: P) -> Self {
+        Self { ramp, falloff, curve: falloff.compile() }
     }
 
     /// Creates the cone from its parts, as [`codegen`](crate::codegen) writes them: `curve` is the
     /// falloff in the format `S`.
-    pub const fn from_parts(ramp: S::Ramp, profile: P, curve: P::Compiled<S>) -> Self {
-        Self { ramp, profile, curve }
+    pub const fn from_parts(ramp: S::Ramp, falloff: P, curve: P::Compiled<S>) -> Self {
+        Self { ramp, falloff, curve }
     }
 
     /// Converts a versine to the scale of this cone, rounded to nearest.
@@ -52,13 +52,13 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
 
     /// Returns the cone with another falloff.
     #[inline]
-    pub fn with_profile<Q: Falloff>(&self, profile: Q) -> CompiledCone<S, Q> {
-        CompiledCone::new(self.ramp, profile)
+    pub fn with_falloff<Q: Falloff>(&self, falloff: Q) -> CompiledCone<S, Q> {
+        CompiledCone::new(self.ramp, falloff)
     }
 
     /// Returns the angular falloff.
-    pub fn profile(&self) -> P {
-        self.profile
+    pub fn falloff(&self) -> P {
+        self.falloff
     }
 }
 
@@ -66,15 +66,15 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct QuickCone<S: Scalar, P: Falloff = SoftOrHard> {
     pub(crate) ramp: S::QuickRamp,
-    pub(crate) profile: P,
+    pub(crate) falloff: P,
     pub(crate) curve: P::Compiled<S>,
 }
 
 impl<S: Scalar, P: Falloff> QuickCone<S, P> {
     /// Creates the cone from its parts, as [`codegen`](crate::codegen) writes them: `curve` is the
     /// falloff in the format `S`.
-    pub const fn from_parts(ramp: S::QuickRamp, profile: P, curve: P::Compiled<S>) -> Self {
-        Self { ramp, profile, curve }
+    pub const fn from_parts(ramp: S::QuickRamp, falloff: P, curve: P::Compiled<S>) -> Self {
+        Self { ramp, falloff, curve }
     }
 
     /// Returns the intensity in the direction of a ray from the light, for a light with this axis.

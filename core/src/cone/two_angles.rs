@@ -141,7 +141,7 @@ fn fitted(beam: f32, field: f32) -> Option<Cone<FittedFalloff>> {
     let within = |cone: &Cone<FittedFalloff>| cone.outer <= 1.0;
     quadratic.filter(within).or_else(|| {
         let cubic = cubic(beam, field, DEFAULT_SLOPE)?;
-        Some(cubic.with_profile(FittedFalloff::Cubic(cubic.profile())))
+        Some(cubic.with_falloff(FittedFalloff::Cubic(cubic.falloff())))
     })
 }
 

@@ -20,7 +20,7 @@ impl<P: Falloff> Cone<P> {
     #[must_use]
     pub fn zoomed(&self, other: &Self, part: f32) -> Self {
         Self {
-            profile: self.profile,
+            falloff: self.falloff,
             inner: versine_between(self.inner, other.inner, part),
             outer: versine_between(self.outer, other.outer, part),
             limit: versine_between(self.limit, other.limit, part),
@@ -37,7 +37,7 @@ impl<P: Falloff> Cone<P> {
     ) -> Result<([CompiledCone<S, P>; 2], f32), Error> {
         /// Number of cones of which the error is computed, besides the wide one.
         const CONES: u16 = 96;
-        let other = Self { profile: self.profile, ..*other };
+        let other = Self { falloff: self.falloff, ..*other };
         // The cones are closer together near the narrow one, where the error changes more.
         let (narrow, wide) = if self.limit < other.limit { (self, &other) } else { (&other, self) };
         let mut largest = wide.checked_error::<S>()?;
@@ -60,9 +60,9 @@ mod tests {
 
     /// Returns the largest ratio of the error of a cone between two cones to the error that
     /// `compile_zoom` returns, and the largest ratio to that of the two cones.
-    fn excess<P: Falloff>(profile: P, hotspots: [f32; 2]) -> [f32; 2] {
+    fn excess<P: Falloff>(falloff: P, hotspots: [f32; 2]) -> [f32; 2] {
         let cone = |degrees: f32, hotspot: f32| {
-            let cone = Cone::from_outer(profile, HalfAngle::degrees(degrees)).expect("a sound angle");
+            let cone = Cone::from_outer(falloff, HalfAngle::degrees(degrees)).expect("a sound angle");
             cone.with_inner(HalfAngle::degrees(degrees * hotspot)).expect("a sound angle")
         };
         let mut worst = [0.0_f32; 2];

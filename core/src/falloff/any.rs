@@ -67,22 +67,22 @@ macro_rules! any_falloff {
 /// Evaluates an expression with the concrete types of a compiled cone's falloff and curve. If the
 /// variants of falloff and curve differ, which is only possible through `from_parts`, the
 /// expression is evaluated with the enums.
-macro_rules! with_profile {
-    ([$cone:expr, $profile:ident, $curve:ident, $answer:expr]
+macro_rules! with_falloff {
+    ([$cone:expr, $falloff:ident, $curve:ident, $answer:expr]
      $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
        $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
-        match ($cone.profile, $cone.curve) {
-            $(($crate::falloff::AnyFalloff::$variant($profile),
+        match ($cone.falloff, $cone.curve) {
+            $(($crate::falloff::AnyFalloff::$variant($falloff),
                $crate::falloff::CompiledAnyFalloff::$variant($curve)) => $answer,)*
-            ($profile, $curve) => $answer,
+            ($falloff, $curve) => $answer,
         }
     };
-    ($cone:expr, $profile:ident, $curve:ident => $answer:expr) => {
-        $crate::models::falloffs!(with_profile; [$cone, $profile, $curve, $answer])
+    ($cone:expr, $falloff:ident, $curve:ident => $answer:expr) => {
+        $crate::models::falloffs!(with_falloff; [$cone, $falloff, $curve, $answer])
     };
 }
 
-pub(crate) use with_profile;
+pub(crate) use with_falloff;
 
 falloffs!(any_falloff);
 

@@ -1,5 +1,5 @@
 //! Falloffs chosen at run time, with a branch per point. To branch once per light instead, a
-//! renderer matches on the variant and calls `with_profile`.
+//! renderer matches on the variant and calls `with_falloff`.
 
 use core::fmt::{self, Formatter};
 
@@ -129,14 +129,14 @@ choice! {
 
 /// Evaluates an expression with the type of the chosen falloff.
 macro_rules! edge {
-    ($choice:ident, $profile:ident => $answer:expr) => {
+    ($choice:ident, $falloff:ident => $answer:expr) => {
         match $choice {
             Self::Soft => {
-                let $profile = Soft;
+                let $falloff = Soft;
                 $answer
             }
             Self::Hard => {
-                let $profile = Hard;
+                let $falloff = Hard;
                 $answer
             }
         }
@@ -160,25 +160,25 @@ impl Falloff for SoftOrHard {
     }
 
     fn beam_versine(self) -> f32 {
-        edge!(self, profile => profile.beam_versine())
+        edge!(self, falloff => falloff.beam_versine())
     }
 
     fn field_versine(self) -> f32 {
-        edge!(self, profile => profile.field_versine())
+        edge!(self, falloff => falloff.field_versine())
     }
 
     fn steepness(self, hotspot: f32) -> f32 {
-        edge!(self, profile => profile.steepness(hotspot))
+        edge!(self, falloff => falloff.steepness(hotspot))
     }
 
     fn integral(self, u: f32) -> f32 {
-        edge!(self, profile => profile.integral(u))
+        edge!(self, falloff => falloff.integral(u))
     }
 }
 
 impl<S: Scalar> Curve<S> for SoftOrHard {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        edge!(self, profile => profile.intensity(t))
+        edge!(self, falloff => falloff.intensity(t))
     }
 }

@@ -19,11 +19,11 @@ use crate::{
 /// Any other `N` does not compile:
 ///
 /// ```compile_fail,E0080
-/// let profile = luminaire::falloff::AnyFalloff::from(luminaire::falloff::Power::<0>);
+/// let falloff = luminaire::falloff::AnyFalloff::from(luminaire::falloff::Power::<0>);
 /// ```
 ///
 /// ```compile_fail,E0080
-/// let profile = luminaire::falloff::AnyFalloff::from(luminaire::falloff::Power::<4_000_000_000>);
+/// let falloff = luminaire::falloff::AnyFalloff::from(luminaire::falloff::Power::<4_000_000_000>);
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Power<const N: u32>;
@@ -37,11 +37,11 @@ pub struct Power<const N: u32>;
 /// Any other `N` does not compile:
 ///
 /// ```compile_fail,E0080
-/// let profile = luminaire::falloff::AnyFalloff::from(luminaire::falloff::InvertedPower::<0>);
+/// let falloff = luminaire::falloff::AnyFalloff::from(luminaire::falloff::InvertedPower::<0>);
 /// ```
 ///
 /// ```compile_fail,E0080
-/// let profile = luminaire::falloff::AnyFalloff::from(luminaire::falloff::InvertedPower::<4_000_000_000>);
+/// let falloff = luminaire::falloff::AnyFalloff::from(luminaire::falloff::InvertedPower::<4_000_000_000>);
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct InvertedPower<const N: u32>;

@@ -51,10 +51,10 @@ impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
         BeamScattering {
             position: self.position,
             axis: self.axis,
-            falloff: self.falloff,
+            falloff: self.cone,
             attenuation: self.attenuation,
             gain: self.intensity.by(haze.density() / 4.0),
-            cone: rim(&self.falloff),
+            cone: rim(&self.cone),
             reach: [radius * radius, reach * reach],
         }
     }

@@ -61,9 +61,9 @@ impl<P: Falloff> CompiledSpotLight<Fx16, P, InverseSquare> {
         BeamScattering16 {
             position: self.position,
             axis: self.axis,
-            falloff: self.falloff,
+            falloff: self.cone,
             gain: self.intensity.by(Gain16::nearest(haze.density() / 4.0)),
-            cone: rim(&self.falloff),
+            cone: rim(&self.cone),
             radius: Fx16::length(radius),
             nearest: Gain16::nearest(1.0 / radius),
         }

@@ -58,11 +58,11 @@ impl Direct3d {
         check_up_to(Parameter::Phi, self.phi, core::f32::consts::PI)?;
         check_between(Parameter::Theta, self.theta, 0.0, self.phi)?;
         check_between(Parameter::Falloff, self.falloff, 0.0, 1_024.0)?;
-        let profile = AnyFalloff::real_power(self.falloff);
+        let falloff = AnyFalloff::real_power(self.falloff);
         let (theta, phi) = (Angle::radians(self.theta), Angle::radians(self.phi));
         // A step has no inner angle.
-        let is_step = theta >= phi || matches!(profile, AnyFalloff::Step(_));
-        let cone = ramp(profile, if is_step { phi } else { theta }, phi)?;
+        let is_step = theta >= phi || matches!(falloff, AnyFalloff::Step(_));
+        let cone = ramp(falloff, if is_step { phi } else { theta }, phi)?;
         let coefficients = [self.attenuation0, self.attenuation1, self.attenuation2];
         let range = if self.range > 1e9 { None } else { Some(self.range) };
         let fall = fall::polynomial(coefficients, range, self.intensity)?;

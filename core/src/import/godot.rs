@@ -73,14 +73,14 @@ impl Godot {
         let exponent = 1.0 / attenuation;
         let floored = InvertedRealPower::of(exponent, FLOOR);
         let whole = exponent as u32;
-        let (profile, difference, on_axis) = if whole as f32 == exponent {
+        let (falloff, difference, on_axis) = if whole as f32 == exponent {
             let angle = (1.0 - floored.height()) as f32;
             (AnyFalloff::inverted_power(whole), Difference { angle: angle * 1.001, ..Difference::NONE }, 1.0)
         } else {
             (AnyFalloff::InvertedRealPower(floored), Difference::NONE, floored.height() as f32)
         };
         let outer = Angle::from(HalfAngle::degrees(self.spot_angle));
-        let cone = ramp(profile, Angle::degrees(0.0), outer)?;
+        let cone = ramp(falloff, Angle::degrees(0.0), outer)?;
         let fall = fall::decay(self.spot_attenuation, 1e-4, Some(self.spot_range), self.light_energy)?;
         let fall = Fall { intensity: fall.intensity * on_axis, ..fall };
         spot(position, direction, cone, difference, fall)

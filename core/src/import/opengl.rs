@@ -91,7 +91,7 @@ impl OpenGl {
         let cutoff = Angle::from(HalfAngle::degrees(self.spot_cutoff));
         match AnyFalloff::real_power(self.spot_exponent) {
             step @ AnyFalloff::Step(_) => Cone::from_outer(step, cutoff),
-            profile => Cone::from_outer(profile, Angle::degrees(180.0))?.with_cutoff(cutoff),
+            falloff => Cone::from_outer(falloff, Angle::degrees(180.0))?.with_cutoff(cutoff),
         }
     }
 }

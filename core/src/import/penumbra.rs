@@ -66,11 +66,11 @@ impl Penumbra {
             let accepted = Expected::AngleBetween(0.0, self.penumbra.to_degrees());
             return Err(Error { parameter: Parameter::Umbra, value: self.umbra.to_degrees(), accepted });
         }
-        let profile = match self.ramp {
+        let falloff = match self.ramp {
             Ramp::Linear => AnyFalloff::Linear(Linear),
             Ramp::Smooth => AnyFalloff::Smooth(Smooth),
         };
-        let cone = ramp(profile, self.umbra, self.penumbra)?;
+        let cone = ramp(falloff, self.umbra, self.penumbra)?;
         let distance = AnyAttenuation::InverseSquare(CutAt::new(InverseSquare, None)?);
         spot(
             position,

@@ -181,8 +181,8 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// [`Scalar::FARTHEST`].
     pub fn compile<S: Scalar>(&self) -> Result<CompiledSpotLight<S, P, A>, Error> {
         check_reach::<S>(self.position)?;
-        let (falloff, error) = self.cone.compile_with_error::<S>()?;
-        Ok(self.with_falloff(falloff, &self.cone, error))
+        let (cone, error) = self.cone.compile_with_error::<S>()?;
+        Ok(self.compiled(cone, &self.cone, error))
     }
 
     /// Compiles the light with its own cone and with another one, for
@@ -202,8 +202,8 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// let [narrow, wide] = spot.compile_zoom::<Fx16>(&wide?)?;
     /// let between = narrow.zoomed(&wide, Fx16::from_bits(1 << 13)); // halfway: 14 fraction bits
     /// let point = Fx16::point([1.0, 0.0, 0.0]);
-    /// assert_eq!(narrow.falloff(point), Fx16::ZERO);
-    /// assert!(between.falloff(point) > Fx16::ZERO && between.falloff(point) < wide.falloff(point));
+    /// assert_eq!(narrow.falloff_at(point), Fx16::ZERO);
+    /// assert!(between.falloff_at(point) > Fx16::ZERO && between.falloff_at(point) < wide.falloff_at(point));
     /// # Ok::<(), luminaire::Error>(())
     /// ```
     ///
@@ -212,13 +212,13 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     pub fn compile_zoom<S: Scalar>(&self, other: &Cone<P>) -> Result<[CompiledSpotLight<S, P, A>; 2], Error> {
         check_reach::<S>(self.position)?;
         let ([own, others], error) = self.cone.compile_zoom::<S>(other)?;
-        Ok([self.with_falloff(own, &self.cone, error), self.with_falloff(others, other, error)])
+        Ok([self.compiled(own, &self.cone, error), self.compiled(others, other, error)])
     }
 
     /// Returns the light with a compiled cone, of which the coarse error is at most `error`.
-    fn with_falloff<S: Scalar>(
+    fn compiled<S: Scalar>(
         &self,
-        falloff: CompiledCone<S, P>,
+        compiled: CompiledCone<S, P>,
         cone: &Cone<P>,
         error: f32,
     ) -> CompiledSpotLight<S, P, A> {
@@ -226,7 +226,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         CompiledSpotLight {
             position: self.position.map(S::length),
             axis: self.axis_in::<S>(),
-            falloff,
+            cone: compiled,
             outside: number::outside_bound(cone.outer_versine()),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(intensity),
@@ -264,7 +264,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         Ok(QuickSpotLight {
             position: self.position.map(S::length),
             axis: S::quick_axis(self.axis_in::<S>()),
-            falloff: self.cone.compile_quick::<S>()?,
+            cone: self.cone.compile_quick::<S>()?,
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(self.emission.intensity),
             color: self.emission.color.map(S::from_f32),

@@ -89,10 +89,10 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     #[must_use]
     pub fn zoomed(self, other: &Self, part: S) -> Self {
         if part > S::ZERO {
-            let (from, to) = (self.falloff.ramp, other.falloff.ramp);
+            let (from, to) = (self.cone.ramp, other.cone.ramp);
             let (ramp, outside) = if part < S::ONE { S::zoomed(from, to, part) } else { (to, other.outside) };
-            let falloff = CompiledCone { ramp, ..self.falloff };
-            Self { falloff, outside, fine_below: self.fine_below.max(other.fine_below), ..self }
+            let cone = CompiledCone { ramp, ..self.cone };
+            Self { cone, outside, fine_below: self.fine_below.max(other.fine_below), ..self }
         } else {
             self
         }
@@ -125,9 +125,9 @@ impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     #[must_use]
     pub fn zoomed(self, other: &Self, part: S) -> Self {
         if part > S::ZERO {
-            let (from, to) = (self.falloff.ramp, other.falloff.ramp);
+            let (from, to) = (self.cone.ramp, other.cone.ramp);
             let ramp = if part < S::ONE { S::quick_zoomed(from, to, part) } else { to };
-            Self { falloff: QuickCone { ramp, ..self.falloff }, ..self }
+            Self { cone: QuickCone { ramp, ..self.cone }, ..self }
         } else {
             self
         }

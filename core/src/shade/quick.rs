@@ -24,7 +24,7 @@ pub struct QuickSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = I
     pub(crate) position: Vec3<S::Length>,
     /// The axis as `Quick::quick_axis` returns it.
     pub(crate) axis: Vec3<S::Unit>,
-    pub(crate) falloff: QuickCone<S, P>,
+    pub(crate) cone: QuickCone<S, P>,
     pub(crate) attenuation: A::Constants<S>,
     pub(crate) intensity: S::Gain,
     pub(crate) color: Rgb<S>,
@@ -62,8 +62,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     }
 
     /// Returns the falloff of the cone.
-    pub fn profile(&self) -> P {
-        self.falloff.profile
+    pub fn falloff(&self) -> P {
+        self.cone.falloff
     }
 
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
@@ -72,12 +72,12 @@ impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     pub const fn from_parts(
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,
-        falloff: QuickCone<S, P>,
+        cone: QuickCone<S, P>,
         attenuation: A::Constants<S>,
         intensity: S::Gain,
         [color, specular_color]: [Rgb<S>; 2],
     ) -> Self {
-        Self { position, axis, falloff, attenuation, intensity, color, specular_color }
+        Self { position, axis, cone, attenuation, intensity, color, specular_color }
     }
 }
 
@@ -101,7 +101,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, 
             return Incident::default();
         }
         let ray = offset.ray();
-        let falloff = self.falloff.toward(&ray, self.axis);
+        let falloff = self.cone.toward(&ray, self.axis);
         if skips && falloff == Share::of_scalar(S::ZERO) {
             return Incident::default();
         }

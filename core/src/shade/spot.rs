@@ -20,7 +20,7 @@ use crate::{
 pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
     pub(crate) axis: Vec3<S::Unit>,
-    pub(crate) falloff: CompiledCone<S, P>,
+    pub(crate) cone: CompiledCone<S, P>,
     pub(crate) outside: S,
     pub(crate) attenuation: A::Constants<S>,
     pub(crate) intensity: S::Gain,
@@ -54,12 +54,12 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
 
     /// Returns the falloff of the cone alone at a point, in `[0, 1]`.
     #[inline]
-    pub fn falloff(&self, point: Vec3<S::Length>) -> S {
+    pub fn falloff_at(&self, point: Vec3<S::Length>) -> S {
         let offset = S::offset(self.position, point);
         if offset.is_near(self.fine_below) {
-            return self.falloff.toward(&offset.fine_ray(), self.axis).rounded();
+            return self.cone.toward(&offset.fine_ray(), self.axis).rounded();
         }
-        self.falloff.toward(&offset.ray(), self.axis)
+        self.cone.toward(&offset.ray(), self.axis)
     }
 
     /// Returns `false` only if no point within `radius` of `center` receives light: all of them are
@@ -113,19 +113,19 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     }
 
     /// Returns the falloff of the cone.
-    pub fn profile(&self) -> P {
-        self.falloff.profile()
+    pub fn falloff(&self) -> P {
+        self.cone.falloff()
     }
 
     /// Returns the same light with its falloff converted to another type.
     ///
     /// A conversion from a run-time choice to a concrete type moves the branch on the falloff from
     /// each point to each light.
-    pub fn with_profile<Q: Falloff>(&self, profile: Q) -> CompiledSpotLight<S, Q, A> {
+    pub fn with_falloff<Q: Falloff>(&self, falloff: Q) -> CompiledSpotLight<S, Q, A> {
         CompiledSpotLight {
             position: self.position,
             axis: self.axis,
-            falloff: self.falloff.with_profile(profile),
+            cone: self.cone.with_falloff(falloff),
             outside: self.outside,
             attenuation: self.attenuation,
             intensity: self.intensity,
@@ -143,14 +143,14 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     pub const fn from_parts(
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,
-        falloff: CompiledCone<S, P>,
+        cone: CompiledCone<S, P>,
         outside: S,
         attenuation: A::Constants<S>,
         intensity: S::Gain,
         fine_below: u32,
         [color, specular_color]: [Rgb<S>; 2],
     ) -> Self {
-        Self { position, axis, falloff, outside, attenuation, intensity, fine_below, color, specular_color }
+        Self { position, axis, cone, outside, attenuation, intensity, fine_below, color, specular_color }
     }
 }
 
@@ -168,7 +168,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Placed<S, A> for CompiledSpotLight<S
 
     #[inline]
     fn falloff<R: Ray<S, Ramp = S::Ramp>>(&self, ray: &R) -> Option<R::Share> {
-        Some(self.falloff.toward(ray, self.axis))
+        Some(self.cone.toward(ray, self.axis))
     }
 }
 

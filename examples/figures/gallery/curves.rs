@@ -40,9 +40,9 @@ impl Model {
         }
     }
 
-    /// One of the kernel's profiles, evaluated by the kernel.
-    fn kernel<P: Falloff + 'static>(color: &'static str, name: &str, profile: P) -> Result<Self, Error> {
-        let cone = Cone::from_field(profile, Angle::degrees(FIELD))?;
+    /// One of the kernel's falloffs, evaluated by the kernel.
+    fn kernel<P: Falloff + 'static>(color: &'static str, name: &str, falloff: P) -> Result<Self, Error> {
+        let cone = Cone::from_field(falloff, Angle::degrees(FIELD))?;
         let falloff = cone.compile::<f32>()?;
         let versine = |degrees: f64| Angle::from(HalfAngle::degrees(degrees as f32)).versine();
         Ok(Self {

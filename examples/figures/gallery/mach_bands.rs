@@ -1,4 +1,4 @@
-//! Mach bands: a wall lit head-on by a clamped linear ramp, and by two profiles without a kink.
+//! Mach bands: a wall lit head-on by a clamped linear ramp, and by two falloffs without a kink.
 
 use super::{
     picture::{self, Picture},
@@ -31,7 +31,7 @@ const GREY: &str = "#5f6368";
 const BLUE: &str = "#20639b";
 const RED: &str = "#b3261e";
 
-/// A wall under one profile.
+/// A wall under one falloff.
 struct Panel {
     title: &'static str,
     remark: &'static str,
@@ -77,11 +77,11 @@ impl MachBands {
     }
 
     /// The light across the middle of each panel and, below, its slope.
-    pub(crate) fn profiles(&self) -> String {
+    pub(crate) fn curves(&self) -> String {
         let title = "Light across the beam, and its slope, for a linear, a soft and a smooth edge";
         let mut drawing = Drawing::new(self.picture.width as f64, 310.0, title);
         for (number, panel) in self.panels.iter().enumerate() {
-            panel.profile(&mut drawing, (number * (PANEL + GAP)) as f64);
+            panel.curve(&mut drawing, (number * (PANEL + GAP)) as f64);
         }
         drawing.finish()
     }
@@ -108,7 +108,7 @@ impl Panel {
 
     /// Draws the light of the middle row and its slope, aligned with the panel in the picture.
     /// Across the panel x goes from -1 to 1.
-    fn profile(&self, drawing: &mut Drawing, left: f64) {
+    fn curve(&self, drawing: &mut Drawing, left: f64) {
         let x = [(left, -1.0), (left + PANEL as f64, 1.0)];
         let light = Frame { x, y: [(160.0, 0.0), (44.0, f64::from(ALBEDO))] };
         let slope = Frame { x, y: [(270.0, -3.2), (190.0, 3.2)] };

@@ -44,7 +44,7 @@ impl Figure {
 pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
     let [warn, soft, hard] = scene::pictures()?;
     let bands = mach_bands::MachBands::draw()?;
-    let profiles = bands.profiles();
+    let curves = bands.curves();
     let picture = |name, picture| Figure { name, content: Content::Picture(picture) };
     let drawing = |name, svg| Figure { name, content: Content::Drawing(svg) };
     Ok(vec![
@@ -53,7 +53,7 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
         picture("hard.png", hard),
         drawing("intensity.svg", curves::svg()?),
         picture("mach-bands.png", bands.picture),
-        drawing("mach-bands.svg", profiles),
+        drawing("mach-bands.svg", curves),
         picture("preview.png", preview::picture()?),
     ])
 }

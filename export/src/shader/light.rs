@@ -55,7 +55,7 @@ pub(super) fn program(names: Names<'_>, light: &AnyLight) -> Result<Program, Exp
             }
             let doc = "rise of t from the outer to the inner angle, over twice the versine";
             program.constants.push(names.constant("slope", doc, value(0.5 * slope)));
-            let (tables, curve) = falloff::curve(&names, &Trace::of(spot.cone().profile()))?;
+            let (tables, curve) = falloff::curve(&names, &Trace::of(spot.cone().falloff()))?;
             program.constants.extend(tables);
             program.functions.extend([curve, cone_of(names, limit < outer), falloff_of(names)]);
             finish(&mut program, names, intensity, color("linear colour", spot.color()));

@@ -119,7 +119,7 @@ pub(crate) fn exact(spot: &Spot, point: [f32; 3], normal: [f32; 3]) -> [f64; 2] 
     let [inner, outer, limit] = spot.cone().versines().map(f64::from);
     let versine = versine(spot, point);
     let t = if versine <= inner { 1.0 } else { (outer - versine) / (outer - inner) };
-    let falloff = if versine < limit { spot.cone().profile().formula().exact(t) } else { 0.0 };
+    let falloff = if versine < limit { spot.cone().falloff().formula().exact(t) } else { 0.0 };
     let cosine = (-offset.normalize().dot(wide(normal))).clamp(0.0, 1.0);
     [f64::from(spot.intensity()) * spot.attenuation().exact(offset.length()) * falloff * cosine, falloff]
 }
@@ -128,8 +128,8 @@ pub(crate) fn exact(spot: &Spot, point: [f32; 3], normal: [f32; 3]) -> [f64; 2] 
 /// that of the code and not of the inputs. An exponent below 1 makes the slope infinite.
 pub(crate) fn is_smooth(spot: &Spot) -> bool {
     let cone = spot.cone();
-    let slope = cone.profile().steepness(cone.inner().versine() / cone.outer_versine());
-    let jumps = match cone.profile().formula() {
+    let slope = cone.falloff().steepness(cone.inner().versine() / cone.outer_versine());
+    let jumps = match cone.falloff().formula() {
         Formula::Step | Formula::Table(_) => true,
         Formula::Power(exponent) | Formula::InvertedPower(exponent, _) => exponent < 1.0,
         _ => false,

@@ -3,7 +3,7 @@
 
 use luminaire::light::CompiledCone;
 
-use crate::{kernel::Kernel, profile::Shape, value::Value};
+use crate::{falloff::Shape, kernel::Kernel, value::Value};
 
 /// A compiled cone whose input is the cosine of the angle off axis.
 #[derive(Clone, Copy, Debug)]

@@ -3,8 +3,8 @@
 use core::marker::PhantomData;
 
 use crate::{
+    falloff::Shape,
     kernel::Kernel,
-    profile::Shape,
     scene::{AXIS, POSITION, Site},
     truth,
     value::Value,
@@ -18,14 +18,14 @@ type Vector = [f64; 3];
 pub struct DoubleFalloff<P> {
     outer: f64,
     reciprocal: f64,
-    profile: PhantomData<P>,
+    falloff: PhantomData<P>,
 }
 
 impl<P: Shape> DoubleFalloff<P> {
     /// The cone that ends at this versine.
     pub fn new(outer: f32) -> Self {
         let outer = f64::from(outer);
-        Self { outer, reciprocal: 1.0 / outer, profile: PhantomData }
+        Self { outer, reciprocal: 1.0 / outer, falloff: PhantomData }
     }
 
     #[inline(always)]

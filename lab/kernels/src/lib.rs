@@ -16,7 +16,7 @@
 //! | `f64` | the versine form in twice the width |
 //! | `rival` | the methods of others: f32, each with its own formula |
 //!
-//! Files, in the order in which they build on one another: `value`, `profile`, `scene`, `truth`,
+//! Files, in the order in which they build on one another: `value`, `falloff`, `scene`, `truth`,
 //! `kernel`, `ours`, `cosine`, `double`, `rival`, `list`.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -26,10 +26,10 @@ extern crate std;
 
 mod cosine;
 mod double;
+mod falloff;
 mod kernel;
 mod list;
 mod ours;
-mod profile;
 mod rival;
 pub mod scene;
 pub mod truth;
@@ -37,10 +37,10 @@ mod value;
 
 pub use cosine::CosineFalloff;
 pub use double::{DoubleFalloff, DoublePoint};
+pub use falloff::Shape;
 pub use kernel::{Kernel, Row, Stage, Visitor};
 pub use list::{Setting, falloffs, points, priced, rungs};
 pub use ours::{Highlit, OurFalloff, OurPoint, QuickPoint};
-pub use profile::Shape;
 #[cfg(feature = "std")]
 pub use rival::Std;
 pub use rival::{Clamp, CosineTable, Gltf, Libm, Micromath, Power, Powf, Schlick, Smoothstep};

@@ -11,9 +11,9 @@ use luminaire_oracle as oracle;
 use crate::{
     cosine::cosine,
     double::{DoubleFalloff, DoublePoint},
+    falloff::Shape,
     kernel::{Row, Visitor},
     ours::{Highlit, OurFalloff, OurPoint, QuickPoint},
-    profile::Shape,
     rival,
     scene::{AXIS, EYE, POSITION, Population},
     truth::{Highlight, Point, widened},
@@ -48,8 +48,8 @@ impl Setting {
         self.cone(Soft).outer_versine()
     }
 
-    fn cone<P: Shape>(self, profile: P) -> Cone<P> {
-        cone(Cone::from_outer(profile, self.outer))
+    fn cone<P: Shape>(self, falloff: P) -> Cone<P> {
+        cone(Cone::from_outer(falloff, self.outer))
     }
 
     /// The exponent with which the power of a cosine has the field angle of the soft cone.
@@ -81,8 +81,8 @@ pub fn falloffs(setting: Setting, visitor: &mut impl Visitor) {
 
 /// A falloff in every format.
 fn shape<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
-    let profile = P::sample();
-    let cone = setting.cone(profile);
+    let falloff = P::sample();
+    let cone = setting.cone(falloff);
     let truth = setting.truth::<P>();
     ours::<Fx16, P>(&cone, &truth, visitor);
     ours::<Fx32, P>(&cone, &truth, visitor);
@@ -95,7 +95,7 @@ fn ours<S: Format, P: Shape>(cone: &Cone<P>, truth: &oracle::Cone, visitor: &mut
     let row = Row::falloff(P::NAME, S::NAME);
     match cone.compile::<S>() {
         Ok(falloff) => visitor.falloff(row, OurFalloff::new(falloff, cone.outer_versine()), truth),
-        Err(_) => visitor.refused(row, Cone::narrowest::<S>(cone.profile()).to_degrees() / 2.0),
+        Err(_) => visitor.refused(row, Cone::narrowest::<S>(cone.falloff()).to_degrees() / 2.0),
     }
 }
 

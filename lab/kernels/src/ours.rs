@@ -9,8 +9,8 @@ use luminaire::{
 };
 
 use crate::{
+    falloff::Shape,
     kernel::Kernel,
-    profile::Shape,
     scene::{EYE, Site},
     value::Format,
 };

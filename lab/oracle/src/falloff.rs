@@ -1,8 +1,8 @@
-//! Versines, profiles and cones.
+//! Versines, falloffs and cones.
 
 use glam::DVec3;
 
-/// A profile by its function of `t`, which is 0 at the edge and 1 on the axis.
+/// A falloff by its function of `t`, which is 0 at the edge and 1 on the axis.
 pub type Falloff = fn(f64) -> f64;
 
 /// The soft edge: Hast 2004, section 2.
@@ -68,13 +68,13 @@ pub fn versine_between(a: DVec3, b: DVec3) -> f64 {
 }
 
 /// Intensity of a spotlight without a hotspot at a versine off its axis.
-pub fn falloff(profile: Falloff, versine: f64, outer_versine: f64) -> f64 {
-    Cone::new(profile, outer_versine).falloff(versine)
+pub fn falloff(falloff: Falloff, versine: f64, outer_versine: f64) -> f64 {
+    Cone::new(falloff, outer_versine).falloff(versine)
 }
 
 /// The intensity over `t`.
 #[derive(Clone, Copy, Debug)]
-pub enum Profile {
+pub enum Curve {
     /// A function of `t`.
     Function(Falloff),
     /// `t` to a power.
@@ -83,8 +83,8 @@ pub enum Profile {
     Polynomial([f64; 3]),
 }
 
-impl Profile {
-    /// Evaluates the profile.
+impl Curve {
+    /// Evaluates the falloff.
     pub fn at(self, t: f64) -> f64 {
         match self {
             Self::Function(function) => function(t),
@@ -98,10 +98,10 @@ impl Profile {
 #[derive(Clone, Copy, Debug)]
 pub struct Cone {
     /// The intensity from `outer` to `inner`.
-    pub profile: Profile,
+    pub falloff: Curve,
     /// Full intensity up to here.
     pub inner: f64,
-    /// Where the profile ends.
+    /// Where the falloff ends.
     pub outer: f64,
     /// Where a cutoff ends the cone; `outer` where there is none.
     pub limit: f64,
@@ -109,14 +109,14 @@ pub struct Cone {
 
 impl Cone {
     /// Without a hotspot or a cutoff.
-    pub fn new(profile: Falloff, outer: f64) -> Self {
-        Self { profile: Profile::Function(profile), inner: 0.0, outer, limit: outer }
+    pub fn new(falloff: Falloff, outer: f64) -> Self {
+        Self { falloff: Curve::Function(falloff), inner: 0.0, outer, limit: outer }
     }
 
     /// The cosine of the angle off axis to a power, and nothing from the cutoff on: OpenGL, and with
     /// a cutoff at 90 degrees Warn 1983.
     pub fn opengl(exponent: f64, cutoff: f64) -> Self {
-        Self { profile: Profile::Power(exponent), inner: 0.0, outer: 1.0, limit: cutoff }
+        Self { falloff: Curve::Power(exponent), inner: 0.0, outer: 1.0, limit: cutoff }
     }
 
     /// Intensity at a versine off the axis.
@@ -124,9 +124,9 @@ impl Cone {
         if versine >= self.limit {
             0.0
         } else if versine <= self.inner {
-            self.profile.at(1.0)
+            self.falloff.at(1.0)
         } else {
-            self.profile.at((self.outer - versine) / (self.outer - self.inner))
+            self.falloff.at((self.outer - versine) / (self.outer - self.inner))
         }
     }
 
@@ -170,9 +170,9 @@ mod tests {
             (power_15, 9.313_225_746_154_785e-10),
             (inverted_power_4, 0.683_593_75),
         ];
-        for (index, (profile, value)) in at_a_quarter.into_iter().enumerate() {
-            assert!((profile(0.25) - value).abs() < 1e-16, "{index}: {} is not {value}", profile(0.25));
-            assert_eq!((profile(0.0), profile(1.0)), (0.0, 1.0), "{index}");
+        for (index, (falloff, value)) in at_a_quarter.into_iter().enumerate() {
+            assert!((falloff(0.25) - value).abs() < 1e-16, "{index}: {} is not {value}", falloff(0.25));
+            assert_eq!((falloff(0.0), falloff(1.0)), (0.0, 1.0), "{index}");
         }
     }
 

@@ -30,7 +30,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`mod@falloff`] | versines, profiles and cones |
+//! | [`mod@falloff`] | versines, falloffs and cones |
 //! | [`attenuation`] | intensity over the distance |
 //! | [`specular`] | specular lobes and the classic equation |
 //! | [`light`] | the spotlight |

@@ -208,13 +208,13 @@ fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[SpotLight]) {
 fn a_block_is_left_out_only_where_no_light_arrives() {
     let mut camera = stage::camera();
     let mut lights = stage::lights().unwrap().to_vec();
-    for (profile, outer) in [
+    for (falloff, outer) in [
         (SoftOrHard::Soft, 180.0),
         (SoftOrHard::Hard, 180.0),
         (SoftOrHard::Hard, 8.0),
         (SoftOrHard::Soft, 5.0),
     ] {
-        let cone = Cone::from_outer(profile, Angle::degrees(outer)).unwrap();
+        let cone = Cone::from_outer(falloff, Angle::degrees(outer)).unwrap();
         let axis = Vec3::new(outer - 6.0, -20.0, 3.0);
         lights.push(SpotLight::new(Vec3::new(0.0, 3.0, 0.0), axis, cone).unwrap());
     }

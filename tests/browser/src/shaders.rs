@@ -103,10 +103,10 @@ fn compare(
     ensure!(found.len() == 2 * PLACES, "{} numbers for {PLACES} places", found.len());
     let light = spot.compile::<f32>()?;
     let is_real =
-        matches!(spot.cone().profile(), AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_));
+        matches!(spot.cone().falloff(), AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_));
     for ((point, normal), found) in places.into_iter().zip(found.chunks_exact(2)) {
         let [irradiance, falloff] = [found[0], found[1]].map(f32::from_bits);
-        let expected = light.falloff(point.into());
+        let expected = light.falloff_at(point.into());
         let differs = 255.0 * f64::from(falloff - expected).abs();
         worst.places += 1;
         let at = || format!("falloff {falloff}, expected {expected} at {point:?}");

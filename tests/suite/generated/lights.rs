@@ -93,7 +93,7 @@ fn typed<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     for field in [20.0, 29.0] {
         spots::<S, _>(
             visit,
-            Cone::from_beam_and_field(Angle::degrees(14.0), Angle::degrees(field)).map(|cone| cone.profile()),
+            Cone::from_beam_and_field(Angle::degrees(14.0), Angle::degrees(field)).map(|cone| cone.falloff()),
         )?;
     }
     macro_rules! attenuations {
@@ -151,15 +151,15 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
     Ok(())
 }
 
-/// Spotlights with a profile: over the whole cone, around a hotspot, and with a cutoff.
+/// Spotlights with a falloff: over the whole cone, around a hotspot, and with a cutoff.
 fn spots<S: SourceScalar, P: Falloff + Source>(
     visit: &mut impl Visit,
-    profile: Result<P, Error>,
+    falloff: Result<P, Error>,
 ) -> Result<(), Error>
 where
     P::Compiled<S>: Source,
 {
-    let plain = Cone::from_outer(profile?, Angle::degrees(40.0))?;
+    let plain = Cone::from_outer(falloff?, Angle::degrees(40.0))?;
     let hotspot = plain.with_inner(Angle::degrees(13.0))?;
     let cut = plain.with_cutoff(Angle::degrees(31.0))?;
     for (index, cone) in [plain, hotspot, cut].into_iter().enumerate() {

@@ -4,10 +4,10 @@ use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, falloff::Falloff};
 use std::ops::RangeInclusive;
 use support::{bounds, format::Format, oracle, sweep};
 
-/// A cone between two half angles in degrees, and the row of the table of bounds that its profile
+/// A cone between two half angles in degrees, and the row of the table of bounds that its falloff
 /// has.
 pub(crate) struct Case<P> {
-    pub(crate) profile: P,
+    pub(crate) falloff: P,
     pub(crate) oracle: oracle::Falloff,
     pub(crate) row: &'static str,
     pub(crate) inner: f32,
@@ -15,13 +15,13 @@ pub(crate) struct Case<P> {
 }
 
 impl<P: Falloff> Case<P> {
-    /// The profile from the axis to the edge.
-    pub(crate) fn open(row: &'static str, profile: P, oracle: oracle::Falloff, outer: f32) -> Self {
-        Self { profile, oracle, row, inner: 0.0, outer }
+    /// The falloff from the axis to the edge.
+    pub(crate) fn open(row: &'static str, falloff: P, oracle: oracle::Falloff, outer: f32) -> Self {
+        Self { falloff, oracle, row, inner: 0.0, outer }
     }
 
     pub(crate) fn cone(&self) -> Cone<P> {
-        let cone = Cone::from_outer(self.profile, HalfAngle::degrees(self.outer));
+        let cone = Cone::from_outer(self.falloff, HalfAngle::degrees(self.outer));
         cone.and_then(|cone| cone.with_inner(HalfAngle::degrees(self.inner))).expect("a sound cone")
     }
 

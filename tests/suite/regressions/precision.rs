@@ -52,7 +52,7 @@ fn versine_form<S: Format>(half_degrees: f32) -> Option<f64> {
             let site = sweep::site::<S>(&mut rng, exact.position, exact.axis, half_degrees.into(), distance);
             let point = S::exact_point(site.point);
             if point.distance_squared(exact.position) > 1.0 {
-                worst = worst.max((compiled.falloff(site.point).exact() - exact.falloff(point)).abs());
+                worst = worst.max((compiled.falloff_at(site.point).exact() - exact.falloff(point)).abs());
             }
         }
     }

@@ -219,13 +219,13 @@ mod tests {
     ///
     /// Returns the largest error and the largest decrease towards the axis, both in steps of `Fx16`
     /// (2^-14).
-    fn over_all_t<P: Falloff>(profile: P, exact: impl Fn(f64) -> f64) -> (f64, i32) {
-        let curve = profile.compile::<Fx16>();
+    fn over_all_t<P: Falloff>(falloff: P, exact: impl Fn(f64) -> f64) -> (f64, i32) {
+        let curve = falloff.compile::<Fx16>();
         let at = |t: u16| i32::from(curve.intensity(Fraction16(t.into())).to_bits());
-        assert_eq!((at(0), at(1 << 15)), (0, 1 << 14), "{profile:?}");
+        assert_eq!((at(0), at(1 << 15)), (0, 1 << 14), "{falloff:?}");
         (0..=1 << 15).fold((0.0, 0), |(error, fall), t: u16| {
             let (here, next) = (at(t), at((t + 1).min(1 << 15)));
-            assert!((0..=1 << 14).contains(&here), "{profile:?} {t}: {here}, expected here in 0..=1 << 14");
+            assert!((0..=1 << 14).contains(&here), "{falloff:?} {t}: {here}, expected here in 0..=1 << 14");
             let difference = f64::from(here) - 16_384.0 * exact(f64::from(t) / 32_768.0);
             (f64::max(error, difference.abs()), fall.max(here - next))
         })

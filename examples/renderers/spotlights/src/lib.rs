@@ -53,7 +53,7 @@ const BRIGHT: f32 = 16.0;
 /// The cone's factor as a linear pixel, rounded to nearest, in 16-bit integers.
 #[inline]
 pub fn cone16(light: &CompiledSpotLight<Fx16, Soft>, point: Vec3<Length>) -> Rgb565 {
-    let bits = i32::from(light.falloff(point).to_bits());
+    let bits = i32::from(light.falloff_at(point).to_bits());
     let part = |most: i32| ((bits * most + (1 << 13)) >> 14) as u8;
     Rgb565::new(part(31), part(63), part(31))
 }
@@ -61,7 +61,7 @@ pub fn cone16(light: &CompiledSpotLight<Fx16, Soft>, point: Vec3<Length>) -> Rgb
 /// The cone's factor as a linear pixel, rounded to nearest, in f32.
 #[inline]
 pub fn cone32(light: &CompiledSpotLight<f32, Soft>, point: Vec3<f32>) -> Rgb565 {
-    let falloff = light.falloff(point);
+    let falloff = light.falloff_at(point);
     let part = |most: f32| (falloff * most + 0.5) as u8;
     Rgb565::new(part(31.0), part(63.0), part(31.0))
 }

@@ -18,7 +18,7 @@ pub(super) fn components(v: Vec3<f32>) -> [f32; 3] {
 /// The description of a cone, in full angles and degrees. `design` says which angle `angle` is: 0
 /// outer, 1 beam, 2 field. An inner angle or cutoff of zero is not set.
 pub(super) struct Description<P> {
-    profile: Result<P, Error>,
+    falloff: Result<P, Error>,
     design: u32,
     angle: f32,
     inner: f32,
@@ -26,9 +26,9 @@ pub(super) struct Description<P> {
 }
 
 impl<P: Falloff> Description<P> {
-    pub(super) fn of(case: &mut Case<'_>, profile: impl Fn(&mut Case<'_>) -> Result<P, Error>) -> Self {
+    pub(super) fn of(case: &mut Case<'_>, falloff: impl Fn(&mut Case<'_>) -> Result<P, Error>) -> Self {
         Self {
-            profile: profile(case),
+            falloff: falloff(case),
             design: case.whole("design"),
             angle: case.number("angle"),
             inner: case.number("inner"),
@@ -37,11 +37,11 @@ impl<P: Falloff> Description<P> {
     }
 
     pub(super) fn cone(self) -> Result<Cone<P>, Error> {
-        let (profile, angle) = (self.profile?, Angle::degrees(self.angle));
+        let (falloff, angle) = (self.falloff?, Angle::degrees(self.angle));
         let mut cone = match self.design {
-            0 => Cone::from_outer(profile, angle),
-            1 => Cone::from_beam(profile, angle),
-            _ => Cone::from_field(profile, angle),
+            0 => Cone::from_outer(falloff, angle),
+            1 => Cone::from_beam(falloff, angle),
+            _ => Cone::from_field(falloff, angle),
         }?;
         if self.inner != 0.0 {
             cone = cone.with_inner(Angle::degrees(self.inner))?;
@@ -65,9 +65,9 @@ fn give<P: Falloff>(case: &mut Case<'_>, cone: &Cone<P>) {
 
 pub(super) fn cone<P: Falloff>(
     case: &mut Case<'_>,
-    profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
+    falloff: impl Fn(&mut Case<'_>) -> Result<P, Error>,
 ) -> Outcome {
-    let cone = Description::of(case, profile).cone()?;
+    let cone = Description::of(case, falloff).cone()?;
     give(case, &cone);
     Ok(())
 }
@@ -79,7 +79,7 @@ pub(super) fn two_angles(case: &mut Case<'_>) -> Outcome {
     let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
     give(case, &cone);
     case.give(cone.inner().to_degrees());
-    match cone.profile() {
+    match cone.falloff() {
         FittedFalloff::Quadratic(quadratic) => case.give(quadratic.edge_slope()),
         FittedFalloff::Cubic(cubic) => {
             case.give(cubic.edge_slope());
@@ -94,7 +94,7 @@ pub(super) fn two_angles_and_slope(case: &mut Case<'_>) -> Outcome {
     let (beam, field, slope) = (case.number("beam"), case.number("field"), case.number("edge slope"));
     let cone = Cone::from_beam_field_and_slope(Angle::degrees(beam), Angle::degrees(field), slope)?;
     give(case, &cone);
-    case.give(cone.profile().middle_slope());
+    case.give(cone.falloff().middle_slope());
     Ok(())
 }
 
@@ -109,9 +109,9 @@ pub(super) fn opengl(case: &mut Case<'_>) -> Outcome {
 /// intensity at that versine; and the intensity at a versine of any bits.
 pub(super) fn falloff<S: Format, P: Falloff>(
     case: &mut Case<'_>,
-    profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
+    falloff: impl Fn(&mut Case<'_>) -> Result<P, Error>,
 ) -> Outcome {
-    let description = Description::of(case, profile);
+    let description = Description::of(case, falloff);
     let (number, bits) = (case.number("versine"), case.versine::<S>("versine of the format"));
     let falloff = description.cone()?.compile::<S>()?;
     let versine = falloff.versine(number);

@@ -13,22 +13,22 @@ use crate::word::Format;
 /// The falloff and the light at a point.
 pub(super) fn spot<S: Format, P: Falloff>(
     case: &mut Case<'_>,
-    profile: impl Fn(&mut Case<'_>) -> Result<P, Error>,
+    falloff: impl Fn(&mut Case<'_>) -> Result<P, Error>,
 ) -> Outcome {
-    let description = Description::of(case, profile);
+    let description = Description::of(case, falloff);
     let (position, axis, intensity) =
         (case.vector("position"), case.vector("axis"), case.number("intensity"));
     let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
     let spot = SpotLight::new(position, axis, description.cone()?)?.with_intensity(intensity)?;
     let light = spot.compile::<S>()?;
-    case.give(light.falloff(point));
+    case.give(light.falloff_at(point));
     case.give(light.irradiance(point, normal));
     Ok(())
 }
 
 /// The light at a point by the quick evaluation, level and attenuated.
-pub(super) fn quick<S: Format, P: Falloff>(case: &mut Case<'_>, profile: P) -> Outcome {
-    let description = Description::of(case, |_| Ok(profile));
+pub(super) fn quick<S: Format, P: Falloff>(case: &mut Case<'_>, falloff: P) -> Outcome {
+    let description = Description::of(case, |_| Ok(falloff));
     let (position, axis, intensity) =
         (case.vector("position"), case.vector("axis"), case.number("intensity"));
     let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));

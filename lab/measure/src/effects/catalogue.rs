@@ -168,7 +168,7 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
     },
     Group {
         title: "Edges of the cone",
-        note: "The soft spotlight with another profile. A scene pays for those that its spotlights have.",
+        note: "The soft spotlight with another falloff. A scene pays for those that its spotlights have.",
         entries: [falloffs(), vec![
             Entry {
                 title: "hotspot",
@@ -184,7 +184,7 @@ pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {
                 listed: None,
                 effects: Effects::NONE.with(Effect::Cutoff),
                 over: Some(SPOT),
-                what: "A cone that is cut off before its profile ends, as by barn doors or a snoot: another constant.",
+                what: "A cone that is cut off before its falloff ends, as by barn doors or a snoot: another constant.",
             },
         ]].concat(),
     },

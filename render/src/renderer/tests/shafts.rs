@@ -62,7 +62,7 @@ impl Exact {
         let AnyLight::Spot(spot) = fixture.light() else { panic!("expected a spotlight") };
         let (gobo, square) = fixture.gobo().expect("a gobo");
         let scale = 65_536.0 / (2.0 * f64::from(square.tangent()));
-        let falloff = match spot.cone().profile() {
+        let falloff = match spot.cone().falloff() {
             AnyFalloff::Soft(_) => |t| t * t,
             AnyFalloff::Hard(_) => |t| t * (2.0 - t),
             AnyFalloff::Step(_) => |_| 1.0,

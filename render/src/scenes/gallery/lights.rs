@@ -47,10 +47,10 @@ pub(super) fn follow_spot(position: Vec3<f32>, target: Vec3<f32>) -> Result<Movi
 /// Returns the name and the cone of a kind of spotlight. The beam angle or the field angle is about
 /// 40 degrees.
 fn kind(number: usize) -> Result<(&'static str, Cone<AnyFalloff>), Error> {
-    let field = |profile: AnyFalloff| Cone::from_field(profile, Angle::degrees(42.0));
+    let field = |falloff: AnyFalloff| Cone::from_field(falloff, Angle::degrees(42.0));
     let data_sheet = |beam: f32, field: f32| {
         let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
-        Ok(cone.with_profile(AnyFalloff::from(cone.profile())))
+        Ok(cone.with_falloff(AnyFalloff::from(cone.falloff())))
     };
     Ok(match number {
         0 => ("Fresnel", field(Soft.into())?),

@@ -97,7 +97,7 @@ pub fn spot_soft_lambert_compiled(Surface { point, normal, .. }: Surface) -> Irr
 /// The falloff of the soft spotlight alone.
 #[inline(always)]
 pub fn spot_soft(Surface { point, .. }: Surface) -> Format {
-    Soft::CONSTANT.falloff(point)
+    Soft::CONSTANT.falloff_at(point)
 }
 
 /// The soft spotlight behind a gobo of 16 by 16 texels.

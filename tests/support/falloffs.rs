@@ -1,4 +1,4 @@
-//! Every profile of the kernel beside its reference: the list that the sweeps iterate over.
+//! Every falloff of the kernel beside its reference: the list that the sweeps iterate over.
 
 use super::{oracle, sweep};
 use luminaire::{
@@ -18,30 +18,30 @@ pub fn cubic() -> Cubic {
 pub struct Shape<P> {
     pub name: &'static str,
     pub cone: fn(P, f32) -> Cone<P>,
-    pub profile: P,
+    pub falloff: P,
     pub exact: fn(oracle::Falloff, f64) -> oracle::Cone,
     pub oracle: oracle::Falloff,
 }
 
 impl<P: Falloff> Shape<P> {
-    /// The profile from the axis to the edge.
-    pub fn plain(name: &'static str, profile: P, oracle: oracle::Falloff) -> Self {
-        Self { name, cone: plain, profile, exact: oracle::Cone::new, oracle }
+    /// The falloff from the axis to the edge.
+    pub fn plain(name: &'static str, falloff: P, oracle: oracle::Falloff) -> Self {
+        Self { name, cone: plain, falloff, exact: oracle::Cone::new, oracle }
     }
 
-    /// The profile around a hotspot whose versine is half the outer one, up to the roundings of
+    /// The falloff around a hotspot whose versine is half the outer one, up to the roundings of
     /// f32.
-    pub fn hotspot(name: &'static str, profile: P, oracle: oracle::Falloff) -> Self {
-        Self { name, cone: hotspot, profile, exact: exact_hotspot, oracle }
+    pub fn hotspot(name: &'static str, falloff: P, oracle: oracle::Falloff) -> Self {
+        Self { name, cone: hotspot, falloff, exact: exact_hotspot, oracle }
     }
 
-    /// The profile, cut off at 0.75 of its half angle.
-    pub fn with_cutoff(name: &'static str, profile: P, oracle: oracle::Falloff) -> Self {
-        Self { name, cone: with_cutoff, profile, exact: exact_cut, oracle }
+    /// The falloff, cut off at 0.75 of its half angle.
+    pub fn with_cutoff(name: &'static str, falloff: P, oracle: oracle::Falloff) -> Self {
+        Self { name, cone: with_cutoff, falloff, exact: exact_cut, oracle }
     }
 
     pub fn at(&self, half_degrees: f32) -> Cone<P> {
-        (self.cone)(self.profile, half_degrees)
+        (self.cone)(self.falloff, half_degrees)
     }
 
     pub fn exactly_at(&self, half_degrees: f32) -> oracle::Cone {
@@ -66,7 +66,7 @@ impl<const N: u32> Shape<Power<N>> {
     /// OpenGL's spotlight with its cutoff at the half angle.
     pub fn opengl(name: &'static str, oracle: oracle::Falloff) -> Self {
         let cone = |_: Power<N>, half| Cone::opengl(sweep::half(half)).expect("a sound cutoff");
-        Self { name, cone, profile: Power, exact: |_, cutoff| oracle::Cone::opengl(N.into(), cutoff), oracle }
+        Self { name, cone, falloff: Power, exact: |_, cutoff| oracle::Cone::opengl(N.into(), cutoff), oracle }
     }
 }
 
@@ -85,8 +85,8 @@ impl AnyShape {
     /// Every shape of [`with_every_shape!`].
     pub fn all() -> Vec<Self> {
         fn of<P: Falloff + Into<AnyFalloff> + 'static>(shape: &Shape<P>) -> AnyShape {
-            let (name, cone, profile) = (shape.name, shape.cone, shape.profile);
-            let cone = move |half_degrees| cone(profile, half_degrees).with_profile(profile.into());
+            let (name, cone, falloff) = (shape.name, shape.cone, shape.falloff);
+            let cone = move |half_degrees| cone(falloff, half_degrees).with_falloff(falloff.into());
             AnyShape { name, cone: Box::new(cone) }
         }
         crate::with_every_shape!(of).into()
@@ -97,28 +97,28 @@ impl AnyShape {
 const HOTSPOT: f32 = 0.5;
 const CUTOFF: f32 = 0.75;
 
-fn plain<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
-    Cone::from_outer(profile, sweep::half(half_degrees)).expect("a sound cone")
+fn plain<P: Falloff>(falloff: P, half_degrees: f32) -> Cone<P> {
+    Cone::from_outer(falloff, sweep::half(half_degrees)).expect("a sound cone")
 }
 
-fn hotspot<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
-    let cone = plain(profile, half_degrees);
+fn hotspot<P: Falloff>(falloff: P, half_degrees: f32) -> Cone<P> {
+    let cone = plain(falloff, half_degrees);
     cone.with_inner(sweep::half(half_degrees * HOTSPOT)).expect("a sound hotspot")
 }
 
-fn with_cutoff<P: Falloff>(profile: P, half_degrees: f32) -> Cone<P> {
-    let cone = plain(profile, half_degrees);
+fn with_cutoff<P: Falloff>(falloff: P, half_degrees: f32) -> Cone<P> {
+    let cone = plain(falloff, half_degrees);
     cone.with_cutoff(sweep::half(half_degrees * CUTOFF)).expect("a sound cutoff")
 }
 
-fn exact_hotspot(profile: oracle::Falloff, outer: f64) -> oracle::Cone {
+fn exact_hotspot(falloff: oracle::Falloff, outer: f64) -> oracle::Cone {
     let inner = oracle::versine(oracle::half_degrees(outer) * f64::from(HOTSPOT));
-    oracle::Cone { inner, ..oracle::Cone::new(profile, outer) }
+    oracle::Cone { inner, ..oracle::Cone::new(falloff, outer) }
 }
 
-fn exact_cut(profile: oracle::Falloff, outer: f64) -> oracle::Cone {
+fn exact_cut(falloff: oracle::Falloff, outer: f64) -> oracle::Cone {
     let limit = oracle::versine(oracle::half_degrees(outer) * f64::from(CUTOFF));
-    oracle::Cone { limit, ..oracle::Cone::new(profile, outer) }
+    oracle::Cone { limit, ..oracle::Cone::new(falloff, outer) }
 }
 
 /// The shapes whose intensity never rises towards the edge. The others rise by at most a step of
@@ -166,7 +166,7 @@ macro_rules! shapes {
        $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {{
         #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows are made of")]
         use luminaire::{falloff::*, models::*};
-        use $crate::{profiles::{Shape, sound}, oracle};
+        use $crate::{falloffs::{Shape, sound}, oracle};
         [
             $(
                 $crate::shapes!(@call $function Shape::<$type>::plain($name, sound($sample), $truth)),
