@@ -137,6 +137,8 @@ macro_rules! lobes {
             $($($arguments)*)?
             /// The highlight of the mirrored direction: a material with a specular colour.
             Phong = "phong", Phong;
+            /// Phong's highlight for a direction to the eye that is mirrored at the surface, once for all lights.
+            MirroredPhong = "mirrored-phong", MirroredPhong;
             /// The highlight of the half angle.
             BlinnPhong = "blinn-phong", BlinnPhong;
             /// A spotlight's falloff about the mirrored direction.

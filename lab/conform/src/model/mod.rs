@@ -13,7 +13,7 @@ use luminaire::{
     Fx16, Fx32,
     attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
     models::SAMPLES,
-    specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong},
+    specular::{BlinnPhong, DifferenceForm, DualConeLobe, MirroredPhong, NoSpecular, Phong},
 };
 
 use crate::case::{Case, Outcome};
@@ -151,6 +151,7 @@ static WRITTEN: &[Model] = &[
     each!("ambient", S, case => light::ambient::<S>(case)),
     each!("reflect matte", S, case => material::reflect::<S, _>(case, NoSpecular)),
     each!("reflect phong", S, case => material::reflect::<S, _>(case, Phong)),
+    each!("reflect mirrored-phong", S, case => material::reflect::<S, _>(case, MirroredPhong)),
     each!("reflect blinn-phong", S, case => material::reflect::<S, _>(case, BlinnPhong)),
     each!("reflect dual-cone", S, case => material::reflect::<S, _>(case, DualConeLobe)),
     each!("reflect difference-form-2-phong", S, case => material::reflect::<S, _>(case, DifferenceForm::<_, 2>(Phong))),
