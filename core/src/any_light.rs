@@ -176,6 +176,23 @@ impl<S: Scalar> CompiledAnyLight<S> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
+    /// Computes the irradiance at each of many surface points, like
+    /// [`CompiledSpotLight::irradiance_each`], and branches once on the kind of light.
+    pub fn irradiance_each(
+        &self,
+        points: Vec3<&[S::Length]>,
+        normals: Vec3<&[S]>,
+        lights: &mut [S::Irradiance],
+    ) {
+        any!(self, Self, light => light.irradiance_each(points, normals, lights));
+    }
+
+    /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`, like
+    /// [`CompiledSpotLight::add_each`], and branches once on the kind of light.
+    pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
+        any!(self, Self, light => light.add_each(points, normals, sums));
+    }
+
     /// Evaluates the light at a surface point with the specular lobe `H`, before the light's
     /// colours.
     ///

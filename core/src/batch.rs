@@ -17,7 +17,10 @@ use crate::{
     cone::CompiledCone,
     falloff::Falloff,
     number::{Fraction, FullOffset, Offset, Ray, Scalar},
-    shade::{CompiledPointLight, CompiledSpotLight, LightModel, SurfacePoint},
+    shade::{
+        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, LightModel, QuickSpotLight,
+        SurfacePoint,
+    },
     specular::NoSpecular,
     vec3::Vec3,
 };
@@ -37,13 +40,6 @@ struct Lanes<T>([T; BLOCK]);
 trait Batched<S: Scalar>: LightModel<S> {
     /// Returns the position of the light.
     fn position(&self) -> Vec3<S::Length>;
-    /// Returns the irradiance at a single point, with early-outs in fixed point and without
-    /// branches in `f32`.
-    #[inline]
-    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        let skips = !S::Offset::ROOTS_FIRST;
-        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), skips).diffuse
-    }
     /// Returns the irradiance at a single point, given the direction and distance.
     fn expose(
         &self,
@@ -90,12 +86,16 @@ impl<S: Scalar, A: Attenuation> Batched<S> for CompiledPointLight<S, A> {
     }
 }
 
-/// Returns the number of points in whole blocks, and the number of all points.
-fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: usize) -> (usize, usize) {
+/// Returns the number of points.
+fn extent<S: Scalar>(points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: usize) -> usize {
     let points = points.x.len().min(points.y.len()).min(points.z.len());
     let normals = normals.x.len().min(normals.y.len()).min(normals.z.len());
-    let count = lights.min(points).min(normals);
-    (if S::Offset::ROOTS_FIRST { count - count % BLOCK } else { 0 }, count)
+    lights.min(points).min(normals)
+}
+
+/// Returns the number of points in whole blocks.
+fn in_blocks<S: Scalar>(count: usize) -> usize {
+    if S::Offset::ROOTS_FIRST { count - count % BLOCK } else { 0 }
 }
 
 /// Returns the blocks of a range of indices of three columns.
@@ -148,34 +148,73 @@ fn add<S: Scalar>(sum: &mut S::Irradiance, light: S::Irradiance, color: S) {
     *sum = S::add_light(*sum, S::filter(light, color));
 }
 
-/// Implements `irradiance_each` of the lights.
-fn irradiance_each<S: Scalar, L: Batched<S>>(
+/// Returns the irradiance at a single point, with early-outs in fixed point and without branches in
+/// `f32`.
+#[inline]
+fn single<S: Scalar, L: LightModel<S>>(light: &L, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+    let skips = !S::Offset::ROOTS_FIRST;
+    light.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), skips).diffuse
+}
+
+/// Computes the irradiance at a range of points, one by one.
+fn irradiance_singly<S: Scalar, L: LightModel<S>>(
     light: &L,
+    range: Range<usize>,
     points: Vec3<&[S::Length]>,
     normals: Vec3<&[S]>,
     lights: &mut [S::Irradiance],
 ) {
-    let (whole, count) = extent(points, normals, lights.len());
+    let sites = rows(points, range.clone()).zip(rows(normals, range.clone()));
+    for ((point, normal), sum) in sites.zip(lights.iter_mut().skip(range.start)) {
+        *sum = single(light, point, normal);
+    }
+}
+
+/// Adds the irradiance at a range of points, one by one.
+fn add_singly<S: Scalar, L: LightModel<S>>(
+    light: &L,
+    range: Range<usize>,
+    points: Vec3<&[S::Length]>,
+    normals: Vec3<&[S]>,
+    Rgb { red, green, blue }: Rgb<&mut [S::Irradiance]>,
+) {
+    let [color, _] = light.colors();
+    let sites = rows(points, range.clone()).zip(rows(normals, range.clone()));
+    let sums = red.iter_mut().zip(green.iter_mut()).zip(blue.iter_mut()).skip(range.start);
+    for ((point, normal), ((red, green), blue)) in sites.zip(sums) {
+        let light = single(light, point, normal);
+        add(red, light, color.red);
+        add(green, light, color.green);
+        add(blue, light, color.blue);
+    }
+}
+
+/// Computes the irradiance at each point, in blocks.
+fn irradiance_each<S: Scalar, L: Batched<S>>(
+    light: &L,
+    count: usize,
+    points: Vec3<&[S::Length]>,
+    normals: Vec3<&[S]>,
+    lights: &mut [S::Irradiance],
+) {
+    let whole = in_blocks::<S>(count);
     let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
     for ((points, normals), lights) in sites.zip(blocks_mut(lights)) {
         let (Some(points), Some(normals), Some(lights)) = (points, normals, lights) else { continue };
         light_block(light, points, normals, lights);
     }
-    let sites = rows(points, whole..count).zip(rows(normals, whole..count));
-    for ((point, normal), sum) in sites.zip(lights.iter_mut().skip(whole)) {
-        *sum = light.irradiance(point, normal);
-    }
+    irradiance_singly(light, whole..count, points, normals, lights);
 }
 
-/// Implements `add_each` of the lights.
+/// Adds the irradiance at each point, in blocks.
 fn add_each<S: Scalar, L: Batched<S>>(
     light: &L,
-    color: Rgb<S>,
+    count: usize,
     points: Vec3<&[S::Length]>,
     normals: Vec3<&[S]>,
     Rgb { red, green, blue }: Rgb<&mut [S::Irradiance]>,
 ) {
-    let (whole, count) = extent(points, normals, red.len().min(green.len()).min(blue.len()));
+    let ([color, _], whole) = (light.colors(), in_blocks::<S>(count));
     let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
     let sums = blocks_mut(red).zip(blocks_mut(green)).zip(blocks_mut(blue));
     let mut lights = Lanes([S::Irradiance::default(); BLOCK]);
@@ -187,65 +226,62 @@ fn add_each<S: Scalar, L: Batched<S>>(
             sums.iter_mut().zip(&lights.0).for_each(|(sum, &light)| add(sum, light, color));
         }
     }
-    let sites = rows(points, whole..count).zip(rows(normals, whole..count));
-    let sums = red.iter_mut().zip(green.iter_mut()).zip(blue.iter_mut()).skip(whole);
-    for ((point, normal), ((red, green), blue)) in sites.zip(sums) {
-        let light = light.irradiance(point, normal);
-        add(red, light, color.red);
-        add(green, light, color.green);
-        add(blue, light, color.blue);
-    }
+    add_singly(light, whole..count, points, normals, Rgb { red, green, blue });
 }
 
-impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
-    /// Computes the irradiance at each of many surface points.
-    ///
-    /// Each result is bit-identical to [`irradiance`](Self::irradiance). Points and normals are
-    /// structures of arrays, one slice per component. The shortest slice determines the number of
-    /// points; elements of `lights` beyond this number are not changed.
-    pub fn irradiance_each(
-        &self,
-        points: Vec3<&[S::Length]>,
-        normals: Vec3<&[S]>,
-        lights: &mut [S::Irradiance],
-    ) {
-        irradiance_each(self, points, normals, lights);
-    }
+/// Implements the calls with slices for a kind of light.
+macro_rules! slices {
+    ([$($parameters:tt)*] $light:ty, $self:ident, $points:ident, $normals:ident,
+     |$count:ident, $lights:ident| $each:expr, |$sums:ident| $add:expr) => {
+        impl<S: Scalar, $($parameters)*> $light {
+            /// Computes the irradiance at each of many surface points.
+            ///
+            /// Each result is bit-identical to a call of `irradiance`. Points and normals are
+            /// structures of arrays, one slice per component. The shortest slice determines the
+            /// number of points; elements of `lights` beyond this number are not changed.
+            pub fn irradiance_each(
+                &$self,
+                $points: Vec3<&[S::Length]>,
+                $normals: Vec3<&[S]>,
+                $lights: &mut [S::Irradiance],
+            ) {
+                let $count = extent($points, $normals, $lights.len());
+                $each
+            }
 
-    /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`.
-    ///
-    /// Each result is bit-identical to [`irradiance`](Self::irradiance), [`Rgb::lit`] and
-    /// [`Rgb::plus`]. The lengths of the slices have the same effect as in
-    /// [`irradiance_each`](Self::irradiance_each).
-    pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
-        add_each(self, self.color, points, normals, sums);
-    }
+            /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`.
+            ///
+            /// Each result is bit-identical to calls of `irradiance`, [`Rgb::lit`] and
+            /// [`Rgb::plus`]. The lengths of the slices have the same effect as in
+            /// [`irradiance_each`](Self::irradiance_each).
+            pub fn add_each(
+                &$self,
+                $points: Vec3<&[S::Length]>,
+                $normals: Vec3<&[S]>,
+                $sums: Rgb<&mut [S::Irradiance]>,
+            ) {
+                let lights = $sums.red.len().min($sums.green.len()).min($sums.blue.len());
+                let $count = extent($points, $normals, lights);
+                $add
+            }
+        }
+    };
+    ([$($parameters:tt)*] $light:ty, in blocks) => {
+        slices!([$($parameters)*] $light, self, points, normals,
+            |count, lights| irradiance_each(self, count, points, normals, lights),
+            |sums| add_each(self, count, points, normals, sums));
+    };
+    ([$($parameters:tt)*] $light:ty, one by one) => {
+        slices!([$($parameters)*] $light, self, points, normals,
+            |count, lights| irradiance_singly(self, 0..count, points, normals, lights),
+            |sums| add_singly(self, 0..count, points, normals, sums));
+    };
 }
 
-impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
-    /// Computes the irradiance at each of many surface points.
-    ///
-    /// Each result is bit-identical to [`irradiance`](Self::irradiance). Points and normals are
-    /// structures of arrays, one slice per component. The shortest slice determines the number of
-    /// points; elements of `lights` beyond this number are not changed.
-    pub fn irradiance_each(
-        &self,
-        points: Vec3<&[S::Length]>,
-        normals: Vec3<&[S]>,
-        lights: &mut [S::Irradiance],
-    ) {
-        irradiance_each(self, points, normals, lights);
-    }
-
-    /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`.
-    ///
-    /// Each result is bit-identical to [`irradiance`](Self::irradiance), [`Rgb::lit`] and
-    /// [`Rgb::plus`]. The lengths of the slices have the same effect as in
-    /// [`irradiance_each`](Self::irradiance_each).
-    pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
-        add_each(self, self.color, points, normals, sums);
-    }
-}
+slices!([P: Falloff, A: Attenuation] CompiledSpotLight<S, P, A>, in blocks);
+slices!([A: Attenuation] CompiledPointLight<S, A>, in blocks);
+slices!([P: Falloff, A: Attenuation] QuickSpotLight<S, P, A>, one by one);
+slices!([] CompiledDirectionalLight<S>, one by one);
 
 impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     /// Computes the intensity at each of many versines, up to the length of the shorter slice.

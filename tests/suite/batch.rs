@@ -2,13 +2,14 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Fx16, Fx32, PointLight, Rgb, Scalar, Vec3,
+    DirectionalLight, Fx16, Fx32, PointLight, Rgb, Scalar, Vec3,
     attenuation::{
         AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
         Polynomial, SmoothRange,
     },
+    dynamic::{AnyLight, CompiledAnyLight},
     falloff::{Falloff, Soft},
-    light::{CompiledPointLight, CompiledSpotLight},
+    light::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
 };
 use support::{
     arbitrary::{bits, vector},
@@ -78,7 +79,7 @@ fn before<S: Format>(rng: &mut Rng, count: usize) -> Vec<S::Irradiance> {
     (0..count).map(|_| S::from_f32(rng.f32()).expose(S::gain(4.0))).collect()
 }
 
-/// A spotlight or a point light, evaluated one point at a time and for many points at once.
+/// A light, evaluated one point at a time and for many points at once.
 trait Light<S: Scalar> {
     fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
     fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]);
@@ -87,11 +88,14 @@ trait Light<S: Scalar> {
 }
 
 macro_rules! light {
-    () => {
+    (single) => {
         fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
             self.irradiance(point, normal)
         }
 
+        light!();
+    };
+    () => {
         fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]) {
             self.irradiance_each(points, normals, lights);
         }
@@ -107,10 +111,26 @@ macro_rules! light {
 }
 
 impl<S: Scalar, P: Falloff, A: Attenuation> Light<S> for CompiledSpotLight<S, P, A> {
-    light!();
+    light!(single);
+}
+
+impl<S: Scalar, P: Falloff, A: Attenuation> Light<S> for QuickSpotLight<S, P, A> {
+    light!(single);
 }
 
 impl<S: Scalar, A: Attenuation> Light<S> for CompiledPointLight<S, A> {
+    light!(single);
+}
+
+impl<S: Scalar> Light<S> for CompiledAnyLight<S> {
+    light!(single);
+}
+
+impl<S: Scalar> Light<S> for CompiledDirectionalLight<S> {
+    fn one(&self, _: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        self.irradiance(normal)
+    }
+
     light!();
 }
 
@@ -209,6 +229,27 @@ fn every_distance_model_lights_a_batch_as_it_lights_a_point() {
     assert_models::<f32>();
     assert_models::<Fx32>();
     assert_models::<Fx16>();
+}
+
+#[test]
+fn other_lights_light_a_batch_as_they_light_a_point() {
+    fn assert_others<S: Format>() {
+        let mut rng = Rng::with_seed(23);
+        for length in [0, 1, 63, 64, 65, LONG] {
+            let spot = sweep::spot(&mut rng, shape_cone()).with_intensity(100.0).expect("a sound light");
+            let sites = Sites::about(&mut rng, spot.position(), spot.axis(), 40.0, length);
+            assert_batch(&spot.compile_quick::<S>().expect("held"), &sites, length, &mut rng);
+            let directional = DirectionalLight::new(spot.axis()).expect("a sound light");
+            assert_batch(&directional.compile::<S>(), &sites, length, &mut rng);
+            let point = PointLight::new(spot.position()).expect("a sound light");
+            for light in [AnyLight::from(spot), point.into(), directional.into()] {
+                assert_batch(&light.compile::<S>().expect("held"), &sites, length, &mut rng);
+            }
+        }
+    }
+    assert_others::<f32>();
+    assert_others::<Fx32>();
+    assert_others::<Fx16>();
 }
 
 /// Slices of different lengths: the shortest one determines the number of points, whichever
