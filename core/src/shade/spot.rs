@@ -16,6 +16,17 @@ use crate::{
 
 /// A spotlight compiled for the format `S`. Made by
 /// [`SpotLight::compile`](crate::SpotLight::compile).
+///
+/// ```
+/// use luminaire::{Angle, Cone, Fx16, SpotLight};
+/// let cone = Cone::soft(Angle::degrees(15.0))?;
+/// let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
+/// let light = spot.compile::<Fx16>()?;
+/// // The light at a point 34 cm from the middle of the floor, in 16-bit integers.
+/// let lit = light.irradiance(Fx16::point([0.343, 0.0, 0.0]), Fx16::normal([0.0, 1.0, 0.0]));
+/// assert!((lit.to_f32() - 0.5).abs() < 0.01);
+/// # Ok::<(), luminaire::Error>(())
+/// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
