@@ -56,7 +56,7 @@ fn rules(progress: &Progress) -> Result<()> {
     fs::copy(project::root().join("lab/tools/npm/eslint.config.mjs"), &rules)?;
     let mut check = node_program("eslint")?;
     check.current_dir(project::root()).arg("--config").arg(rules);
-    check.args(["--max-warnings=0", "wasm-demo", "lab/browser/src/probe.js"]);
+    check.args(["--max-warnings=0", "wasm-demo", "lab/browser"]);
     progress.run(check)
 }
 

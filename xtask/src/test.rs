@@ -39,8 +39,7 @@ const FEATURES: [(&str, &[&str]); 5] = [
 const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
-const TOOLS: [&str; 7] =
-    ["browser", "browser-tests", "lab", "luminaire-counter", "measure", "tools", "xtask"];
+const TOOLS: [&str; 6] = ["browser", "lab", "luminaire-counter", "measure", "tools", "xtask"];
 
 /// How the names of steps begin that are of this program alone.
 const OWN: [&str; 6] = ["documentation", "features", "format", "host", "lint", "scripts"];

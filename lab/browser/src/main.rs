@@ -5,7 +5,7 @@ use std::env;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use browser::{Chromium, check::check};
+use browser::check::check;
 use tools::progress::Progress;
 
 fn main() -> Result<()> {
@@ -14,9 +14,7 @@ fn main() -> Result<()> {
     let screenshot = words.next().map(PathBuf::from);
     let progress = Progress::Live;
     let step = progress.begin("Checking", &address);
-    let mut chromium = Chromium::start(&progress)?;
-    let verdict = check(&mut chromium, &address, screenshot.as_deref())?;
-    drop(chromium);
+    let verdict = check(&address, screenshot.as_deref(), &progress)?;
     step.done();
     println!("{verdict}");
     Ok(())

@@ -1,8 +1,7 @@
 //! Timing whole frames in a browser, on the scene turntable under each of its loads.
 
 use anyhow::{Context, Result};
-
-use crate::Page;
+use serde_json::{Value, json};
 
 /// The name of the scene.
 pub const SCENE: &str = "turntable";
@@ -49,37 +48,47 @@ pub struct Cores {
 const ROUNDS: u32 = 3;
 
 impl Load {
-    /// Counts pictures of the turntable under the load, with a moving camera.
-    pub fn cores(&self, page: &mut Page, frames: u32) -> Result<Cores> {
-        cores(page, SCENE, frames, &self.options())
-    }
-
-    /// Times frames of the turntable under the load.
-    pub fn time(&self, page: &mut Page, frames: u32) -> Result<Frame> {
-        frame(page, SCENE, frames, &self.options())
-    }
-
     /// Arguments of the page's meter for this load.
-    fn options(&self) -> String {
-        let shadows = if self.shadows > 0 { self.shadows.to_string() } else { "undefined".to_owned() };
-        format!("{{ spots: {}, shadows: {shadows} }}", self.spots)
+    pub fn options(&self) -> Value {
+        let mut options = json!({ "spots": self.spots });
+        if self.shadows > 0 {
+            options["shadows"] = self.shadows.into();
+        }
+        options
+    }
+
+    /// The expression that times frames of the turntable under the load.
+    pub fn frame_call(&self, frames: u32) -> String {
+        frame_call(&format!("'{SCENE}'"), frames, &self.options().to_string())
     }
 }
 
-/// Counts pictures of any scene, with a moving camera. `options` are arguments of the page's meter.
-pub fn cores(page: &mut Page, scene: &str, frames: u32, options: &str) -> Result<Cores> {
-    let found = page.ask(&format!("luminaire.measureCores('{scene}', {frames}, {ROUNDS}, {options})"))?;
-    let rate = |name: &str| found[name].as_f64().with_context(|| format!("no {name} in {found}"));
-    Ok(Cores {
-        workers: found["workers"].as_u64().context("no workers")?,
-        together: rate("togetherPerSecond")?,
-        apart: rate("apartPerSecond")?,
-    })
+/// The expression that times frames of a scene. `options` are arguments of the page's meter.
+pub fn frame_call(scene: &str, frames: u32, options: &str) -> String {
+    format!("luminaire.measureScene({scene}, {frames}, {options})")
 }
 
-/// Times frames of any scene. `options` are arguments of the page's meter.
-pub fn frame(page: &mut Page, scene: &str, frames: u32, options: &str) -> Result<Frame> {
-    let found = page.ask(&format!("luminaire.measureScene('{scene}', {frames}, {options})"))?;
-    let time = |camera: &str| found[camera]["frameMs"].as_f64();
-    Ok(Frame { at_rest: time("cameraAtRest"), moving: time("cameraMoving") })
+/// The expression that counts pictures of a scene, with a moving camera.
+pub fn cores_call(scene: &str, frames: u32, options: &str) -> String {
+    format!("luminaire.measureCores({scene}, {frames}, {ROUNDS}, {options})")
+}
+
+impl Frame {
+    /// The value of the first expression.
+    pub fn of(found: &Value) -> Self {
+        let time = |camera: &str| found[camera]["frameMs"].as_f64();
+        Self { at_rest: time("cameraAtRest"), moving: time("cameraMoving") }
+    }
+}
+
+impl Cores {
+    /// The value of the second expression.
+    pub fn of(found: &Value) -> Result<Self> {
+        let rate = |name: &str| found[name].as_f64().with_context(|| format!("no {name} in {found}"));
+        Ok(Self {
+            workers: found["workers"].as_u64().context("no workers")?,
+            together: rate("togetherPerSecond")?,
+            apart: rate("apartPerSecond")?,
+        })
+    }
 }

@@ -1,127 +1,176 @@
 //! The steps of the test run that visit the demo in a browser.
 
+use std::fs;
+use std::path::PathBuf;
 use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
+use serde_json::{Value, json};
+use tempfile::TempDir;
 
-use browser::{Chromium, Engine, check::check};
-use browser_tests::{LONG, MORE, QUICK, Test, Visit, Visitor, engines};
+use browser::{check::check, find};
+use tools::demo::publish::publish;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
+use tools::server::{self, Server};
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
-use tools::{install, project};
+use tools::{command, install, project};
 
-/// The step whose tests are beside the page, in its language.
-const PAGE: &str = "browser: the page";
+use crate::expected;
 
-/// The step that measures the demo.
+/// The files of the page's tests in `wasm-demo/tests/browser`: one for each kind of promise.
+const TESTS: [&str; 7] = ["access", "failure", "lights", "page", "stage", "views", "workers"];
+
+/// The test of every engine but the first.
+const ENGINES: &str = "engines";
+
+/// The step that times the page's pictures.
 const CHECK: &str = "browser: the demo's check";
 
-const NO_VISITOR: &str = "not run, because no browser started";
+const SHADERS: &str = "export: shaders draw what the kernel computes";
 
-/// The tests of the demo's page.
-pub(crate) struct Browsers {
-    /// Those in the first engine.
-    tests: Vec<(String, Visit)>,
-    others: Vec<Elsewhere>,
-    /// What of the demo they need.
-    build: Build,
+const NOT_SERVED: &str = "not run, because the demo is not served";
+
+/// The path under which the folder for static hosts is served, and the address that it is written for.
+const PATH: &str = "some/where/";
+const STANDS: &str = "https://example.org/demo/";
+
+/// What WebKitGTK needs: the display, the driver, and what the browser itself needs.
+const WEBKIT: [&str; 4] = ["xvfb", "webkit2gtk-driver", "python3-gi", "gir1.2-webkit2-4.1"];
+
+/// Debian's interpreter, whose packages those are, and a program that succeeds if it can run WebKitGTK.
+const PYTHON: &str = "/usr/bin/python3";
+const HAS_WEBKIT: &str = "import gi; gi.require_version('WebKit2', '4.1')";
+
+/// A browser engine, as the tests call it.
+#[derive(Clone, Copy, PartialEq)]
+enum Engine {
+    Chromium,
+    Firefox,
+    WebKit,
 }
 
-impl Browsers {
-    /// The quick tests in the first engine, or with `full` all that an engine can run, and the long ones in
-    /// the first.
-    pub(crate) fn new(full: bool) -> Self {
-        let more = if full { [&MORE[..], &LONG].concat() } else { Vec::new() };
-        let tests = QUICK.iter().chain(&more).map(|(name, test)| (format!("browser: {name}"), *test));
-        let [_, others @ ..] = Engine::ALL;
-        let others = if full { others.map(Elsewhere::new).into() } else { Vec::new() };
-        Self { tests: tests.collect(), others, build: if full { Build::Small } else { Build::Part } }
+impl Engine {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Chromium => "Chromium",
+            Self::Firefox => "Firefox",
+            Self::WebKit => "WebKit",
+        }
     }
 
-    fn are_wanted(&self, suite: &Suite) -> bool {
-        suite.wants(CHECK)
-            || suite.wants(PAGE)
-            || self.tests.iter().any(|(name, _)| suite.wants(name))
-            || self.others.iter().any(|elsewhere| elsewhere.is_wanted(suite))
+    /// The name of the step of a file.
+    fn step(self, file: &str) -> String {
+        let engine = if self == Self::Chromium { "" } else { &format!(", {}", self.name()) };
+        format!("browser{engine}: {file}")
     }
+}
 
-    /// Adds the steps. The demo's folder has been built, unless only some steps are run.
-    pub(crate) fn visit(&self, suite: &mut Suite) {
-        if !self.are_wanted(suite) {
-            return;
-        }
-        if suite.is_selective() {
-            suite.require("browser: the demo is built", |progress| site::build(self.build, progress));
-        }
-        let serve =
-            |engine: Engine, progress: &Progress| Visitor::evaluate(engine, &site::folder(), progress);
-        let mut visitor = suite.require("browser: the demo is served and Chromium starts", |progress| {
-            serve(Engine::Chromium, progress)
+/// Adds the steps. The demo's folder has been built, unless only some steps are run.
+pub(crate) fn visit(suite: &mut Suite, full: bool) {
+    suite.count(SHADERS, shaders);
+    let mut steps = TESTS.map(|file| (Engine::Chromium, file)).to_vec();
+    if full {
+        steps.extend(TESTS.iter().chain([&ENGINES]).map(|file| (Engine::Firefox, *file)));
+        steps.push((Engine::WebKit, ENGINES));
+    }
+    steps.retain(|(engine, file)| suite.wants(&engine.step(file)));
+    if steps.is_empty() && !suite.wants(CHECK) {
+        return;
+    }
+    let build = if full { Build::Small } else { Build::Part };
+    if suite.is_selective() {
+        suite.require("browser: the demo is built", |progress| site::build(build, progress));
+    }
+    let served = suite.require("browser: the demo is served", |_| Served::new(build));
+    for (engine, file) in steps {
+        suite.count(&engine.step(file), |progress| {
+            test(engine, file, full, served.as_ref().context(NOT_SERVED)?, progress)
         });
-        for (name, test) in &self.tests {
-            suite.step(name, |_| test(visitor.as_mut().context(NO_VISITOR)?));
-        }
-        suite.count(PAGE, |progress| page(&visitor.as_ref().context(NO_VISITOR)?.address, progress));
-        suite.step(CHECK, |progress| {
-            let visitor = visitor.as_mut().context(NO_VISITOR)?;
-            progress.say("Checked", check(visitor.browser.as_mut(), &visitor.address, None)?);
-            Ok(())
+    }
+    suite.step(CHECK, |progress| {
+        let address = served.as_ref().context(NOT_SERVED)?.demo.address();
+        progress.say("Checked", check(&address, None, progress)?);
+        Ok(())
+    });
+}
+
+/// The demo on its own server and, for static hosts, under a path of a plain one.
+struct Served {
+    demo: Server,
+    /// The file of what the tests expect.
+    expected: PathBuf,
+    _host: (Server, TempDir),
+}
+
+impl Served {
+    fn new(build: Build) -> Result<Self> {
+        let demo = Server::start(server::listen(0)?, &site::folder())?;
+        let host = tempfile::tempdir()?;
+        let folder = host.path().join(PATH);
+        let first = publish(&site::folder(), &folder, Some(STANDS))?;
+        let plain = Server::start_plain(server::listen(0)?, host.path())?;
+        let mut expected = expected::page()?;
+        expected["hosted"] = json!({
+            "address": format!("{}{PATH}", plain.address()), "folder": folder, "stands": STANDS,
+            "files": first.files, "gzip": first.gzip, "isSmall": build == Build::Small,
         });
-        for elsewhere in &self.others {
-            if !elsewhere.is_wanted(suite) {
-                continue;
-            }
-            let start = format!("browser, {}: it starts", elsewhere.engine);
-            let mut other = suite.require(&start, |progress| serve(elsewhere.engine, progress));
-            for (name, test) in &elsewhere.tests {
-                suite.step(name, |progress| {
-                    let other = other.as_mut().context(NO_VISITOR)?;
-                    test(other).or_else(|error| {
-                        // WebKitGTK was seen to crash once in four runs. A page that makes it crash does
-                        // so again.
-                        if other.browser.revive(progress)? { test(other) } else { Err(error) }
-                    })
-                });
-            }
-            suite.step(&elsewhere.alike, |_| {
-                engines::draw_alike(
-                    visitor.as_mut().context(NO_VISITOR)?,
-                    other.as_mut().context(NO_VISITOR)?,
-                )
-            });
+        Ok(Self { demo, expected: write("page", &expected)?, _host: (plain, host) })
+    }
+}
+
+/// Writes what tests expect. Returns the file.
+fn write(name: &str, expected: &Value) -> Result<PathBuf> {
+    let file = project::target().join(format!("expected-{name}.json"));
+    fs::write(&file, expected.to_string()).with_context(|| format!("cannot write {}", file.display()))?;
+    Ok(file)
+}
+
+/// Node.js with the tests of a file.
+fn node(file: &str, expected: PathBuf, progress: &Progress) -> Result<Command> {
+    let mut node = browser::node(progress)?;
+    node.args(["--test", &format!("wasm-demo/tests/browser/{file}.mjs")]).current_dir(project::root());
+    node.env("EXPECTED", expected);
+    Ok(node)
+}
+
+/// Runs the tests of a file in an engine.
+fn test(engine: Engine, file: &str, full: bool, served: &Served, progress: &Progress) -> Result<Tally> {
+    let mut node = node(file, served.expected.clone(), progress)?;
+    // The long tests are of the first engine.
+    let level = match (full, engine) {
+        (false, _) => "quick",
+        (true, Engine::Chromium) => "long",
+        (true, _) => "more",
+    };
+    node.env("PAGE", served.demo.address()).env("ENGINE", engine.name()).env("LEVEL", level);
+    match engine {
+        Engine::Chromium => {
+            install::npm("axe-core", progress)?;
         }
+        Engine::Firefox => {
+            let names = ["firefox-esr", "firefox"];
+            node.env("FIREFOX", find("FIREFOX", &names, &names[..1], progress)?);
+        }
+        Engine::WebKit => webkit(&mut node, progress)?,
     }
+    tally::node_test(node, progress)
 }
 
-/// Tests the page at an address in Chromium.
-fn page(address: &str, progress: &Progress) -> Result<Tally> {
-    install::npm("puppeteer-core", progress)?;
-    let mut test = Command::new(install::node(progress)?);
-    test.args(["--test", "browser/page.mjs"]).current_dir(project::root().join("wasm-demo/tests"));
-    test.env("PAGE", address).env("MODULES", install::npm_modules());
-    test.env("CHROMIUM", Chromium::program(progress)?);
-    tally::node_test(test, progress)
+/// Names the programs that WebKitGTK needs. As root on Debian, installs them.
+fn webkit(node: &mut Command, progress: &Progress) -> Result<()> {
+    let has_webkit = || command::answer(Command::new(PYTHON).args(["-c", HAS_WEBKIT])).is_ok();
+    if !has_webkit() && install::debian_root() {
+        install::apt(&WEBKIT, progress)?;
+    }
+    ensure!(has_webkit(), "{PYTHON} has no WebKitGTK: install the Debian packages {}", WEBKIT.join(" "));
+    node.env("PYTHON", PYTHON).env("XVFB", find("XVFB", &["Xvfb"], &WEBKIT, progress)?);
+    node.env("WEBKIT_DRIVER", find("WEBKIT_DRIVER", &["WebKitWebDriver"], &WEBKIT, progress)?);
+    Ok(())
 }
 
-/// The steps of an engine other than the first.
-struct Elsewhere {
-    engine: Engine,
-    tests: Vec<(String, Visit)>,
-    /// The name of the step that compares the engine's pictures with those of the first.
-    alike: String,
-}
-
-impl Elsewhere {
-    fn new(engine: Engine) -> Self {
-        let named = |(name, test): &Test| (format!("browser, {engine}: {name}"), *test);
-        let tests = engines::tests_of(engine).map(named).collect();
-        let alike = format!("browser, {engine}: pictures have the bits of Chromium's");
-        Self { engine, tests, alike }
-    }
-
-    fn is_wanted(&self, suite: &Suite) -> bool {
-        suite.wants(&self.alike) || self.tests.iter().any(|(name, _)| suite.wants(name))
-    }
+/// What `luminaire export` writes as a shader, drawn by Chromium.
+fn shaders(progress: &Progress) -> Result<Tally> {
+    tally::node_test(node("shaders", write("shaders", &expected::shaders()?)?, progress)?, progress)
 }

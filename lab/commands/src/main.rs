@@ -2,6 +2,7 @@
 
 mod arguments;
 mod browsers;
+mod expected;
 mod package;
 mod pictures;
 mod renderers;

@@ -6,7 +6,7 @@ use std::fs;
 use anyhow::Result;
 use flate2::Crc;
 
-use browser::{Chromium, check::check};
+use browser::check::check;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::project;
@@ -23,10 +23,9 @@ const FINGERPRINT: &str = "docs/pictures.txt";
 pub(crate) fn run() -> Result<()> {
     let progress = Progress::Live;
     let server = Server::start(server::listen(0)?, &site::build(Build::Small, &progress)?)?;
-    let mut chromium = Chromium::start(&progress)?;
     for (file, view) in PICTURES {
         let file = project::root().join("docs").join(file);
-        check(&mut chromium, &format!("{}#{view}", server.address()), Some(&file))?;
+        check(&format!("{}#{view}", server.address()), Some(&file), &progress)?;
         progress.say("Written", project::shown(&file));
     }
     fs::write(project::root().join(FINGERPRINT), fingerprint()?)?;

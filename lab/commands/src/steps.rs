@@ -2,15 +2,12 @@
 
 use anyhow::Result;
 
-use browser_tests::shaders;
 use measure::boards::{self, Board};
 use measure::{c, conform, device, effects, frame, pick, prices, size};
-use tools::progress::Progress;
 use tools::suite::Suite;
 
 use crate::arguments::{Part, StepsOptions};
-use crate::browsers::Browsers;
-use crate::{package, renderers};
+use crate::{browsers, package, renderers};
 
 /// Runs the steps, and writes their counts for the program that has called this one.
 pub(crate) fn run(options: StepsOptions) -> Result<()> {
@@ -19,10 +16,7 @@ pub(crate) fn run(options: StepsOptions) -> Result<()> {
     match part {
         Part::Boards if full => all_boards(&mut suite),
         Part::Boards => smallest_board(&mut suite),
-        Part::Browsers => {
-            shaders(&mut suite);
-            Browsers::new(full).visit(&mut suite);
-        }
+        Part::Browsers => browsers::visit(&mut suite, full),
     }
     suite.report(&report)
 }
@@ -55,16 +49,4 @@ fn prices(suite: &mut Suite, boards: &[&'static Board]) {
         let targets: Vec<_> = boards.iter().map(|board| prices::Target::Board(board)).collect();
         prices::check(&targets, progress)
     });
-}
-
-/// What `luminaire export` writes as a shader, drawn by Chromium.
-fn shaders(suite: &mut Suite) {
-    for language in shaders::LANGUAGES {
-        let name = format!("export: shaders in {language} draw what the kernel computes");
-        suite.remarked(&name, |progress: &Progress| {
-            let found = shaders::differences(&mut browser::Chromium::start(progress)?, language)?;
-            shaders::check(&found)?;
-            Ok(vec![format!("{language}: {found}")])
-        });
-    }
 }

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
 use browser::turntable::{Frame, LOADS, Load};
-use browser::{Browser, Chromium, WebGl};
+use browser::{Act, Visit, WebGl};
 use serde::Deserialize;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
@@ -103,14 +103,14 @@ fn file(load: &Load) -> String {
 
 /// The demo's median times: with the camera at rest, and moving.
 fn ours(server: &Server, progress: &Progress) -> Result<Vec<(f64, f64)>> {
-    let mut chromium = Chromium::start(progress)?;
-    let mut page = chromium.open(&format!("{}#stage?scene=three-point&play=none", server.address()), "")?;
-    page.ready()?;
-    let mut time = |load: &Load| match load.time(&mut page, FRAMES)? {
+    let address = format!("{}#stage?scene=three-point&play=none", server.address());
+    let acts: Vec<_> = LOADS.iter().map(|load| Act::Ask(load.frame_call(FRAMES))).collect();
+    let found = Visit { address: &address, ..Visit::default() }.run(&acts, progress)?;
+    let time = |(load, found): (&Load, _)| match Frame::of(found) {
         Frame { at_rest: Some(at_rest), moving: Some(moving) } => Ok((at_rest, moving)),
         _ => anyhow::bail!("nothing moves under the load {}", load.name),
     };
-    LOADS.iter().map(&mut time).collect()
+    LOADS.iter().zip(&found.values).map(time).collect()
 }
 
 /// The times of three.js for each load.
@@ -120,20 +120,19 @@ fn theirs(
     options: &RivalsOptions,
     progress: &Progress,
 ) -> Result<Vec<Answer>> {
-    let mut chromium = Chromium::start_with_web_gl(web_gl, progress)?;
-    let mut answers = Vec::new();
+    let (mut answers, address) = (Vec::new(), server.address());
     for load in &LOADS {
         let step = progress.begin("Timing", format_args!("three.js: {}", load.name));
-        let mut page = chromium.open(&server.address(), "")?;
-        page.ready()?;
-        let answer = page.ask(&format!("rival('{}')", file(load)))?;
-        let answer: Answer = serde_json::from_value(answer).context("three.js gave no times")?;
-        ensure!(answer.lit > 0.5, "three.js lit only {} of the picture", answer.lit);
+        let mut acts = vec![Act::Ask(format!("rival('{}')", file(load)))];
         if options.screenshots {
             let kind = if web_gl == WebGl::SwiftShader { "swiftshader" } else { "llvmpipe" };
             let name = format!("{}-{kind}.png", file(load));
-            fs::write(project::target().join("rivals").join(name), page.screenshot()?)?;
+            acts.push(Act::Picture(project::target().join("rivals").join(name)));
         }
+        let visit = Visit { address: &address, web_gl: Some(web_gl), ..Visit::default() };
+        let answer = visit.run(&acts, progress)?.values.swap_remove(0);
+        let answer: Answer = serde_json::from_value(answer).context("three.js gave no times")?;
+        ensure!(answer.lit > 0.5, "three.js lit only {} of the picture", answer.lit);
         step.done_with(format_args!("{} triangles", answer.triangles));
         answers.push(answer);
     }

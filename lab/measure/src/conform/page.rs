@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use wasm_bindgen_cli_support::Bindgen;
 
 use super::vectors;
-use browser::{Browser as _, Chromium};
+use browser::Visit;
 use tools::progress::Progress;
 use tools::project;
 use tools::server::{self, Server};
@@ -34,9 +34,7 @@ pub(crate) fn check(progress: &Progress) -> Result<String> {
     }
 
     let server = Server::start(server::listen(0)?, &site)?;
-    let mut chromium = Chromium::start(progress)?;
-    let mut page = chromium.open(&server.address(), "")?;
-    page.ready()?;
-    page.must_be_content()?;
-    page.text("document.getElementById('report').textContent")
+    let visit = Visit { address: &server.address(), ..Visit::default() };
+    let report = visit.ask("document.getElementById('report').textContent", progress)?;
+    Ok(report.as_str().context("the page has no report")?.to_owned())
 }

@@ -7,7 +7,7 @@ use luminaire::dynamic::Effect;
 use serde::{Deserialize, Serialize};
 
 use browser::turntable::{self, LOADS, Load};
-use browser::{Browser as _, Chromium, Page};
+use browser::{Act, Visit};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
@@ -62,51 +62,53 @@ const ROUNDS: usize = 3;
 /// load.
 pub(super) fn time(progress: &Progress) -> Result<Browser> {
     let server = Server::start(server::listen(0)?, &site::build(Build::Small, progress)?)?;
-    let mut chromium = Chromium::start(progress)?;
-    let runs_on = chromium.version()?;
-    let step = progress.begin("Timing", format_args!("frames in {runs_on}"));
-    let mut page = chromium.open(&server.address(), "")?;
-    page.ready()?;
-    let mut frames = BTreeMap::new();
-    for trial in &TRIALS {
-        let mut best = [f64::INFINITY; 2];
-        for _ in 0..ROUNDS {
-            let [with, without] = trial.options.map(|options| frame(&mut page, trial.scene, options));
-            let round = [with?, without?];
-            // Both times come from the same round, so that a slow machine affects both alike.
-            if round.iter().sum::<f64>() < best.iter().sum::<f64>() {
-                best = round;
-            }
-        }
-        let [with_ms, without_ms] = best.map(hundredths);
-        let frame = Frame { scene: trial.scene.to_owned(), with_ms, without_ms };
-        frames.insert(trial.effect.name().to_owned(), frame);
-    }
-    let loads = LOADS.iter().map(|load| Ok((load.name.to_owned(), whole(&mut page, load)?)));
+    let step = progress.begin("Timing", "frames in Chromium");
+    let of_trial = |trial: &Trial| {
+        trial.options.map(|options| turntable::frame_call(&format!("'{}'", trial.scene), FRAMES, options))
+    };
+    let trials = TRIALS.iter().flat_map(|trial| (0..ROUNDS).flat_map(|_| of_trial(trial)));
+    let loads = LOADS.iter().flat_map(|load| (0..ROUNDS).map(|_| load.frame_call(FRAMES)));
+    let acts: Vec<_> = trials.chain(loads).map(Act::Ask).collect();
+    let found = Visit { address: &server.address(), ..Visit::default() }.run(&acts, progress)?;
+    let times: Vec<_> = found.values.iter().map(turntable::Frame::of).collect();
+    let (trials, loads) = times.split_at(2 * ROUNDS * TRIALS.len());
+    let trials = TRIALS.iter().zip(trials.chunks(2 * ROUNDS));
+    let frames = trials.map(|(trial, times)| Ok((trial.effect.name().to_owned(), best(trial, times)?)));
+    let frames = frames.collect::<Result<_>>()?;
+    let loads = LOADS.iter().zip(loads.chunks(ROUNDS));
+    let loads = loads.map(|(load, times)| Ok((load.name.to_owned(), whole(load, times)?)));
     let loads = loads.collect::<Result<_>>()?;
-    page.must_be_content()?;
     step.done();
-    Ok(Browser { runs_on, frames, loads })
+    Ok(Browser { runs_on: found.version, frames, loads })
 }
 
-/// Times the turntable under a load, each camera in its quickest round.
-fn whole(page: &mut Page, load: &Load) -> Result<Whole> {
+/// The times with the effect and without it, while the lights move and the camera is at rest. Both come
+/// from the same round, so that a slow machine affects both alike.
+fn best(trial: &Trial, times: &[turntable::Frame]) -> Result<Frame> {
+    let time = |frame: &turntable::Frame| {
+        frame.at_rest.with_context(|| format!("the page has no time of {}", trial.scene))
+    };
     let mut best = [f64::INFINITY; 2];
-    for _ in 0..ROUNDS {
-        let turntable::Frame { at_rest, moving } = load.time(page, FRAMES)?;
-        let round = [at_rest, moving].map(|time| time.with_context(|| format!("{} has no frame", load.name)));
-        for (best, time) in best.iter_mut().zip(round) {
-            *best = best.min(time?);
+    for [with, without] in times.as_chunks::<2>().0 {
+        let round = [time(with)?, time(without)?];
+        if round.iter().sum::<f64>() < best.iter().sum::<f64>() {
+            best = round;
+        }
+    }
+    let [with_ms, without_ms] = best.map(hundredths);
+    Ok(Frame { scene: trial.scene.to_owned(), with_ms, without_ms })
+}
+
+/// The times of the turntable under a load, each camera in its quickest round.
+fn whole(load: &Load, times: &[turntable::Frame]) -> Result<Whole> {
+    let mut best = [f64::INFINITY; 2];
+    for turntable::Frame { at_rest, moving } in times {
+        for (best, time) in best.iter_mut().zip([at_rest, moving]) {
+            *best = best.min(time.with_context(|| format!("{} has no frame", load.name))?);
         }
     }
     let [at_rest_ms, moving_ms] = best.map(hundredths);
     Ok(Whole { at_rest_ms, moving_ms })
-}
-
-/// A frame while the lights move and the camera is at rest.
-fn frame(page: &mut Page, scene: &str, options: &str) -> Result<f64> {
-    let time = turntable::frame(page, scene, FRAMES, options)?.at_rest;
-    time.with_context(|| format!("the page has no time of {scene} with {options}"))
 }
 
 fn hundredths(value: f64) -> f64 {

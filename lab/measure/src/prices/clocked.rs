@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use super::ladder::Rung;
 use super::list::{Cone, TargetMeta};
 use super::target::Target;
-use browser::{Browser as _, Chromium};
+use browser::{Act, Visit};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 use tools::wasm;
@@ -34,6 +34,16 @@ document.body.dataset.state = "ready";
 /// How often each kernel is timed. The rounds are some time apart, so that other work of the
 /// machine seldom disturbs all of them.
 const ROUNDS: usize = 3;
+
+/// Times every kernel once. Between two kernels the page does other work.
+const ROUND: &str = "(async () => {
+    const times = [];
+    for (let number = 0; number < prices.count(); number += 1) {
+        times.push(prices.time(number));
+        await new Promise((resolve) => setTimeout(resolve));
+    }
+    return times;
+})()";
 
 /// A kernel by its name on the price list.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -111,25 +121,19 @@ pub(crate) fn browser(simd: bool, host: &[Times], progress: &Progress) -> Result
     fs::write(site.path().join("index.html"), PAGE)?;
     package.bind(&module, &site.path().join("pkg"), progress)?;
     let server = Server::start(server::listen(0)?, site.path())?;
-    let mut chromium = Chromium::start(progress)?;
-    let step = progress.begin("Timing", format_args!("the kernels in {}", chromium.version()?));
-    let mut page = chromium.open(&server.address(), "")?;
-    page.ready()?;
-    let count = page.number("prices.count()")? as usize;
-    let mut rounds = Vec::new();
-    for _ in 0..ROUNDS {
-        // One call per kernel: a single call that timed all kernels could exceed the time limit of
-        // a call.
-        let round = (0..count).map(|number| read(&page.text(&format!("prices.time({number})"))?));
-        rounds.push(round.collect::<Result<_>>()?);
-    }
-    let times = best(rounds);
-    page.must_be_content()?;
-    drop(page);
+    let step = progress.begin("Timing", "the kernels in Chromium");
+    let round = Act::Ask(ROUND.to_owned());
+    let found =
+        Visit { address: &server.address(), ..Visit::default() }.run(&vec![round; ROUNDS], progress)?;
+    let rounds = found.values.iter().map(|round| {
+        let lines = round.as_array().context("no list of times")?.iter();
+        lines.map(|line| read(line.as_str().context("a time is no text")?)).collect()
+    });
+    let times = best(rounds.collect::<Result<_>>()?);
     let meta = TargetMeta {
         compiler: wasm::compiler(progress)?,
         flags: format!("opt-level=3 lto=fat {}", package.flags().join(" ")).trim_end().to_owned(),
-        runs_on: format!("{}, {}", chromium.version()?, processor()),
+        runs_on: format!("{}, {}", found.version, processor()),
         reference: Target::Browser { simd }.reference().to_owned(),
         measured: String::new(),
     };

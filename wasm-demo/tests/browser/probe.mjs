@@ -1,75 +1,53 @@
-// The functions that the tests call in the page: they act as a visitor would, and compare pictures inside the page.
-window.probe = (() => {
-  "use strict";
+// What the tests call in the page.
 
+/** Runs in the page before its own scripts. */
+export function probe() {
   // Upper bound of the polls of a wait: some minutes. On an idle machine a wait takes a fraction of a second.
-  const TRIES = 6000;
+  const TRIES = 2000;
 
   const pictures = new Map();
-  const element = (id) => document.getElementById(id) ?? raise(`the page has no element #${id}`);
+  let seen;
   const raise = (message) => { throw new Error(message); };
+  const element = (id) => document.getElementById(id) ?? raise(`the page has no element #${id}`);
   const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
   const picture = (name) => pictures.get(name) ?? raise(`no picture was kept as ${name}`);
 
   // The next time at which the page may draw. A busy browser lets it wait for long, and a hidden page for ever.
   const frame = () => Promise.race([new Promise(requestAnimationFrame), pause(2000)]);
 
-  // The page has settled when it has drawn nothing for a while, in which it could have.
-  async function settle() {
-    for (let tries = 0; tries < TRIES; tries += 1) {
-      const drawn = luminaire.drawn;
-      await pause(150);
-      await frame();
-      if (luminaire.drawn === drawn && !luminaire.isDrawing) return;
-    }
-    raise("the page never stops drawing");
-  }
-
-  // Waits until the page has drawn more than `drawn` pictures, and then until it has settled.
-  async function redrawn(drawn) {
-    for (let tries = 0; luminaire.drawn === drawn; tries += 1) {
-      if (tries > TRIES) raise("the page draws no new picture");
-      await pause(20);
-    }
-    await settle();
-  }
-
-  // Waits until `holds()` returns true.
-  async function until(holds) {
-    for (let tries = 0; !holds(); tries += 1) {
-      if (tries > TRIES) raise(`it does not come to be that ${holds}`);
-      await pause(20);
-    }
-  }
-
   // The lines of an element's own text, without those that a box around it cuts off.
-  function lines(node) {
-    return [...node.childNodes].flatMap((child) => {
+  const lines = (node) =>
+    [...node.childNodes].flatMap((child) => {
       if (child.nodeType !== Node.TEXT_NODE || !child.data.trim()) return [];
       const range = document.createRange();
       range.selectNode(child);
       return Array.from(range.getClientRects(), (box) => ({ node, box }));
     });
-  }
 
   // The width that the chosen option of a select needs, with its padding.
-  function labelWidth(select) {
+  const labelWidth = (select) => {
     const { font, paddingLeft, paddingRight } = getComputedStyle(select);
     const context = document.createElement("canvas").getContext("2d");
     context.font = font;
     return context.measureText(select.selectedOptions[0]?.label ?? "").width + parseFloat(paddingLeft) + parseFloat(paddingRight);
-  }
+  };
 
-  return {
-    settle,
-    redrawn,
-    until,
-    value: (id) => Number(element(id).value),
-    least: (id) => Number(element(id).min),
-    greatest: (id) => Number(element(id).max),
-    text: (id) => element(id).textContent.trim(),
-    options: (id) => Array.from(element(id).options, (option) => option.value),
+  window.probe = {
+    element,
     visible: (id) => element(id).checkVisibility({ visibilityProperty: true, opacityProperty: true }),
+    sum: () => window.luminaire.pixels().reduce((sum, code) => (31 * sum + code) % 4294967291, 7),
+
+    // Waits until the page has its styles, and has drawn nothing for a while in which it could have.
+    async settle() {
+      for (let tries = 0; tries < TRIES; tries += 1) {
+        const { drawn } = window.luminaire;
+        await pause(100);
+        await frame();
+        const isStyled = [...document.querySelectorAll("link[rel=stylesheet]")].every((link) => link.sheet);
+        if (isStyled && window.luminaire.drawn === drawn && !window.luminaire.isDrawing) return;
+      }
+      raise("the page never stops drawing");
+    },
 
     enter(id, value) {
       const input = element(id);
@@ -80,16 +58,7 @@ window.probe = (() => {
     },
 
     // Presses a key on an element, as a keyboard does.
-    key(target, options) {
-      target.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...options }));
-    },
-
-    // The middle of an element, in the page's pixels.
-    middle(id) {
-      element(id).scrollIntoView({ block: "center" });
-      const box = element(id).getBoundingClientRect();
-      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-    },
+    key: (target, options) => target.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...options })),
 
     // Where an element with a margin is on the page, in whole pixels.
     place(selector, margin = 0) {
@@ -131,39 +100,24 @@ window.probe = (() => {
       return faults;
     },
 
-    keep(name) {
-      pictures.set(name, luminaire.pixels().slice());
-    },
+    keep: (name) => void pictures.set(name, window.luminaire.pixels().slice()),
 
-    // The largest difference between two kept pictures, in displayed 8-bit codes.
-    difference(one, other) {
+    // The largest difference of two kept pictures in displayed 8-bit codes, and the share of pixels that differ
+    // visibly: by over 16 codes in some channel.
+    differences(one, other) {
       const [a, b] = [picture(one), picture(other)];
       if (a.length !== b.length) raise(`${one} and ${other} differ in size`);
-      let largest = 0;
-      for (let i = 0; i < a.length; i += 1) largest = Math.max(largest, Math.abs(a[i] - b[i]));
-      return largest;
-    },
-
-    // The share of pixels that differ visibly in two kept pictures: by over 16 codes in some channel.
-    share(one, other) {
-      const [a, b] = [picture(one), picture(other)];
-      if (a.length !== b.length) raise(`${one} and ${other} differ in size`);
-      let visible = 0;
+      let [largest, visible] = [0, 0];
       for (let i = 0; i < a.length; i += 4) {
-        if ([0, 1, 2].some((channel) => Math.abs(a[i + channel] - b[i + channel]) > 16)) visible += 1;
+        const difference = Math.max(...[0, 1, 2].map((channel) => Math.abs(a[i + channel] - b[i + channel])));
+        largest = Math.max(largest, difference);
+        if (difference > 16) visible += 1;
       }
-      return visible / (a.length / 4);
+      return { largest, share: visible / (a.length / 4) };
     },
 
-    // The SHA-256 of the picture, in hexadecimal digits.
-    async digest() {
-      const bytes = new Uint8Array(await crypto.subtle.digest("SHA-256", luminaire.pixels()));
-      return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
-    },
-
-    // The share of pixels brighter than black, and the number of distinct colours.
     survey() {
-      const pixels = luminaire.pixels();
+      const pixels = window.luminaire.pixels();
       const colours = new Set();
       let lit = 0;
       for (let i = 0; i < pixels.length; i += 4) {
@@ -173,5 +127,36 @@ window.probe = (() => {
       }
       return { pixels: pixels.length / 4, lit: lit / (pixels.length / 4), colours: colours.size };
     },
+
+    // The SHA-256 of the picture, in hexadecimal digits.
+    async digest() {
+      const bytes = new Uint8Array(await crypto.subtle.digest("SHA-256", window.luminaire.pixels()));
+      return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+    },
+
+    // What is seen in a PNG in base64: the most frequent colour; of the middle row the colours, and the share that does
+    // not have that one; whether the top rows have another; and how many pixels differ from those before.
+    async look(png) {
+      const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(png), (byte) => byte.charCodeAt(0))]));
+      const { width, height } = bitmap;
+      const context = new OffscreenCanvas(width, height).getContext("2d");
+      context.drawImage(bitmap, 0, 0);
+      const pixels = [...new Uint32Array(context.getImageData(0, 0, width, height).data.buffer)];
+      const row = pixels.slice(Math.floor(height / 2) * width).slice(0, width);
+      const counts = new Map();
+      for (const pixel of pixels) counts.set(pixel, (counts.get(pixel) ?? 0) + 1);
+      const [[ground]] = [...counts].sort((one, other) => other[1] - one[1]);
+      const isOther = (pixel) => pixel !== ground;
+      const differing = seen?.filter((pixel, i) => pixel !== pixels[i]).length;
+      seen = pixels;
+      const share = row.filter(isOther).length / width;
+      return { ground, colours: new Set(row).size, share, top: pixels.slice(0, 3 * width).some(isOther), differing, pixels: pixels.length };
+    },
+
+    // The colours of the map over the picture, as [red, green, blue, alpha].
+    map() {
+      const map = element("map");
+      return map.getContext("2d").getImageData(0, 0, map.width, map.height).data;
+    },
   };
-})();
+}

@@ -1,0 +1,266 @@
+// What fails is told on the page, and stops only what depends on it; and the page needs and asks nothing beside its
+// own folder, which works on any host. A failure may be written to the console, so that its tests look at what is seen.
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+
+import {
+  EXPECT, PAGE, STILL, VIEWS, ask, assert, change, drag, enter, follow, isLit, isShown, more, must, open, place, press, quick, requests,
+  settle, shows, tab, until, words, works, written,
+} from "./visit.mjs";
+
+const MAY_COMPLAIN = { fails: true };
+
+/** The page must fail, and say so where it is seen. */
+async function fails(told, address, more) {
+  await open(address, { state: "failed", ...more });
+  assert.match(await words("failure"), told);
+  assert.ok(await shows("failure"), "the message is not seen");
+}
+
+quick("a browser that refuses the canvas is told so", () => fails(/canvas/i, STILL, { script: "HTMLCanvasElement.prototype.getContext = () => null" }), MAY_COMPLAIN);
+
+more("a browser without simd is told so", () => fails(/simd/i, STILL, { script: "WebAssembly.validate = () => false" }), MAY_COMPLAIN);
+
+more("a page that is opened as a file says so", () => fails(/cargo demo/, "", { page: `file://${join(EXPECT.site, "index.html")}` }), MAY_COMPLAIN);
+
+const OTHERS = Object.entries({ compare: "comparison", museum: "museum", chip: "chip" }).filter(([view]) => VIEWS.includes(view));
+
+const LOST = /could not be loaded.*connection/s;
+
+quick(
+  "a lost connection keeps views from opening, until it is back",
+  async () => {
+    await open();
+    await tab.setOfflineMode(true);
+    for (const [view, id] of OTHERS) {
+      await follow(view);
+      await isShown("absent");
+      assert.match(await words("absent-reason"), LOST);
+      assert.ok(!(await shows(id)), `${view} is shown although it was not loaded`);
+      // A retry without a connection fails again.
+      await press("absent-retry");
+      await isShown("absent");
+    }
+    await follow("stage");
+    await settle();
+    assert.deepEqual([await shows("view"), await shows("absent")], [true, false], "the stage");
+    await change("a beam, offline", () => enter("light-beam-number", 15));
+    await works();
+    await ask(() => document.getElementById("price").scrollIntoView());
+    await until(() => document.querySelector("#price > button"));
+    assert.match(await words("price"), /could not be loaded/);
+    await tab.setOfflineMode(false);
+    await ask(() => document.querySelector("#price > button").click());
+    await until(() => document.querySelector("#price-picked b"));
+    for (const [view, id] of OTHERS) {
+      await follow(view);
+      await until((id) => window.luminaire[id] && window.probe.visible(id), id);
+      assert.ok(!(await shows("absent")), `${view} is there, and is told to be absent`);
+    }
+  },
+  MAY_COMPLAIN,
+);
+
+more(
+  "fixed point is loaded when it is chosen, or that is told",
+  async () => {
+    await open();
+    assert.deepEqual(requests.filter((name) => name.includes("fixed")), [], "files that are loaded before a picture in fixed point");
+    await tab.setOfflineMode(true);
+    await enter("format", "fx16");
+    await until(() => document.getElementById("stage-error").textContent);
+    assert.match(await words("stage-error"), LOST);
+    await works();
+    await enter("format", "f32");
+    assert.equal(await words("stage-error"), "", "f32");
+    await change("a beam, offline", () => enter("light-beam-number", 15));
+    await tab.setOfflineMode(false);
+    await change("fixed point, with a connection", () => enter("format", "fx16"));
+    assert.equal(await words("stage-error"), "");
+    await works();
+  },
+  MAY_COMPLAIN,
+);
+
+more(
+  "what decorates a picture may fail",
+  async () => {
+    for (const [address, script, id, told] of [
+      [STILL, "document.createElementNS = () => { throw new Error('no curve') }", "trouble", "no curve"],
+      [
+        "#compare?half=10",
+        `window.fetch = ((fetch) => (what, ...more) => String(what).endsWith(".json") ? Promise.reject(new TypeError("no list")) : fetch(what, ...more))(window.fetch.bind(window))`,
+        "prices-note",
+        "no list",
+      ],
+      [STILL, "Object.defineProperty(window, 'performance', { get: () => undefined })", "failure", ""],
+    ]) {
+      await open(address, { script });
+      await works();
+      await until((id, told) => document.getElementById(id).textContent.includes(told), id, told);
+    }
+    const breaks = "{ const { from } = Float64Array; Float64Array.from = (...all) => { if (window.isBroken) throw new Error('no median'); return from.apply(Float64Array, all); } }";
+    await open(STILL, { script: breaks });
+    await ask(() => void (window.isBroken = true));
+    await change("a beam, without a readout", () => enter("light-beam-number", 15));
+    await works();
+    assert.match(await words("trouble"), /no median/);
+  },
+  MAY_COMPLAIN,
+);
+
+more(
+  "only the module's own end stops the demo",
+  async () => {
+    await open();
+    for (const harmless of ["new Error('a fault')", "'a refusal'", "new RangeError('too far')"]) {
+      await ask(`void reportError(${harmless})`);
+      await ask(`void Promise.reject(${harmless})`);
+      await settle();
+      await works();
+      assert.ok(await shows("trouble"), `${harmless} is not told`);
+    }
+    await change("a beam, after faults", () => enter("light-beam-number", 15));
+    for (const deadly of [
+      "void reportError(new WebAssembly.RuntimeError('unreachable'))",
+      "void Promise.reject(new WebAssembly.RuntimeError('unreachable'))",
+      "void dispatchEvent(new CustomEvent('luminaire-panic', { detail: 'unreachable' }))",
+    ]) {
+      await open();
+      await ask(deadly);
+      await until(() => document.body.dataset.state === "failed");
+      assert.match(await words("failure"), /unreachable.*Reload/s);
+      assert.ok(await ask(() => document.querySelector("main").inert), `${deadly} leaves dead controls`);
+    }
+  },
+  MAY_COMPLAIN,
+);
+
+// The address.
+
+/** A browser that accepts a hundred addresses in ten seconds, as Safari does, of which five are left. */
+const LIMITED = `{
+  const write = history.replaceState.bind(history);
+  let left = 5;
+  history.replaceState = (...what) => {
+    if (left === 0) throw new DOMException("more than 100 times per 10 seconds", "SecurityError");
+    left -= 1;
+    setTimeout(() => { left += 1; }, 10000);
+    write(...what);
+  };
+}`;
+
+/** Fails if the visitor is told of anything. */
+async function isWell() {
+  await works();
+  assert.ok(!(await shows("trouble")), await words("trouble"));
+}
+
+more("the address is written when the visitor pauses", async () => {
+  await open("#compare?left=f32-cosine&right=f32&half=10", { script: LIMITED });
+  const says = (hash) => until((hash) => location.hash === hash, hash);
+  // Waits only for the next picture, not until the page has settled.
+  const enterQuickly = (id, value) =>
+    ask((id, value) => {
+      window.probe.enter(id, value);
+      return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(true))));
+    }, id, String(value));
+  for (let half = 1; half <= 20; half += 1) await enterQuickly("half-angle-number", half / 4);
+  await isWell();
+  await says("#compare?left=f32-cosine&right=f32&half=5");
+  // A pending address of one view must not overwrite the address of the next view.
+  await enterQuickly("half-angle-number", 7);
+  await ask(() => void (location.hash = "#stage?scene=bare-spot&play=none"));
+  await settle();
+  await says("#stage?v=1&scene=bare-spot&play=none");
+  // Forty pictures of a drag, one address.
+  const middle = await place("#view");
+  for (let step = 0; step < 40; step += 1) await drag(middle, [step % 2 === 0 ? 4 : -4, 0]);
+  await enterQuickly("format", "fx32");
+  await isWell();
+  await until(() => location.hash.includes("format=fx32"));
+});
+
+more("a browser that refuses an address is none the worse for it", async () => {
+  for (const address of ["#compare?half=10", "#stage?scene=pocket&play=none"]) {
+    await open(address, { script: "history.replaceState = () => { throw new DOMException('no', 'SecurityError'); }" });
+    for (const [id, value] of [["half-angle-number", 3], ["format", "fx32"]]) await enter(id, value);
+    await written();
+    await isWell();
+  }
+});
+
+// The network.
+
+quick("the page asks nobody but its own server", async () => {
+  await open();
+  assert.ok(requests.some((address) => address.endsWith(".wasm")), `expected WebAssembly, found ${requests}`);
+  assert.deepEqual(requests.filter((address) => !["data:", "blob:", PAGE].some((start) => address.startsWith(start))), []);
+});
+
+quick(
+  "the page's policy forbids all other code and data",
+  async () => {
+    await open();
+    for (const [directive, act] of [
+      ["script-src-elem", "document.head.append(Object.assign(document.createElement('script'), { text: '0' }))"],
+      ["script-src", "setTimeout('0')"],
+      ["script-src-elem", "import('https://example.org/a.js').catch(() => {})"],
+      ["style-src-elem", "document.head.append(Object.assign(document.createElement('style'), { textContent: 'a{}' }))"],
+      ["img-src", "(new Image()).src = 'data:image/gif;base64,R0lGODlhAQABAAAAACw='"],
+      ["connect-src", "fetch('https://example.org/').catch(() => {})"],
+    ]) {
+      const found = await ask(`new Promise((resolve) => {
+        addEventListener("securitypolicyviolation", (event) => resolve(event.effectiveDirective), { once: true });
+        ${act};
+        setTimeout(resolve, 20000, "nothing");
+      })`);
+      assert.equal(found, directive, act);
+    }
+  },
+  MAY_COMPLAIN,
+);
+
+// The folder for static hosts, which the test run serves under a path, without special headers.
+
+const { hosted } = EXPECT;
+
+quick("the folder for static hosts works under a path", async () => {
+  await open("", { page: hosted.address, plays: true });
+  await isLit("on a static host");
+  assert.ok(!(await ask(() => crossOriginIsolated)), "the server sends special headers");
+  // Firefox and WebKit also list the pictures and fonts of their own controls, which are data in the address.
+  const names = new Set(requests.filter((address) => !address.startsWith("data:")).map((address) => address.replace(hosted.address, "")));
+  // What the page loads by itself after the first picture, and what a browser without a window does not need.
+  const late = /^(curve|effect-prices|effects|handles|press|shapes|icon)\./;
+  const first = (names) => [...names].filter((name) => name && name !== "index.html" && !late.test(name)).sort();
+  assert.deepEqual(first(names), first(hosted.files), "the files of the first picture");
+  for (const view of VIEWS) {
+    await open(`?#${view}?play=none`, { page: hosted.address });
+    assert.equal(await ask(() => document.querySelector(".views [aria-current]").hash), `#${view}`);
+    assert.ok(!(await shows("absent")), `${view} does not open`);
+  }
+  // The picture for link previews has the size that the page states.
+  const stated = await ask(() => ["image", "image:width", "image:height", "title", "description", "url"].map((name) => document.querySelector(`meta[property="og:${name}"]`).content));
+  assert.ok(stated.every(Boolean), stated.join());
+  const [image, width, height] = stated;
+  const file = readFileSync(join(hosted.folder, image.replace(hosted.stands, "")));
+  assert.deepEqual([file.readUInt32BE(16), file.readUInt32BE(20)].map(String), [width, height], image);
+});
+
+if (hosted.isSmall) {
+  more("the first picture and the chip are small, and the chip has its licences", async () => {
+    must(hosted.gzip, (bytes) => bytes < 400_000, "less than 400,000 bytes by gzip for the first picture");
+    const files = ["", "chip"].flatMap((folder) =>
+      readdirSync(join(hosted.folder, folder), { withFileTypes: true })
+        .filter((entry) => entry.isFile() && /^(chip|luminaire_chip|rp2040)/.test(entry.name))
+        .map(({ name }) => join(hosted.folder, folder, name)),
+    );
+    const [licences, ...others] = files.sort((one) => (one.includes("chip-licenses") ? -1 : 1));
+    const bytes = others.reduce((sum, file) => sum + gzipSync(readFileSync(file), { level: 9 }).length, 0);
+    must(bytes, () => bytes > 50_000 && bytes < 150_000, "50,000 to 150,000 bytes by gzip for the chip");
+    const text = readFileSync(licences, "utf8");
+    for (const name of ["rp2040js 1.4.1", "rp2040-hal", "Uri Shaked", "Raspberry Pi (Trading) Ltd."]) assert.ok(text.includes(name), name);
+  });
+}

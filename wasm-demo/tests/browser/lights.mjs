@@ -1,0 +1,424 @@
+// A light on the desk and in the picture: its angles, its values and what refuses them, its place, its code and its price.
+import {
+  EXPECT, STILL, ask, assert, change, choose, drag, enter, focus, isDisabled, isLit, isShown, more, must, number, open, options,
+  place, press, quick, requests, settle, shows, sum, tab, type, until, value, words, written,
+} from "./visit.mjs";
+
+/** A scene of one light, paused, with the lights in the picture. */
+const ONE = "#stage?scene=bare-spot&play=none";
+const SMALL = `?workers=0&rest=0&width=64&height=36`;
+
+const angles = async () => [await number("light-beam-number"), await number("light-field-number")];
+const isWritten = (pattern) => until((pattern) => location.hash.match(pattern) && location.hash, pattern.source);
+
+const near = (found, expected, most = 1e-3) =>
+  found.forEach((found, i) => must(found, (found) => Math.abs(found / expected[i] - 1) < most, `about ${expected[i]}`));
+
+/** A slider beyond the other one must move that, however the angles are coupled. */
+for (const [mine, other, end, register] of [["field", "beam", "min", quick], ["beam", "field", "max", more]]) {
+  register(`the ${mine} slider changes the picture and leads the ${other} angle`, async () => {
+    await open();
+    const least = await ask((id, end) => Number(window.probe.element(id)[end]), `light-${mine}`, end);
+    const before = await number(`light-${other}`);
+    await change("the slider", () => enter(`light-${mine}`, (least + before) / 2));
+    const [moved, follower] = [await number(`light-${mine}`), await number(`light-${other}`)];
+    const side = mine === "field" ? 1 : -1;
+    must([moved, follower, before], () => side * (before - moved) > 0 && side * (moved - follower) >= 0, `the ${other} angle to follow`);
+    must(Math.log10(await number(`light-${mine}-number`)), (log) => Math.abs(log - moved) < 0.01, `the number of ${moved}`);
+  });
+}
+
+quick("12 and 22 degrees are typed in both orders, with every edge", async () => {
+  await open(`${SMALL}${ONE}`);
+  const numbers = { beam: 12, field: 22 };
+  for (const edge of await options("light-edge")) {
+    for (const order of [["beam", "field"], ["field", "beam"]]) {
+      await press("reset");
+      await enter("light-edge", edge);
+      for (const name of order) await type(`light-${name}-number`, String(numbers[name]));
+      near(await angles(), [12, 22]);
+      assert.equal(await words("light-error"), "", edge);
+    }
+  }
+  // What is typed is one step, and a refusal is read before it goes.
+  await written();
+  await type("light-field-number", "15");
+  await written();
+  await press("undo");
+  near(await angles(), [12, 22]);
+  await type("light-field-number", "400");
+  assert.match(await words("light-error"), /^field angle = 400/);
+  near(await angles(), [12, 22]);
+});
+
+quick("a drag and a slider end where they began", async () => {
+  await open(`${SMALL}#stage?scene=bare-spot&play=none&lights=0:b12:f22`);
+  await until(() => document.querySelector("#curve .handle"));
+  const flux = () => number("light-intensity-number");
+  const before = await flux();
+  // The dot of the beam angle: to the axis and back, in one drag.
+  const [x, y] = await place("#curve .handle circle:nth-child(2)");
+  await tab.mouse.move(x, y);
+  await tab.mouse.down();
+  for (const share of [0.2, 0.4, 0.95, 0.5, 0]) {
+    const across = await ask(() => (({ left, width }) => left + width * (240 / 440))(document.getElementById("curve").getBoundingClientRect()));
+    await tab.mouse.move(x + share * (across - x), y, { steps: 2 });
+  }
+  await tab.mouse.up();
+  const [beam, field] = await angles();
+  must([beam, field], () => Math.abs(beam - 12) < 0.1 && Math.abs(field - 22) < 0.01, "12 and 22 degrees");
+  // The slider of the beam angle: to its end and back.
+  await type("light-beam-number", "12");
+  near(await angles(), [12, 22]);
+  await focus("light-beam");
+  await tab.keyboard.press("Home");
+  must(await angles(), ([, field]) => field < 1, "the field angle to follow");
+  await ask(() => {
+    const slider = document.getElementById("light-beam");
+    slider.value = String(Math.log10(12));
+    slider.dispatchEvent(new Event("input"));
+  });
+  near(await angles(), [12, 22]);
+  near([await flux()], [before]);
+});
+
+more("beam and field angle are set on the curve, and each edge keeps the field angle", async () => {
+  await open();
+  const [beam, field] = await angles();
+  const dot = "#curve [role=slider]";
+  await until((dot) => document.querySelector(dot), dot);
+  await drag(await place(`${dot} .dot`), [2, 0]);
+  await settle();
+  assert.equal((await angles())[0], beam, "a click on the dot sets the angle");
+  await ask((dot) => document.querySelector(dot).focus(), dot);
+  await change("a key", () => tab.keyboard.press("ArrowLeft"));
+  const [narrower] = await angles();
+  near([narrower / beam], [0.99], 0.002);
+  assert.deepEqual([(await angles())[1], await value("light-edge")], [field, "fitted"]);
+  await enter("light-field-number", 35);
+  assert.deepEqual(await angles(), [narrower, 35], "a data sheet's two angles");
+  for (const edge of ["smooth", "inverted-power", "table", "soft", "hard"]) {
+    await change(edge, () => enter("light-edge", edge));
+    assert.equal((await angles())[1], 35, edge);
+  }
+});
+
+/** Enters bad values. The message must name each of them, and the picture must not change. */
+async function refuses(id, name, values, error = "light-error") {
+  const before = await sum();
+  for (const value of values) {
+    await enter(id, value);
+    const told = await words(error);
+    assert.ok(told.toLowerCase().includes(name) && (await shows(error)), `${value} as the ${name} is answered with ${told}`);
+    assert.equal(await sum(), before, `${value} as the ${name} changes the picture`);
+  }
+}
+
+quick("a refused field angle is told and leaves the picture alone", async () => {
+  await open();
+  const good = await value("light-field-number");
+  assert.equal(await words("light-error"), "");
+  await refuses("light-field-number", "field angle", ["400", "0", "-10"]);
+  await enter("light-field-number", good);
+  assert.equal(await words("light-error"), "", `a field angle of ${good}`);
+});
+
+more("bad intensities, zooms and colours are told and leave the picture alone", async () => {
+  await open();
+  await refuses("light-intensity-number", "intensity", ["-1", "1e40"]);
+  await enter("light-fixture", "ARRI L7-C");
+  await refuses("light-zoom-number", "zoom", ["5", "5000", "-15"]);
+  // A colour picker holds nothing but a colour, so the input is changed to a text field.
+  await ask(() => void (document.getElementById("light-color").type = "text"));
+  await refuses("light-color", "color", ["red", "#fff", "#gggggg", ""]);
+  await change("a good colour", () => enter("light-color", "#ff0000"));
+  assert.equal(await words("light-error"), "", "a good colour");
+});
+
+/** A field that is cleared is about to be filled. A field that is left shows the value in force. */
+async function forgives(id, error) {
+  const told = async () => [await words(error), await ask((id) => document.getElementById(id).getAttribute("aria-invalid") === "true", id)];
+  const leave = async () => (await ask((id) => document.getElementById(id).blur(), id), settle());
+  const good = await value(id);
+  const isGood = async (what) => assert.deepEqual([...(await told()), await value(id)], ["", false, good], `${id}, ${what}`);
+  await enter(id, "");
+  assert.deepEqual(await told(), ["", false], `${id}, cleared`);
+  await leave();
+  await isGood("left empty");
+  await enter(id, "-3");
+  must(await told(), ([words, isInvalid]) => words && isInvalid, `-3 to be refused for ${id}`);
+  await enter(id, "");
+  assert.deepEqual(await told(), ["", false], `${id}, cleared of -3`);
+  await enter(id, "-3e38");
+  must(await told(), ([words]) => words.includes("= -3e38: "), `-3e38 to be refused for ${id}`);
+  await leave();
+  await isGood("left with -3e38");
+  // The browser distinguishes a text that is no number from an empty field.
+  await ask((id) => (document.getElementById(id).focus(), document.getElementById(id).select()), id);
+  await tab.keyboard.type("e");
+  await tab.keyboard.press("Enter");
+  // A refusal that nobody can have read yet stays when the field is left.
+  await settle();
+  must(await told(), ([words]) => words.includes("= NaN: "), `e to be refused for ${id}`);
+  await leave();
+  await isGood("left with e");
+}
+
+more("an empty field is no error, and a field that is left shows what is in force", async () => {
+  await open();
+  await enter("light-fixture", "ARRI L7-C");
+  for (const name of ["beam", "field", "zoom", "intensity"]) await forgives(`light-${name}-number`, "light-error");
+  await open("#compare?half=10");
+  await forgives("half-angle-number", "half-angle-error");
+});
+
+more("what a format refuses is told under no other control", async () => {
+  await open();
+  await enter("light-beam-number", "1");
+  await enter("format", "fx16");
+  assert.match(await words("stage-error"), /16-bit fixed point cannot hold light 1/);
+  assert.ok(await shows("stage-error"), "the refusal is not seen");
+  assert.deepEqual([await words("light-error"), await value("format")], ["", "f32"]);
+  await enter("light-beam-number", "30");
+  assert.equal(await words("stage-error"), "");
+  await enter("format", "fx16");
+  await enter("light-beam-number", "1");
+  assert.match(await words("light-error"), /outer angle/);
+  const isUnder = () => document.getElementById("light-error").previousElementSibling.contains(document.getElementById("light-beam-number"));
+  assert.ok(await ask(isUnder), "the refusal stands elsewhere");
+});
+
+more("a curve of too few or too many samples is refused", async () => {
+  await open();
+  // No control allows these numbers, so the test calls the module.
+  const curve = (samples) =>
+    ask(async (samples) => {
+      const { Stage } = await import("./pkg/wasm_demo.js");
+      try { return String(new Stage(8, 8).curve(0, samples).length); } catch (refusal) { return String(refusal); }
+    }, samples);
+  for (const samples of [0, 1, 10001, 4294967295]) assert.match(await curve(samples), /number of samples/, String(samples));
+  assert.equal(await curve(10000), "20000");
+});
+
+more("every fixture can be chosen", async () => {
+  await open();
+  const all = await options("light-fixtures");
+  const names = all.filter((_, i) => i % Math.ceil(all.length / 8) === 0);
+  must(names, ({ length }) => length > 4, "a list of fixtures");
+  for (const name of names) {
+    await enter("light-fixture", name);
+    assert.equal(await words("light-error"), "", name);
+    assert.ok(await shows("light-published"), `${name} is not chosen`);
+    await isLit(name);
+  }
+});
+
+more("intensity and colour of a light are seen", async () => {
+  await open();
+  await change("the colour", () => enter("light-color", "#ff0000"));
+  await change("the intensity", async () => enter("light-intensity", await ask(() => document.getElementById("light-intensity").min)));
+});
+
+/** The middle of a handle, which the page loads late. */
+async function handle(id) {
+  await isShown(id);
+  return place(`#${id}`);
+}
+
+quick("a light is aimed by mouse, as one step", async () => {
+  await open(ONE);
+  const aim = await handle("handle-aim");
+  await change("a drag of the pool", () => drag(aim, [60, 10]));
+  const after = await place("#handle-aim");
+  must(after, ([x, y]) => Math.abs(x - aim[0] - 60) + Math.abs(y - aim[1] - 10) < 4, `the pool 60, 10 from ${aim}`);
+  await isWritten(/:t/);
+  await change("undo", () => press("undo"));
+  must(await place("#handle-aim"), ([x]) => Math.abs(x - aim[0]) < 1, `one undo to lead to ${aim}`);
+  assert.ok(await isDisabled("undo"), "a drag takes more than one undo");
+});
+
+more("the wheel over the pool zooms its light and keeps its flux", async () => {
+  await open(ONE);
+  const aim = await handle("handle-aim");
+  const flux = async () => (await words("light-photometry")).match(/^(.*?) lm,/)[1];
+  const before = { field: await number("light-field-number"), candela: await number("light-intensity-number"), flux: await flux() };
+  const notch = (event) => (window.notches = event.deltaY / [100, 3, 1][event.deltaMode]);
+  await ask(`void addEventListener("wheel", ${notch}, true)`);
+  await focus("handle-aim");
+  await tab.mouse.move(...aim);
+  await change("the wheel", () => tab.mouse.wheel({ deltaY: 100 }));
+  const notches = await ask(() => window.notches);
+  must(notches, (notches) => Math.abs(notches) > 0.1, "a turn");
+  const zoom = (await number("light-field-number")) / before.field;
+  near([zoom], [1.08 ** notches], 0.002);
+  near([before.candela / (await number("light-intensity-number"))], [zoom ** 2], 0.01);
+  assert.equal(await flux(), before.flux);
+});
+
+quick("a light is selected in the picture and moved by keys", async () => {
+  await open("#stage?scene=show&play=none");
+  const third = await handle("handle-3");
+  await drag(third, [1, 1]);
+  await settle();
+  assert.equal(await words("panel-title"), "4 moving head (beam)");
+  must(await place("#handle-3"), ([x, y]) => Math.abs(x - third[0]) + Math.abs(y - third[1]) < 1, `a light at ${third} after a click`);
+  const x = await number("light-x");
+  assert.equal(await ask(() => document.activeElement.id), "handle-3");
+  await change("an arrow key", () => tab.keyboard.press("ArrowRight"));
+  must(await number("light-x"), (found) => found > x + 0.05, `a light right of ${x}`);
+  assert.match(await words("light-way"), /^The scene moves the aim/);
+  await change("an aim", () => enter("light-aim-y", 0.5));
+  assert.equal(await words("light-way"), "Moved by you.");
+  await change("the way back", () => press("light-back"));
+  assert.equal(await number("light-x"), x);
+  await press("handles-shown");
+  assert.ok(!(await shows("handle-3")), "the switch leaves the lights in the picture");
+  await isWritten(/&handles=0$/);
+});
+
+more("lights are copied and removed", async () => {
+  await open();
+  await press("light-1");
+  assert.equal(await words("panel-title"), "2 Fresnel (fill)");
+  await change("a copy", () => press("light-copy"));
+  assert.equal(await words("lights-count"), "4 of 4 on");
+  await change("the copy", () => enter("light-color", "#ff0000"));
+  await change("removal", () => press("light-remove"));
+  for (let light = 0; light < 3; light += 1) {
+    await press("light-remove");
+    await settle();
+  }
+  assert.equal(await words("lights-count"), "0 of 0 on");
+  assert.ok(!(await shows("panel")), "the panel of no light is shown");
+  await change("a light in the dark", () => press("light-add"));
+  await change("reset", () => press("reset"));
+});
+
+more("lights are added, up to a number", async () => {
+  await open();
+  await change("a light", () => press("light-add"));
+  assert.deepEqual([await words("lights-count"), await words("panel-title")], ["4 of 4 on", "4 added spot"]);
+  await change("its angle", () => enter("light-field-number", 12));
+  const [address, before] = [await isWritten(/lights=0-2;3:.*f12/), await sum()];
+  for (let step = 0; step < 2; step += 1) {
+    await press("undo");
+    await settle();
+  }
+  assert.equal(await words("lights-count"), "3 of 3 on", "after undo");
+  await open(address);
+  assert.deepEqual([await sum(), await words("lights-count")], [before, "4 of 4 on"], address);
+  await choose("grid");
+  await ask(() => Array.from({ length: 17 }, () => document.getElementById("light-add").click()).length);
+  await settle();
+  assert.equal(await words("stage-error"), "number of lights = 81: expected 0 to 80 lights");
+  assert.equal(await words("lights-count"), "80 of 80 on");
+});
+
+// The drawer with the code of the selected light.
+
+const code = () => ask(() => document.getElementById("code-text").textContent);
+
+/** Opens the page and then the drawer, and waits for the code. */
+async function openCode(address = STILL, script) {
+  await open(address, { script });
+  const early = requests.filter((name) => name.includes("code") && !name.includes("code-slot"));
+  assert.deepEqual(early, [], "files that are loaded before the drawer is opened");
+  await ask(() => document.querySelector("#code summary").click());
+  await until(() => document.getElementById("code-text").textContent);
+}
+
+quick("the code of a light follows its settings", async () => {
+  await openCode();
+  await enter("code-language", "glsl");
+  const before = await code();
+  await change("the slider", () => enter("light-field", 0.3));
+  const after = await code();
+  const field = (await number("light-field-number")).toFixed(2);
+  must(after, () => after !== before && after.includes(`field ${field}`), `the code of a field angle of ${field}`);
+  await change("undo", () => press("undo"));
+  assert.equal(await code(), before);
+  await press("light-1");
+  const other = await code();
+  assert.match(other, /vec3 light_2_color/);
+  // Neither the switch of a light nor the exposure is a part of it.
+  await change("the switch", () => press("light-1-on"));
+  await change("the exposure", () => enter("exposure", 1));
+  assert.equal(await code(), other);
+});
+
+more("the code of a light is what the exporter writes, in every language", async () => {
+  const { lights, header } = EXPECT.code;
+  for (const { scene, light, texts } of lights) {
+    await openCode(`#stage?play=none&scene=${scene}`);
+    await press(`light-${light}`);
+    assert.deepEqual(new Set(await options("code-language")), new Set([...Object.keys(texts), "c-header"]));
+    for (const [language, text] of Object.entries({ ...texts, "c-header": header })) {
+      await enter("code-language", language);
+      assert.equal(await code(), text, `${scene}, light ${light}, ${language}`);
+    }
+  }
+});
+
+more("the code of a light is copied, or selected", async () => {
+  for (const [act, took, told] of [
+    ["window.copied = text;", () => window.copied, /Copied\./],
+    ["throw new DOMException('no', 'NotAllowedError');", () => getSelection().toString(), /Ctrl\+C/],
+  ]) {
+    await openCode(STILL, `Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => { ${act} } } })`);
+    await focus("code-copy");
+    await press("code-copy");
+    await until(() => document.getElementById("code-told").textContent);
+    assert.match(await words("code-told"), told);
+    assert.equal((await ask(took)).trim(), (await code()).trim());
+  }
+});
+
+more("the code of a light that a language cannot hold is refused in words", async () => {
+  await openCode("#stage?play=none&scene=gallery");
+  await press(`light-${EXPECT.code.sun}`);
+  const seen = async () => [await shows("code-error"), await shows("code-text"), await shows("code-copy")];
+  await enter("code-language", "c-fx16");
+  assert.match(await words("code-error"), /a spotlight or a point light/);
+  assert.deepEqual(await seen(), [true, false, false]);
+  await enter("code-language", "glsl");
+  assert.deepEqual([await words("code-error"), await shows("code-text")], ["", true], "the GLSL of a sun");
+  // A beam that 16 bits cannot hold.
+  await openCode();
+  await change("a narrow beam", () => enter("light-field-number", 0.5));
+  assert.match(await words("code-error"), /expected/);
+  assert.ok(!(await shows("code-text")), "there is code");
+  await enter("code-language", "rust-f32");
+  assert.match(await code(), /pub const LIGHT/);
+});
+
+quick("the price of a light follows the format and the tolerance", async () => {
+  await open();
+  assert.deepEqual(requests.filter((name) => name.includes("price-panel")), [], "files that are loaded before the price is in view");
+  await ask(() => document.getElementById("price").scrollIntoView());
+  const seen = [];
+  for (const [format, name] of [["fx16", "16 bits"], ["fx32", "32 bits"], ["f32", "f32"]]) {
+    await ask((format) => window.luminaire.setFormat(format), format);
+    const point = (name) =>
+      document.getElementById("price-format")?.textContent === name && document.querySelector("#price-chart .point.current")?.getAttribute("cx");
+    const place = await until(point, name);
+    const chips = await ask(() => [...document.querySelectorAll("#price-chips tr")].map((row) => row.textContent).join());
+    for (const chip of ["Cortex-M0+", "Cortex-M3", "Cortex-M4F", "RV32IMC"]) assert.ok(chips.includes(chip), chips);
+    assert.equal(chips.split(" ms").length - 1, 4, chips);
+    seen.push([place, chips]);
+  }
+  for (const part of [0, 1]) assert.equal(new Set(seen.map((price) => price[part])).size, 3, `two formats have the same price: ${seen}`);
+  assert.match(await words("price-live"), / ns of a core for a lit point/);
+  // A stricter tolerance has another answer, with the constant to paste.
+  const answers = [];
+  for (const most of [5, 0.01]) {
+    await ask((most) => {
+      const field = document.getElementById("price-most");
+      field.value = String(most);
+      field.dispatchEvent(new Event("input"));
+    }, most);
+    await until((most) => document.querySelector("#price-chart .allowed") && window.luminaire.price.tolerance === most, most);
+    answers.push([await words("price-picked"), await words("price-code")]);
+  }
+  must(answers, ([rough, strict]) => rough[0].includes("(searched)") && rough[0] !== strict[0] && rough[1] !== strict[1], "two answers");
+  assert.match(answers[0][1], /pub const LIGHT: /);
+});

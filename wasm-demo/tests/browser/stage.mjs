@@ -1,0 +1,496 @@
+// The stage: its pictures, its scenes and effects, its state and the address, and the camera.
+import {
+  EXPECT, STILL, account, ask, assert, change, choose, count, drag, draws, drawn, enter, follow, isChecked, isDisabled, isLit,
+  isShown, more, must, number, open, pause, place, press, quick, redraw, resize, scenes, settle, shows, sum, survey, tab, until,
+  value, words, written,
+} from "./visit.mjs";
+
+const called = () => count("#effects .called");
+const isWritten = (pattern) => until((pattern) => location.hash.match(pattern) && location.hash, pattern.source);
+
+quick("the page becomes ready without a complaint", async () => {
+  await open();
+  assert.ok(await ask(() => crossOriginIsolated), "expected a page that is crossOriginIsolated");
+  assert.ok(!(await shows("failure")), await words("failure"));
+});
+
+quick("the picture is lit by its lights, in several colours", async () => {
+  await open();
+  must((await survey()).colours, (colours) => colours > 16, "over 16 colours");
+  await ask(() => window.probe.keep("lit"));
+  for (const light of [0, 1, 2]) await press(`light-${light}-on`);
+  await settle();
+  await ask(() => window.probe.keep("unlit"));
+  const added = await ask(() => window.probe.differences("lit", "unlit"));
+  must(added, ({ largest, share }) => largest > 128 && share > 0.2, "lights that add over 128 codes, and reach a fifth of the pixels");
+});
+
+/** Waits until the picture has the pixels of the device. */
+const isExact = async (width, density) => {
+  const exact = (width, density) => {
+    const view = document.getElementById("view");
+    const box = view.getBoundingClientRect();
+    const along = ["width", "height"].map((side) => view[side] - box[side] * devicePixelRatio);
+    return innerWidth === width && devicePixelRatio === density && along.every((pixels) => Math.abs(pixels) <= 1);
+  };
+  // The window may have its size a moment later, and the picture at rest its own after a while.
+  do {
+    await until(exact, width, density);
+    await settle();
+  } while (!(await ask(exact, width, density)));
+};
+
+quick("at rest the picture has the resolution of the device", async () => {
+  for (const [width, height, density] of [[1280, 800, 1], [390, 844, 1], [800, 600, 2]]) {
+    await open("?#stage?play=none&scene=three-point");
+    await resize(width, height, density);
+    await isExact(width, density);
+    await isLit("at rest");
+  }
+});
+
+more("rest ends with a change", async () => {
+  await open("?#stage?play=none&scene=three-point");
+  await resize(1280, 800, 2);
+  const width = () => document.getElementById("view").width;
+  const isAtRest = () => until(() => document.getElementById("view").width > 960);
+  for (const act of [
+    () => press("light-0-on"),
+    () => ask(() => window.probe.enter("exposure", 1)),
+    () => ask(() => window.probe.key(document.getElementById("view"), { key: "ArrowLeft" })),
+  ]) {
+    await isAtRest();
+    await ask(() => {
+      const view = document.getElementById("view");
+      [window.sizes, window.before] = [[], window.luminaire.drawn];
+      window.watch = setInterval(() => window.luminaire.drawn > window.before + window.sizes.length && window.sizes.push(view.width));
+    });
+    await act();
+    await until(() => window.sizes.length > 0);
+    await isAtRest();
+    assert.deepEqual(await ask(() => (clearInterval(window.watch), [window.sizes[0], window.luminaire.drawn - window.before])), [960, 1], String(act));
+  }
+  await open("?#stage?play=lights&scene=turntable", { plays: true });
+  await draws(10);
+  assert.equal(await ask(width), 960, "a picture that plays");
+});
+
+more("the picture has the size that the address asks for", async () => {
+  for (const [query, width, height] of [["?rest=0", 960, 540], ["?width=320&height=180", 320, 180]]) {
+    await open(query + STILL);
+    const size = await ask(() => (({ width, height }) => [width, height])(document.getElementById("view")));
+    assert.deepEqual([...size, (await survey()).pixels], [width, height, width * height]);
+  }
+});
+
+more("a picture that the canvas refused is shown with the next draw", async () => {
+  await open();
+  const before = await drawn();
+  const told = await ask(async () => {
+    const canvas = CanvasRenderingContext2D.prototype;
+    const put = canvas.putImageData;
+    canvas.putImageData = function (...picture) {
+      if (this.canvas.id === "view") throw new Error("out of memory");
+      put.apply(this, picture);
+    };
+    document.getElementById("light-0-on").click();
+    await window.luminaire.redraw();
+    canvas.putImageData = put;
+    return document.getElementById("stage-error").textContent;
+  });
+  assert.match(told, /out of memory/);
+  assert.equal(await drawn(), before, "a refused picture counts as drawn");
+  for (const what of ["the refused picture is not shown again", "a picture that was shown is shown again"]) {
+    await ask(() => window.luminaire.redraw());
+    assert.equal(await drawn(), before + 1, what);
+  }
+});
+
+quick("the number formats agree as closely as stated, and can be chosen", async () => {
+  await open();
+  // At the edge of a shadow a pixel is in the light in one format and in the dark in another.
+  await press("effect-shadow");
+  for (const format of ["f32", "fx32", "fx16"]) {
+    await enter("format", format);
+    assert.equal(await ask(() => window.luminaire.format), format);
+    await isLit(format);
+    await ask((format) => window.probe.keep(format), format);
+  }
+  for (const format of ["fx32", "fx16"]) {
+    const found = await ask((format) => [window.probe.differences("f32", format).largest, window.luminaire.statedError(format)], format);
+    // Beyond 64 displayed codes the picture would not show the same scene.
+    must(found, ([largest, stated]) => largest <= stated && stated <= 64, `${format} to differ by at most what is stated, at most 64`);
+  }
+});
+
+const DIVIDED = "?width=960&height=540#stage?scene=three-point&play=none&format=fx16&with=f32&effects=-dither";
+
+quick("the halves of a divided picture differ as on the host", async () => {
+  await open(DIVIDED);
+  assert.ok(await shows("divided"), "the picture is whole");
+  const difference = () => ask(() => window.luminaire.difference);
+  const { largest, place, differing } = await difference();
+  assert.deepEqual({ largest, place, differing }, EXPECT.divided);
+  must(largest, (largest) => largest > 0, "two pictures");
+  assert.match(await words("divided-note"), new RegExp(`at most ${largest} code`));
+  await enter("divided-format", "fx16");
+  const same = await difference();
+  assert.deepEqual([same.largest, same.differing], [0, 0], "a format differs from itself");
+  await enter("divided-format", "");
+  assert.ok(!(await shows("divided")) && (await ask(() => window.luminaire.difference === undefined)), "it stays divided");
+});
+
+more("a divided picture is covered by its difference, and kept by the address", async () => {
+  await open(DIVIDED);
+  const cover = () => shows("divided-difference");
+  assert.ok(!(await cover()), "the difference covers the picture at first");
+  await press("divided-cover");
+  assert.ok(await cover(), "the switch does not cover the picture");
+  const address = await isWritten(/difference=1/);
+  must(address, (address) => address.includes("with=f32") && address.includes("format=fx16"), "both formats in the address");
+  await press("undo");
+  assert.ok(!(await cover()), "undo leaves the picture covered");
+  // A beam that the other format cannot hold is refused.
+  await enter("light-field-number", 0.5);
+  assert.notEqual(await words("light-error"), "", "a beam of half a degree is taken in 16 bits");
+});
+
+quick("every scene is drawn, and called for what it shows", async () => {
+  await open("#stage?play=none");
+  const titles = new Set();
+  const names = await scenes();
+  must(names, (names) => names.length > 7, "over 7 scenes");
+  for (const name of names) {
+    await choose(name);
+    assert.equal(await ask(() => window.luminaire.scene), name);
+    await isLit(name);
+    const told = await account();
+    const parts = ["evaluated", "missedByRow", "missedByTile", "kept", "dropped"].reduce((sum, part) => sum + told[part], 0);
+    must(told, ({ pairs, evaluated }) => parts === pairs && evaluated > 0, `${name}: an account that adds up to ${parts} pairs`);
+    must([await called(), await count("#effects li")], ([called, all]) => called > 2 && called < all, `${name}: some of the effects`);
+    assert.match(await words("account-ratio"), /^1 in /, name);
+    assert.match(await words("frame-ms"), / ms$/, name);
+    titles.add(await words("summary"));
+  }
+  must([...titles], (titles) => titles.length > 7, "over 7 titles");
+});
+
+more("a picture of what a scene calls for is that of everything, bit for bit", async () => {
+  await open("#stage?play=none");
+  const all = { left: 0, pairs: 0 };
+  for (const name of await scenes()) {
+    await choose(name);
+    const found = await ask(() => window.luminaire.compare());
+    must(found, ({ differing, pixels }) => differing === 0 && pixels > 0, `${name}: equal pictures`);
+    all.pairs += found.pairs;
+    all.left += found.pairs - found.evaluated;
+  }
+  // Most pairs are those of the grids, of which more than nine tenths are left out.
+  must(all, ({ left, pairs }) => left > 0.6 * pairs, "most pairs to be left out");
+  await press("verify");
+  await until(() => document.getElementById("equality").textContent.includes("are equal, bit for bit"));
+  const before = await sum();
+  await redraw("the switch", () => press("everything"));
+  assert.equal(await sum(), before, "evaluating everything changes the picture");
+  must(await account(), ({ evaluated, pairs }) => evaluated === pairs, "everything to be evaluated");
+  assert.equal(await words("account-ratio"), "1 in 1");
+});
+
+quick("a scene is opened by its address, and kept while another view is open", async () => {
+  await open("#stage?play=none&scene=grid");
+  const scene = () => ask(() => window.luminaire.scene);
+  assert.ok((await scene()) === "grid" && (await isChecked("scene-grid")), await scene());
+  await choose("three-point");
+  await isWritten(/^#stage\?v=1&scene=three-point&play=none$/);
+  await redraw("the address", () => ask(() => void (location.hash = "#stage?scene=turntable&play=none")));
+  assert.equal(await scene(), "turntable");
+  await enter("map-subject", "tiles");
+  await isWritten(/^#stage\?v=1&scene=turntable&play=none&map=tiles$/);
+  const title = await tab.title();
+  for (const [view, id] of [["compare", "comparison"], ["stage", "stage-page"]]) {
+    await follow(view);
+    await isShown(id);
+    await settle();
+    const found = await ask(() => [document.querySelector(".views [aria-current]").hash, document.activeElement.id]);
+    assert.deepEqual(found, [`#${view}`, id], "the current link, and the focus");
+    assert.deepEqual([await shows("view"), await shows("comparison")], [view === "stage", view !== "stage"]);
+    assert.equal((await tab.title()) === title, view === "stage", await tab.title());
+  }
+  assert.equal(await scene(), "turntable", "the scene after coming back");
+  await change("a light, after coming back", () => press("light-0-on"));
+  // An address of an earlier page, whose scenes were a view of their own.
+  await open("#scenes?scene=pocket&map=lights");
+  assert.equal(await scene(), "pocket");
+  assert.ok(await shows("map-bar"), "an old link has no map");
+});
+
+quick("every setting is kept by the address", async () => {
+  await open();
+  const settings = { "light-beam-number": 17, "light-color": "#40ff80", "light-intensity-number": 120, exposure: 0.5, format: "fx32" };
+  for (const [id, value] of Object.entries(settings)) await enter(id, value);
+  await press("light-1-on");
+  await press("effect-haze");
+  await drag(await place("#view"), [70, 12]);
+  await written();
+  const [address, picture] = [await isWritten(/view=.*:b17:/), await sum()];
+  assert.match(address, /^#stage\?v=1&scene=three-point&format=fx32&view=/);
+  await open(address);
+  assert.equal(await words("stage-error"), "", address);
+  assert.equal(await sum(), picture, `${address} opens another picture`);
+  assert.deepEqual([await number("light-beam-number"), await number("exposure"), await isChecked("light-1-on")], [17, 0.5, false]);
+});
+
+more("what an address cannot have is refused in words", async () => {
+  for (const [query, told] of [
+    ["v=9", 'v = "9"'],
+    ["scene=nowhere", 'scene = "nowhere"'],
+    ["map=heat", '"heat"'],
+    ["lights=0:b0.1&format=fx16", "16-bit fixed point cannot hold light 1"],
+    ["lights=0:b500", "beam angle"],
+    ["lights=%3Cimg%20onerror%3E", "lights"],
+    ["view=NaN/0/1", "view"],
+    ["__proto__=1", 'parameter = "__proto__"'],
+  ]) {
+    await open(`#stage?${query.startsWith("scene") ? "" : "scene=three-point&"}play=none&${query}`);
+    must(await words("stage-error"), (words) => words.includes(told), `${query} to be answered with ${told}`);
+    await isLit(query);
+  }
+});
+
+more("what an address asks in vain is told, and the page goes on", async () => {
+  for (const [query, told] of [
+    ["?width=abc&height=36", /^width = "abc": expected a whole number of pixels\./],
+    ["?workers=99&rest=0&width=64&height=36", /^workers = "99": expected 0 to 16 workers\./],
+    ["?workers=0&width=0&height=36", /^width = 0: expected 1 to 8192 pixels\./],
+    ["?workers=0&width=64", /^height = 0: expected 1 to 8192 pixels\./],
+    ["?workers=0&width=8192&height=8192", /^height = 8192: expected 1 to \d+ pixels\./],
+  ]) {
+    await open(`${query}#stage?scene=bare-spot&play=none`);
+    assert.match(await words("trouble"), told);
+    await until(() => window.luminaire.drawn > 0);
+  }
+  await open("#stage?scene=three-point&play=none&lights=0:x;1:<img/src>;2&map=<img/src>");
+  assert.match(await words("stage-error"), /lights = "1:.*": expected a light of the scene.*subject of the map = /);
+  assert.equal(await count("#stage-error *"), 0);
+  assert.equal(await words("lights-count"), "2 of 3 on");
+});
+
+quick("changes are undone, redone and reset", async () => {
+  await open();
+  assert.ok((await isDisabled("undo")) && (await isDisabled("redo")), "there is something to undo");
+  const opened = await sum();
+  await change("a beam", () => enter("light-beam-number", 12));
+  const narrow = await sum();
+  await isWritten(/:b12/);
+  await change("a light", () => press("light-0-on"));
+  await change("undo", () => press("undo"));
+  assert.equal(await sum(), narrow, "undo leads to another picture");
+  await change("undo by keys", () => ask(() => window.probe.key(document.body, { key: "z", ctrlKey: true })));
+  assert.ok((await sum()) === opened && (await isDisabled("undo")), "undo does not lead back");
+  await change("redo", () => press("redo"));
+  assert.equal(await sum(), narrow, "redo leads to another picture");
+  await change("reset", () => press("reset"));
+  assert.equal(await sum(), opened, "reset does not lead back");
+  await change("undo of the reset", () => press("undo"));
+});
+
+quick("the page opens on the show, which plays unless motion is unwanted", async () => {
+  await open("", { plays: true });
+  assert.equal(await ask(() => window.luminaire.scene), "show");
+  await isLit("when the page is ready");
+  await draws(3);
+  await press("play");
+  await settle();
+  await isWritten(/play=none/);
+  await open("?width=480&height=270", { script: "window.matchMedia = (query) => ({ matches: query.includes('reduced-motion') })", plays: true });
+  await settle();
+  assert.deepEqual([await drawn(), await isChecked("play")], [1, false], "pictures for a visitor who wants no motion");
+});
+
+quick("a scene plays, and stops", async () => {
+  await open("#stage?play=none&scene=turntable");
+  for (const id of ["play", "camera"]) {
+    const before = await sum();
+    await press(id);
+    await draws(4);
+    await press(id);
+    await settle();
+    assert.notEqual(await sum(), before, `${id} leaves the picture as it was`);
+  }
+  await choose("bare-spot");
+  assert.deepEqual([await isDisabled("play"), await isDisabled("camera")], [true, true], "where nothing moves");
+});
+
+more("the camera is moved by mouse and keys, and reset", async () => {
+  await open();
+  const opened = await sum();
+  const middle = await place("#view");
+  const turn = (way) => () => drag(middle, way);
+  await change("dragging", turn([90, 20]));
+  await ask(() => document.getElementById("view").focus());
+  await tab.mouse.move(...middle);
+  await change("the wheel", () => tab.mouse.wheel({ deltaY: 120 }));
+  for (const key of ["ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown"]) await change(key, () => tab.keyboard.press(key));
+  for (const act of [
+    () => window.probe.key(document.getElementById("view"), { key: "r" }),
+    () => document.getElementById("view").dispatchEvent(new MouseEvent("dblclick")),
+  ]) {
+    await change(String(act), () => ask(act));
+    assert.equal(await sum(), opened, `${act} leads to another picture`);
+    await change("dragging", turn([40, 20]));
+  }
+});
+
+more("lights and effects of a scene are switched", async () => {
+  await open("#stage?play=none&scene=turntable");
+  // Dither is on at first.
+  for (const [effect, more] of [["haze", 1], ["dither", -1]]) {
+    const before = await called();
+    await change(effect, () => press(`effect-${effect}`));
+    assert.equal(await called(), before + more, `the effects with the switch of ${effect}`);
+    await change(effect, () => press(`effect-${effect}`));
+  }
+  await change("shadows put in", () => press("effect-shadow"));
+  assert.match(await words("shadows-ms"), / ms$/);
+  await change("shadows left out", () => press("effect-shadow"));
+  const [effects, before] = [await called(), await account()];
+  await change("highlights left out", () => press("effect-specular"));
+  assert.equal(await called(), effects - 1);
+  await change("a light switched off", () => press("light-0-on"));
+  must(await account(), ({ lightsDropped, dropped }) => lightsDropped === 1 && dropped !== before.dropped, "one light dropped");
+  await change("all lights off", () => press("all-off"));
+  // Ambient light and dither.
+  assert.deepEqual([await called(), await words("account-ratio")], [2, "none"], "in the dark");
+  await change("all lights on", () => press("all-on"));
+  assert.equal(await words("lights-count"), "8 of 8 on");
+  await choose("show");
+  await change("gobos left out", () => press("effect-gobo"));
+  await choose("grid");
+  for (const effect of ["specular", "gobo", "shadow"]) assert.ok(await isDisabled(`effect-${effect}`), `the grid has the switch of ${effect}`);
+});
+
+const BACKGROUND = (id) => ask((id) => getComputedStyle(document.getElementById(id)).backgroundColor.match(/\d+/g).map(Number), id);
+
+more("a light that moves lets tiles be lit again that it touches, and no others", async () => {
+  await open("?rest=0#stage?play=none&scene=grid");
+  assert.equal((await account()).kept, 0, "tiles are kept that never were lit");
+  await enter("map-subject", "tiles");
+  await redraw("a light", () => press("light-27-on"));
+  const { tilesRelit, tiles } = await account();
+  const share = tilesRelit / tiles;
+  must(share, (share) => share > 0 && share < 0.25, "one light of 64 to let less than a quarter of the tiles be lit again");
+  const marked = await ask((colour) => {
+    const codes = window.probe.map();
+    let count = 0;
+    for (let i = 0; i < codes.length; i += 4) count += colour.every((code, channel) => Math.abs(code - codes[i + channel]) < 4);
+    return (4 * count) / codes.length;
+  }, await BACKGROUND("map-relit"));
+  must(marked, (marked) => Math.abs(marked - share) < 0.05, `a share of ${share} of the map to be marked`);
+});
+
+more("the map shows how many lights were evaluated, with a legend", async () => {
+  await open("#stage?play=none&scene=grid");
+  assert.ok(!(await shows("map")) && !(await shows("map-lights")), "there is a map at first");
+  await enter("map-subject", "lights");
+  assert.ok((await shows("map")) && (await shows("map-bar")), "the map or its legend is not shown");
+  assert.match(await words("map-end"), / lights$/);
+  must(await ask(() => new Set(new Uint32Array(window.probe.map().buffer)).size), (colours) => colours > 2, "over 2 colours in the map");
+  await redraw("the switch", () => press("everything"));
+  assert.equal(await words("map-end"), "64 lights");
+  await enter("map-subject", "nothing");
+  assert.ok(!(await shows("map")), "the map stays");
+});
+
+more("the map of the lighting time adds up to it", async () => {
+  await open("?rest=0#stage?play=none&scene=show");
+  await redraw("the map", () => enter("map-subject", "cost"));
+  const differences = [];
+  // Other work of the machine may interrupt a worker between two tiles.
+  while (!differences.some((difference) => difference < 0.01)) {
+    must(differences, ({ length }) => length < 20, "a map that differs by less than 1 % of the time");
+    await redraw("a light", () => press("light-0-on"));
+    const { mapped, lighting } = await ask(() => window.luminaire.costs);
+    differences.push(Math.abs(mapped / lighting - 1));
+  }
+  assert.match(await words("map-total"), / ms of a core in all$/);
+  assert.match(await words("map-end"), / ns a pixel$/);
+});
+
+more("what a format cannot hold of a scene is refused in words", async () => {
+  await open();
+  for (const name of await scenes()) {
+    await enter("format", "f32");
+    await choose(name);
+    for (const format of ["fx32", "fx16"]) {
+      await enter("format", format);
+      const told = [await words("stage-error"), await value("format")];
+      must(told, ([words, taken]) => (words ? words.includes("cannot hold light") : taken === format), `${name}: ${format}, or a refusal`);
+      await isLit(`${name} in ${format}`);
+    }
+  }
+});
+
+more("scenes are measured, pass by pass", async () => {
+  await open("#stage?play=none&scene=pocket");
+  const asked = { width: 320, height: 180, spots: 3, without: ["specular"] };
+  const found = await ask((asked) => window.luminaire.measureScene("turntable", 3, asked), asked);
+  const { lights, width, cameraMoving, cameraAtRest } = found;
+  assert.deepEqual([lights, width], [3, 320], "another scene was measured");
+  assert.deepEqual([cameraMoving.shadowsMs, cameraAtRest.geometryMs], [null, null], "shadows, and geometry at rest, are drawn");
+  const passes = ["geometryMs", "lightingMs", "encodeMs", "transferMs", "showMs", "frameMs"];
+  must(cameraMoving, (times) => passes.every((pass) => times[pass] !== null && times[pass] >= 0), "a time of each pass");
+  must(cameraAtRest, ({ frameMs, lightingMs }) => frameMs > lightingMs, "a frame that takes longer than its light");
+  const still = await ask(() => window.luminaire.measureScene("bare-spot", 2));
+  assert.equal(still.cameraAtRest, null, "where nothing moves, something is drawn");
+  await settle();
+  assert.equal(await ask(() => window.luminaire.scene), "pocket");
+});
+
+/** Fails unless the times of the passes add up to that of the frame, but for those that are marked as kept. */
+async function addsUp(...kept) {
+  // All are read in one call, because the next picture has other times.
+  const told = await ask(() => {
+    const places = ["geometry", "shadows", "lighting", "encode", "transfer", "show", "frame"].map((pass) => [pass, document.getElementById(`${pass}-ms`)]);
+    return places.flatMap(([pass, place]) => (place ? [{ pass, text: place.textContent, isGrey: place.classList.contains("kept") }] : []));
+  });
+  const isKept = ({ text }) => text.endsWith(" kept");
+  assert.deepEqual(told.filter(isKept).map(({ pass }) => pass), kept, JSON.stringify(told));
+  must(told.filter(isKept), (all) => all.every(({ isGrey }) => isGrey), "times that were kept in grey");
+  const times = told.filter((time) => !isKept(time) && time.text !== "–").map(({ text }) => Number(text.match(/^([\d.]+) ms$/)?.[1]));
+  const frame = times.pop();
+  must(times.reduce((sum, time) => sum + time, 0), (sum) => Math.abs(sum - frame) <= 0.01 * frame, `passes that add up to ${frame} ms`);
+}
+
+more("a time that is not of the last picture says so, and the others add up", async () => {
+  await open(`?rest=0${STILL}`);
+  await addsUp();
+  await change("the beam", () => enter("light-beam-number", 12));
+  await addsUp();
+  await change("a drag", async () => drag(await place("#view"), [60, 10]));
+  await addsUp("shadows");
+  await enter("format", "fx16");
+  await addsUp();
+  await open("?rest=0#stage?play=none&scene=three-point");
+  await addsUp();
+  await press("scene-turntable");
+  await press("play");
+  await draws(8);
+  await addsUp("geometry");
+  assert.equal(await words("shadows-ms"), "–", "a scene without shadows");
+});
+
+more("a hidden page draws nothing, and goes on when it is seen", async () => {
+  await open("?width=320&height=180#stage?scene=show", { plays: true });
+  await draws(3);
+  // Another tab before the page.
+  await ask(() => void (window.other = open("about:blank")));
+  await until(() => document.hidden);
+  // The picture that was being drawn may still end.
+  await until(() => !window.luminaire.isDrawing);
+  await pause(500);
+  const before = await drawn();
+  await pause(2000);
+  assert.equal(await drawn(), before, "pictures are drawn while nobody sees them");
+  await ask(() => window.other.close());
+  await draws(3);
+});

@@ -1,0 +1,133 @@
+// The picture is drawn by workers: by any number of them with the same bits, or by the page itself, never so that the
+// page is in the way of its visitor, and without more and more memory.
+import {
+  VIEWS, ask, assert, change, draws, enter, long, more, must, open, pause, press, quick, settle, shows, tab, until,
+} from "./visit.mjs";
+
+/** Pictures that need all passes: with haze, gobos, shadows, dither, fixed point and maps. */
+const PICTURES = [
+  "scene=show&at=2.5/0&effects=dither",
+  "scene=three-point&format=fx16&effects=haze/dither",
+  "scene=gallery&map=lights&view=0.4/0.1/0.8",
+  "scene=turntable&format=fx32&effects=shadow&map=tiles&at=0.7/0.3",
+];
+
+/** Sums of the picture, of its map and of its account. */
+const sums = () =>
+  ask(() => {
+    const sum = (codes) => codes.reduce((sum, code) => (31 * sum + code) % 4294967291, 7);
+    return [window.probe.sum(), document.getElementById("map").hidden || sum(window.probe.map()), JSON.stringify(window.luminaire.account)].join();
+  });
+
+more("any number of workers draws the same bits", async () => {
+  for (const picture of PICTURES) {
+    let expected;
+    for (const workers of [0, 1, 2, 4]) {
+      await open(`?width=320&height=200&workers=${workers}#stage?play=none&${picture}`);
+      const found = [await sums()];
+      for (const id of ["light-1-on", "effect-specular", "light-1-on"]) {
+        await press(id);
+        await settle();
+        found.push(await sums());
+      }
+      expected ??= found;
+      assert.deepEqual(found, expected, `${picture}, by ${workers} workers`);
+    }
+  }
+});
+
+quick("the page draws by itself where workers do not start", async () => {
+  const address = "?width=320&height=200#stage?play=none&scene=three-point";
+  await open(address);
+  const expected = await sums();
+  for (const script of [
+    "window.Worker = undefined",
+    "window.Worker = class extends Worker { constructor() { super('/no-such-script.js', { type: 'module' }) } }",
+  ]) {
+    await open(address, { script });
+    assert.equal(await sums(), expected, script);
+    await change("a beam, without workers", () => enter("light-beam-number", 12));
+    assert.deepEqual([await shows("failure"), await shows("trouble")], [false, false], script);
+    await until(() => window.probe.visible("scene-show"));
+  }
+}, { fails: true });
+
+/** Drags a slider from a value on. */
+const slide = (id, from) =>
+  ask(async (id, from) => {
+    const before = window.luminaire.drawn;
+    const pause = () => new Promise((resolve) => setTimeout(resolve, 20));
+    for (let i = 0; i < 20; i += 1) {
+      window.probe.enter(id, from + 0.02 * i);
+      await pause();
+    }
+    while (window.luminaire.drawn <= before + 3) await pause();
+  }, id, from);
+
+/** The processor time in milliseconds of each task of the page's main thread, which other work does not lengthen. */
+async function tasks(act) {
+  await tab.tracing.start({ categories: ["toplevel"] });
+  await act();
+  const { traceEvents: events } = JSON.parse(new TextDecoder().decode(await tab.tracing.stop()));
+  const thread = ({ pid, tid }) => `${pid} ${tid}`;
+  const main = new Set(events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain").map(thread));
+  const times = events.filter((event) => event.name === "ThreadControllerImpl::RunTask" && main.has(thread(event))).map(({ tdur }) => tdur / 1000);
+  return times.filter((time) => time >= 0);
+}
+
+/** Fails if a task of a view takes longer than 50 ms of the processor while a visitor acts. */
+async function isFree(view, act) {
+  const longest = [];
+  // A processor that others share, too, loses some of its speed.
+  for (let attempt = 0; attempt < 5; attempt += 1) {
+    await open(`?${view}`, { plays: true });
+    const times = await tasks(act);
+    must(times.length, (count) => count > 20, `${view}: over 20 tasks`);
+    longest.push(Math.max(...times));
+    if (longest.at(-1) <= 50) return;
+  }
+  must(longest, () => false, `${view}: no task longer than 50 ms`);
+}
+
+const ACTS = {
+  "": async () => (await draws(20), slide("light-beam", 0.3)),
+  "#compare?left=fx16&half=10": () => slide("half-angle", 0.8),
+  "#museum": () => slide("exhibit-value", 0.1),
+  "#chip": () => until(() => window.luminaire.chip?.drawn > 1),
+};
+
+quick("no task of the page takes longer than 50 ms", () => isFree("", ACTS[""]), { only: "Chromium" });
+
+long("no task of the other views takes longer than 50 ms", async () => {
+  for (const view of Object.keys(ACTS).filter((view) => VIEWS.includes(view.match(/\w+/)?.[0]))) await isFree(view, ACTS[view]);
+});
+
+more("drawing takes no more memory from picture to picture", async () => {
+  await open("#stage?play=none&scene=pocket");
+  const { before, after } = await ask(() => window.luminaire.measureMemory("show", 60, { width: 320, height: 180, with: ["shadow"] }));
+  must(before, () => before > 1e6, "memory of over a megabyte");
+  assert.equal(after, before);
+});
+
+long("five minutes of the show take no more memory", async () => {
+  await open("?width=320&height=180#stage?scene=show", { plays: true });
+  const client = await tab.createCDPSession();
+  await client.send("Performance.enable");
+  /** What is in use after all garbage is collected. */
+  const measure = async () => {
+    for (let i = 0; i < 3; i += 1) await client.send("HeapProfiler.collectGarbage");
+    const { metrics } = await client.send("Performance.getMetrics");
+    const [nodes, listeners, heap] = ["Nodes", "JSEventListeners", "JSHeapUsedSize"].map((wanted) => metrics.find(({ name }) => name === wanted).value);
+    const [modules, pictures] = await ask(() => [window.luminaire.memory(), window.luminaire.drawn]);
+    return { nodes, listeners, heap, modules, pictures };
+  };
+  await ask(() => document.getElementById("price").scrollIntoView());
+  // Until the browser has compiled its scripts.
+  await pause(30_000);
+  const before = await measure();
+  await pause(300_000);
+  const after = await measure();
+  must([before, after], () => after.pictures > before.pictures + 300, "a show that plays");
+  const isSame = after.nodes - before.nodes < 100 && before.listeners === after.listeners && before.modules === after.modules;
+  must([before, after], () => isSame && after.heap - before.heap < 200_000, "the same memory");
+});
