@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import {
-  EVERY_PANEL, STATES, STILL, VIEWS, ask, assert, follow, go, isShown, long, more, must, open, press, quick, redraw, resize, settle,
+  EVERY_PANEL, STATES, STILL, VIEWS, ask, assert, exists, follow, go, isShown, long, more, must, open, press, quick, redraw, resize, settle,
   show, tab, until,
 } from "./visit.mjs";
 
@@ -83,7 +83,7 @@ more("keys do what the mouse does in the picture", async () => {
     ["set an angle", "#curve [role=slider]", "ArrowRight", false, number("beam-number")],
     ["reset the camera", "#view", "r", false, picture],
   ]) {
-    await until((selector) => document.querySelector(selector), selector);
+    await exists(selector);
     const before = await ask(changes);
     const isFocused = (selector) => (document.querySelector(selector).focus(), document.activeElement === document.querySelector(selector));
     assert.ok(await ask(isFocused, selector), `${selector} takes no focus`);

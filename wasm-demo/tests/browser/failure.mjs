@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 
 import {
-  EXPECT, PAGE, STILL, VIEWS, ask, assert, change, drag, enter, follow, isLit, isShown, more, must, open, place, press, quick, requests,
+  EXPECT, PAGE, STILL, VIEWS, ask, assert, change, drag, enter, exists, follow, isLit, isShown, more, must, open, place, press, quick, requests,
   settle, shows, tab, until, words, works, written,
 } from "./visit.mjs";
 
@@ -48,11 +48,11 @@ quick(
     await change("a beam, offline", () => enter("light-beam-number", 15));
     await works();
     await ask(() => document.getElementById("price").scrollIntoView());
-    await until(() => document.querySelector("#price > button"));
+    await exists("#price > button");
     assert.match(await words("price"), /could not be loaded/);
     await tab.setOfflineMode(false);
     await ask(() => document.querySelector("#price > button").click());
-    await until(() => document.querySelector("#price-picked b"));
+    await exists("#price-picked b");
     for (const [view, id] of OTHERS) {
       await follow(view);
       await until((id) => window.luminaire[id] && window.probe.visible(id), id);

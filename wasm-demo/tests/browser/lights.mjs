@@ -1,6 +1,6 @@
 // A light on the desk and in the picture: its angles, its values and what refuses them, its place, its code and its price.
 import {
-  EXPECT, STILL, ask, assert, change, choose, drag, enter, focus, isDisabled, isLit, isShown, more, must, number, open, options,
+  EXPECT, STILL, ask, assert, change, choose, drag, enter, exists, focus, isDisabled, isLit, isShown, more, must, number, open, options,
   place, press, quick, requests, settle, shows, sum, tab, type, until, value, words, written,
 } from "./visit.mjs";
 
@@ -53,7 +53,7 @@ quick("12 and 22 degrees are typed in both orders, with every edge", async () =>
 
 quick("a drag and a slider end where they began", async () => {
   await open(`${SMALL}#stage?scene=bare-spot&play=none&lights=0:b12:f22`);
-  await until(() => document.querySelector("#curve .handle"));
+  await exists("#curve .handle");
   const flux = () => number("light-intensity-number");
   const before = await flux();
   // The dot of the beam angle: to the axis and back, in one drag.
@@ -86,7 +86,7 @@ more("beam and field angle are set on the curve, and each edge keeps the field a
   await open();
   const [beam, field] = await angles();
   const dot = "#curve [role=slider]";
-  await until((dot) => document.querySelector(dot), dot);
+  await exists(dot);
   await drag(await place(`${dot} .dot`), [2, 0]);
   await settle();
   assert.equal((await angles())[0], beam, "a click on the dot sets the angle");
@@ -416,7 +416,7 @@ quick("the price of a light follows the format and the tolerance", async () => {
       field.value = String(most);
       field.dispatchEvent(new Event("input"));
     }, most);
-    await until((most) => document.querySelector("#price-chart .allowed") && window.luminaire.price.tolerance === most, most);
+    await until((most) => document.querySelector("#price-chart .allowed") !== null && window.luminaire.price.tolerance === most, most);
     answers.push([await words("price-picked"), await words("price-code")]);
   }
   must(answers, ([rough, strict]) => rough[0].includes("(searched)") && rough[0] !== strict[0] && rough[1] !== strict[1], "two answers");

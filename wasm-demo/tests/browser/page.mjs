@@ -1,6 +1,6 @@
 // The page fits every window, gestures end where they began, and nothing is refused that a control offers.
 import {
-  STATES, VIEWS, ask, assert, focus, go, hash, isDisabled, isShown, long, must, open, place, press, quick, resize, scenes,
+  STATES, VIEWS, ask, assert, exists, focus, go, hash, isDisabled, isShown, long, must, open, place, press, quick, resize, scenes,
   settle, show, tab, until, written,
 } from "./visit.mjs";
 
@@ -125,7 +125,7 @@ const turn = (sliders, places) =>
 
 quick("both ends of every slider are taken, in every scene and view", async () => {
   await open(`${SMALL}#stage?scene=bare-spot&play=none`);
-  await until(() => document.querySelector("#curve .handle"));
+  await exists("#curve .handle");
   for (const scene of await scenes()) {
     await ask((hash) => void (location.hash = hash), `stage?play=none&scene=${scene}`);
     await until((scene) => window.luminaire.scene === scene, scene);

@@ -141,6 +141,9 @@ export async function until(holds, ...given) {
   }
 }
 
+/** Waits until the page has an element. An element itself is no value for every engine. */
+export const exists = (selector) => until((selector) => document.querySelector(selector) !== null, selector);
+
 /** Fails unless `is` accepts what was found. */
 export const must = (found, is, expected) => assert.ok(is(found), `expected ${expected}, found ${JSON.stringify(found)}`);
 
@@ -265,7 +268,7 @@ export async function works() {
 /** Opens every panel and drawer, also those that are loaded when they are in view. */
 async function openAll() {
   await ask(() => document.getElementById("price").scrollIntoView());
-  await until(() => document.querySelector("#price-picked b"));
+  await exists("#price-picked b");
   await ask(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
   await until(() => [...document.querySelectorAll("details pre")].every((pre) => pre.textContent));
 }
