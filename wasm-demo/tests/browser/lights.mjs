@@ -1,6 +1,6 @@
 // A light on the desk and in the picture: its angles, its values and what refuses them, its place, its code and its price.
 import {
-  EXPECT, STILL, ask, assert, change, choose, drag, enter, exists, focus, isDisabled, isLit, isShown, more, must, number, open, options,
+  EXPECT, STILL, ask, assert, change, choose, drag, enter, exists, focus, isDisabled, isLit, isShown, isWritten, more, must, number, open, options,
   place, press, quick, requests, settle, shows, sum, tab, type, until, value, words, written,
 } from "./visit.mjs";
 
@@ -9,7 +9,6 @@ const ONE = "#stage?scene=bare-spot&play=none";
 const SMALL = `?workers=0&rest=0&width=64&height=36`;
 
 const angles = async () => [await number("light-beam-number"), await number("light-field-number")];
-const isWritten = (pattern) => until((pattern) => location.hash.match(pattern) && location.hash, pattern.source);
 
 const near = (found, expected, most = 1e-3) =>
   found.forEach((found, i) => must(found, (found) => Math.abs(found / expected[i] - 1) < most, `about ${expected[i]}`));

@@ -156,6 +156,9 @@ export async function written() {
   await pause(600);
 }
 
+/** Waits until the address matches. Returns it. */
+export const isWritten = (pattern) => until((pattern) => location.hash.match(pattern) && location.hash, pattern.source);
+
 export const words = (id) => ask((id) => document.getElementById(id)?.textContent.trim() ?? "", id);
 export const value = (id) => ask((id) => window.probe.element(id).value, id);
 export const number = async (id) => Number(await value(id));
