@@ -123,7 +123,7 @@ fn light(rng: &mut Rng, spot: &Spot) -> Result<Value> {
     let expected = places.iter().map(|(point, normal)| {
         let exact = is_smooth.then(|| lights::exact(spot, *point, *normal)[1]);
         let irradiance = compiled.irradiance((*point).into(), (*normal).into());
-        let falloff = compiled.falloff((*point).into());
+        let falloff = compiled.falloff_at((*point).into());
         (!ends_near(spot, *point)).then(|| json!([irradiance.to_bits(), falloff.to_bits(), exact]))
     });
     let words = places.iter().flat_map(|(point, normal)| [*point, *normal]).flatten().map(f32::to_bits);
@@ -133,7 +133,7 @@ fn light(rng: &mut Rng, spot: &Spot) -> Result<Value> {
         "bits": words.collect::<Vec<_>>(),
         "expected": expected.collect::<Vec<_>>(),
         "isReal": matches!(
-            spot.cone().profile(),
+            spot.cone().falloff(),
             AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_)
         ),
     }))
