@@ -1,4 +1,4 @@
-// What fails is told on the page, and stops only what depends on it; and the page needs and asks nothing beside its
+// The page shows what fails, which stops only what depends on it; and the page needs and requests nothing beside its
 // own folder, which works on any host. A failure may be written to the console, so that its tests look at what is seen.
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -18,9 +18,9 @@ async function fails(told, address, more) {
   assert.ok(await shows("failure"), "the message is not seen");
 }
 
-quick("a browser that refuses the canvas is told so", () => fails(/canvas/i, STILL, { script: "HTMLCanvasElement.prototype.getContext = () => null" }), MAY_COMPLAIN);
+quick("a browser without a canvas gets a message", () => fails(/canvas/i, STILL, { script: "HTMLCanvasElement.prototype.getContext = () => null" }), MAY_COMPLAIN);
 
-more("a browser without simd is told so", () => fails(/simd/i, STILL, { script: "WebAssembly.validate = () => false" }), MAY_COMPLAIN);
+more("a browser without simd gets a message", () => fails(/simd/i, STILL, { script: "WebAssembly.validate = () => false" }), MAY_COMPLAIN);
 
 more("a page that is opened as a file says so", () => fails(/cargo demo/, "", { page: `file://${join(EXPECT.site, "index.html")}` }), MAY_COMPLAIN);
 
@@ -56,7 +56,7 @@ quick(
     for (const [view, id] of OTHERS) {
       await follow(view);
       await until((id) => window.luminaire[id] && window.probe.visible(id), id);
-      assert.ok(!(await shows("absent")), `${view} is there, and is told to be absent`);
+      assert.ok(!(await shows("absent")), `${view} is shown, and is said to be absent`);
     }
   },
   MAY_COMPLAIN,
@@ -151,7 +151,7 @@ const LIMITED = `{
   };
 }`;
 
-/** Fails if the visitor is told of anything. */
+/** Fails if the page shows a message. */
 async function isWell() {
   await works();
   assert.ok(!(await shows("trouble")), await words("trouble"));

@@ -113,7 +113,7 @@ async function refuses(id, name, values, error = "light-error") {
   }
 }
 
-quick("a refused field angle is told and leaves the picture alone", async () => {
+quick("a refused field angle gives a message and leaves the picture alone", async () => {
   await open();
   const good = await value("light-field-number");
   assert.equal(await words("light-error"), "");
@@ -122,7 +122,7 @@ quick("a refused field angle is told and leaves the picture alone", async () => 
   assert.equal(await words("light-error"), "", `a field angle of ${good}`);
 });
 
-more("bad intensities, zooms and colours are told and leave the picture alone", async () => {
+more("bad intensities, zooms and colours give a message and leave the picture alone", async () => {
   await open();
   await refuses("light-intensity-number", "intensity", ["-1", "1e40"]);
   await enter("light-fixture", "ARRI L7-C");
@@ -171,7 +171,7 @@ more("an empty field is no error, and a field that is left shows what is in forc
   await forgives("half-angle-number", "half-angle-error");
 });
 
-more("what a format refuses is told under no other control", async () => {
+more("what a format refuses is stated under no other control", async () => {
   await open();
   await enter("light-beam-number", "1");
   await enter("format", "fx16");

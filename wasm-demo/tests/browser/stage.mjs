@@ -154,7 +154,7 @@ more("a divided picture is covered by its difference, and kept by the address", 
   assert.notEqual(await words("light-error"), "", "a beam of half a degree is taken in 16 bits");
 });
 
-quick("every scene is drawn, and called for what it shows", async () => {
+quick("every scene is drawn, with its account and its effects", async () => {
   await open("#stage?play=none");
   const titles = new Set();
   const names = await scenes();
@@ -174,7 +174,7 @@ quick("every scene is drawn, and called for what it shows", async () => {
   must([...titles], (titles) => titles.length > 7, "over 7 titles");
 });
 
-more("a picture of what a scene calls for is that of everything, bit for bit", async () => {
+more("a picture of the required effects is that of everything, bit for bit", async () => {
   await open("#stage?play=none");
   const all = { left: 0, pairs: 0 };
   for (const name of await scenes()) {
@@ -239,7 +239,7 @@ quick("every setting is kept by the address", async () => {
   assert.deepEqual([await number("light-beam-number"), await number("exposure"), await isChecked("light-1-on")], [17, 0.5, false]);
 });
 
-more("what an address asks in vain is told, and the page goes on", async () => {
+more("a bad part of an address is refused in words, and the page goes on", async () => {
   const still = "#stage?play=none&scene=three-point";
   for (const [address, id, told] of [
     [`${still}&v=9`, "stage-error", /v = "9"/],

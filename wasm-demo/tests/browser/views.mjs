@@ -77,7 +77,7 @@ more("the divider follows the mouse and the keys", async () => {
   assert.equal(await split(), 0);
 });
 
-more("a refused cone is told in words, with a remedy", async () => {
+more("a refused cone has a message, with a remedy", async () => {
   await open(FORMS);
   const refusal = () => words("refusal-1");
   await enter("form-1", "fx16");
