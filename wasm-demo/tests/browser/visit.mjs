@@ -195,13 +195,17 @@ export async function type(id, text) {
   await tab.keyboard.press("Tab");
 }
 
-/** Goes to a state or a view by its address, and waits until it is shown. */
+/** Waits until a view has loaded and shows what it is about. */
+export async function isOpen(view) {
+  const shown = { stage: "#lights li", compare: "#ledger-title", museum: "#exhibit-title:not(:empty)", chip: "#chip canvas" };
+  await until((selector) => [...document.querySelectorAll(selector)].some((found) => found.checkVisibility()), shown[view]);
+  await settle();
+}
+
+/** Goes to a state or a view by its address. */
 export async function go(hash) {
   await ask((hash) => void (location.hash = hash), hash);
-  const shown = { stage: "#lights li", compare: "#ledger-title", museum: "#exhibit-list label", chip: "#chip canvas" };
-  const isSeen = (selector) => [...document.querySelectorAll(selector)].some((found) => found.checkVisibility());
-  await until(isSeen, shown[hash.replace(/^#|\?.*/g, "")]);
-  await settle();
+  await isOpen(hash.replace(/^#|\?.*/g, ""));
 }
 
 /** Follows a link of the navigation. */
