@@ -127,7 +127,7 @@ fn answer(mut stream: &TcpStream, is_full: bool, folder: &Path, headers: &str) -
     io::copy(&mut stream, &mut io::sink()).map(drop)
 }
 
-/// Reads a request: whether it asks for the headers alone, and the path of a file.
+/// Reads a request: whether it wants the headers alone, and the path of a file.
 fn call(mut stream: &TcpStream) -> io::Result<Result<(bool, PathBuf), Refusal>> {
     let (mut head, mut part) = (Vec::new(), [0; 4096]);
     while head.len() < LONGEST_HEAD {
