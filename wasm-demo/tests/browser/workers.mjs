@@ -118,7 +118,7 @@ long("five minutes of the show take no more memory", async () => {
     for (let i = 0; i < 3; i += 1) await client.send("HeapProfiler.collectGarbage");
     const { metrics } = await client.send("Performance.getMetrics");
     const [nodes, listeners, heap] = ["Nodes", "JSEventListeners", "JSHeapUsedSize"].map((wanted) => metrics.find(({ name }) => name === wanted).value);
-    const [modules, pictures] = await ask(() => [window.luminaire.memory(), window.luminaire.drawn]);
+    const [modules, pictures] = await ask(async () => [await window.luminaire.memory(), window.luminaire.drawn]);
     return { nodes, listeners, heap, modules, pictures };
   };
   await ask(() => document.getElementById("price").scrollIntoView());
