@@ -96,7 +96,7 @@ impl Form {
     }
 
     /// The form's rows on the price list: the row for the intensity from the angle, and the row for
-    /// a lit point if there is one.
+    /// a lit point if there is one. The list has no prices of the cosine form.
     pub(crate) fn rows(self) -> (Row, Option<Row>) {
         let row = |kernel, stage, format| Row { kernel, stage, format };
         let format = match self {
