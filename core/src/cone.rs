@@ -313,8 +313,8 @@ impl<P: Falloff> Cone<P> {
 /// Returns the widest full angle in degrees whose versine is at most this one.
 fn widest(versine: f32) -> f32 {
     let mut degrees = Angle::from_versine(versine).to_degrees();
-    while Angle::degrees(degrees).versine() > versine {
-        degrees = f32::from_bits(degrees.to_bits() - 1);
+    while degrees > 0.0 && Angle::degrees(degrees).versine() > versine {
+        degrees = f32::from_bits(degrees.to_bits().saturating_sub(1));
     }
     degrees
 }
