@@ -67,17 +67,10 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
     suite.side_by_side([
         Box::new(|suite| host(suite, full)),
         Box::new(|suite| laboratory(suite, "boards")),
-        Box::new(|suite| {
-            page(suite, full);
-            if !full {
-                laboratory(suite, "browsers");
-            }
-        }),
+        Box::new(|suite| page(suite, full)),
     ]);
-    if full {
-        // After the other steps: it also measures times.
-        laboratory(&mut suite, "browsers");
-    }
+    // After the other steps, because they would slow the page down.
+    laboratory(&mut suite, "browsers");
     suite.finish()
 }
 
