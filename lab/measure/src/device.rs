@@ -9,14 +9,11 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
+use tools::board::RP2040;
 use tools::progress::Progress;
 use tools::{board, project};
 
 use crate::size::program::Program;
-
-/// The board, which is also the folder of its package.
-const RP2040: &str = "rp2040";
-const TARGET: &str = "thumbv6m-none-eabi";
 
 /// The options of `board`.
 #[derive(Debug, PartialEq, clap::Args)]
@@ -32,7 +29,7 @@ pub struct DeviceOptions {
 
 /// Builds the firmware. Returns its file.
 fn build(progress: &Progress) -> Result<PathBuf> {
-    let file = board::build(RP2040, TARGET, progress)?;
+    let file = board::build(progress)?;
     Program::read(&file)?.has_no_float()?;
     Ok(file)
 }

@@ -1,10 +1,10 @@
 //! The board's part of `cargo xtask full`.
 
-use tools::board::in_folder;
+use tools::board::{RP2040, in_folder};
 use tools::suite::Suite;
 use tools::{command, tally};
 
-use super::{RP2040, build, check};
+use super::{build, check};
 
 /// Adds the steps: the packages are formatted, and the firmware is built and checked in an emulator.
 pub fn run(suite: &mut Suite) {

@@ -9,12 +9,9 @@ use anyhow::{Context, Result};
 
 use super::licenses;
 use super::site::Build;
+use crate::board::RP2040;
 use crate::progress::Progress;
 use crate::{board, install, project, wasm};
-
-/// The firmware: the folder of its package, which is also its name in the demo's folder.
-const FIRMWARE: &str = "rp2040";
-const TARGET: &str = "thumbv6m-none-eabi";
 
 /// Writes the firmware, the worker and the module into the demo's folder. Without npm, the demo is
 /// complete but for this view, so that a missing npm is reported and is no error.
@@ -26,20 +23,20 @@ pub(super) fn write(site: &Path, build: Build, progress: &Progress) -> Result<()
             return Ok(());
         }
     };
-    let step = progress.begin("Building", format_args!("the firmware of the {FIRMWARE}"));
-    let firmware = board::build(FIRMWARE, TARGET, progress)?;
+    let step = progress.begin("Building", format_args!("the firmware of the {RP2040}"));
+    let firmware = board::build(progress)?;
     step.done();
     let module = wasm::CHIP.compile(progress)?;
-    copy(&firmware, &site.join(format!("{FIRMWARE}.elf")))?;
+    copy(&firmware, &site.join(format!("{RP2040}.elf")))?;
     bundle(site, progress)?;
-    licenses::write(&site.join("chip-licenses.txt"), FIRMWARE, TARGET, &emulator)?;
+    licenses::write(&site.join("chip-licenses.txt"), &emulator)?;
     let bound = wasm::CHIP.bind(&module, &site.join("chip"), progress)?;
     build.finish(&bound, progress)
 }
 
 /// Whether a folder of the demo has them.
 pub(super) fn is_in(site: &Path) -> bool {
-    site.join(format!("{FIRMWARE}.elf")).is_file()
+    site.join(format!("{RP2040}.elf")).is_file()
 }
 
 /// Finds or installs what bundles the worker. Returns the emulator's folder.

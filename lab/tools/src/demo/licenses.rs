@@ -12,11 +12,11 @@ use crate::{board, command, install, project};
 /// The start of the names of files with licences.
 const NAMES: [&str; 4] = ["LICEN", "COPYING", "UNLICENSE", "NOTICE"];
 
-/// Writes the licences of the packages that are linked into the firmware of a board, and of the
+/// Writes the licences of the packages that are linked into the firmware of the board, and of the
 /// emulator. Each text is there once, after the names of what it applies to.
-pub(super) fn write(file: &Path, firmware: &str, target: &str, emulator: &Path) -> Result<()> {
-    let mut metadata = board::in_folder(firmware, command::cargo("metadata"));
-    metadata.args(["--format-version=1", "--locked", "--filter-platform", target]);
+pub(super) fn write(file: &Path, emulator: &Path) -> Result<()> {
+    let mut metadata = board::in_folder(board::RP2040, command::cargo("metadata"));
+    metadata.args(["--format-version=1", "--locked", "--filter-platform", board::TARGET]);
     let metadata: Value = serde_json::from_str(&command::answer(&mut metadata)?)?;
     let mut names: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     // The project's own packages have no source.

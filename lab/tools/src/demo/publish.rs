@@ -7,8 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::fs;
 use std::io::Write;
-use std::path::Path;
-use std::process::{Command, Stdio};
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
 use flate2::write::GzEncoder;
@@ -23,9 +23,9 @@ const PAGE: &str = "index.html";
 /// Extensions of the files that may refer to other files.
 const TEXTS: [&str; 3] = ["css", "html", "js"];
 
-/// Prints the size of standard input after compression by brotli.
-const BROTLI: &str = "const zlib = require('zlib'); \
-    console.log(zlib.brotliCompressSync(require('fs').readFileSync(0)).length)";
+/// Prints the sum of the sizes of files, each compressed by brotli.
+const BROTLI: &str = "const { readFileSync } = require('fs'), { brotliCompressSync } = require('zlib'); \
+    console.log(process.argv.slice(1).reduce((sum, file) => sum + brotliCompressSync(readFileSync(file)).length, 0))";
 
 /// The files that a browser loads for the first picture.
 #[derive(Debug)]
@@ -80,7 +80,7 @@ pub fn publish(site: &Path, to: &Path, address: Option<&str>) -> Result<FirstPic
         fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
         fs::write(&file, content).with_context(|| format!("cannot write {}", file.display()))?;
     }
-    bundle.first_picture()
+    bundle.first_picture(to)
 }
 
 /// The files under their old names, each with its new name and its new content.
@@ -163,7 +163,7 @@ impl Bundle {
         Ok(format!("{head}{links}</head>{body}").into_bytes())
     }
 
-    fn first_picture(&self) -> Result<FirstPicture> {
+    fn first_picture(&self, folder: &Path) -> Result<FirstPicture> {
         let files: Vec<_> = self.first.iter().map(|name| &self.files[name]).collect();
         let sum = |size: &dyn Fn(&[u8]) -> Result<usize>| {
             files.iter().map(|(_, content)| size(content)).sum::<Result<usize>>()
@@ -173,7 +173,9 @@ impl Bundle {
             files: files.iter().map(|(name, _)| name.clone()).collect(),
             plain: sum(&|content| Ok(content.len()))?,
             gzip: sum(&gzip)?,
-            brotli: node.map(|node| sum(&|content| brotli(&node, content))).transpose()?,
+            brotli: node
+                .map(|node| brotli(&node, files.iter().map(|(name, _)| folder.join(name))))
+                .transpose()?,
         })
     }
 }
@@ -241,11 +243,8 @@ pub fn gzip(content: &[u8]) -> Result<usize> {
     Ok(encoder.finish()?.len())
 }
 
-fn brotli(node: &Path, content: &[u8]) -> Result<usize> {
-    let mut child =
-        Command::new(node).args(["-e", BROTLI]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-    child.stdin.take().context("node takes no input")?.write_all(content)?;
-    let answer = String::from_utf8(child.wait_with_output()?.stdout)?;
+fn brotli(node: &Path, files: impl Iterator<Item = PathBuf>) -> Result<usize> {
+    let answer = command::answer(Command::new(node).args(["-e", BROTLI]).args(files))?;
     answer.trim().parse().with_context(|| format!("node answers {answer:?} in place of a size"))
 }
 

@@ -37,7 +37,7 @@ pub enum Build {
     Part,
     /// All of it.
     Whole,
-    /// All of it as it is published: optimised across crates, and shrunk by `wasm-opt`.
+    /// All of it as it is published: shrunk by `wasm-opt`.
     Small,
 }
 
