@@ -314,10 +314,8 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { parameter, value, accepted } = *self;
         write!(f, "{parameter} = ")?;
-        if let Expected::WholeBetween(..) | Expected::Exactly(_) = accepted
-            && (1.0..1e18).contains(&value)
-            && value as u64 as f32 == value
-        {
+        let counts = matches!(accepted, Expected::WholeBetween(..) | Expected::Exactly(_));
+        if counts && (1.0..1e18).contains(&value) && value as u64 as f32 == value {
             write!(f, "{}", value as u64)?;
         } else {
             // Rounded, a value next to a limit may be within the limits.
