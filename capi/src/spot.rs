@@ -2,7 +2,7 @@
 
 use luminaire::{
     Fx16, Fx32, Length, Rgb, Vec3,
-    codegen::{ConeParts, Gain16, Ramp16},
+    codegen::{ConeParts, FixedRamp, Gain16},
     falloff::SoftOrHard,
     light::{CompiledCone, CompiledSpotLight},
     number::Light16,
@@ -113,7 +113,7 @@ impl luminaire_spot {
         Light::from_parts(
             Vec3::new(x, y, z).map(length),
             Vec3::new(along_x, along_y, along_z).map(unit),
-            CompiledCone::from_parts(Ramp16::from_bits(ramp), NOT_READ, edge),
+            CompiledCone::from_parts(FixedRamp::from_bits(ramp), NOT_READ, edge),
             channel(blue_outside >> 16),
             (),
             Gain16::from_bits([mantissa, shift].map(u32::cast_signed)),

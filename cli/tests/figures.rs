@@ -109,7 +109,6 @@ impl Records {
         say(" of 160 x 120 pixels a second at 133 MHz".to_owned());
         let [quick, fine] = [lit("fx16-quick"), lit("fx16")];
         say(format!("takes {quick} instructions instead of {fine} for a lit point in `Fx16`"));
-        say(format!("in `Fx32` {} instead of {}", lit("fx32-quick"), lit("fx32")));
         say(format!("{compiler}, on the host {of_host}, and libm's version {libm}."));
         for (name, title) in [
             ("soft.fx16", "soft edge, `Fx16`"),
@@ -148,7 +147,6 @@ impl Records {
         for (format, target, before, after) in [
             ("f32", "cortex-m4f", "takes", " on a Cortex-M4F"),
             ("fx16", "cortex-m0", "takes", " in [`Fx16`]"),
-            ("fx32", "cortex-m0", "it takes", ""),
         ] {
             let name = format!("lit-inverse-square.{format}-quick");
             let (cost, error) = (self.cost(&name, target), self.error(&name));

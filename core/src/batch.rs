@@ -16,7 +16,7 @@ use crate::{
     color::Rgb,
     cone::CompiledCone,
     falloff::Falloff,
-    number::{Fraction, FullOffset, Offset, Ray, Scalar},
+    number::{Fraction, FullOffset, Offset, Quick, Ray, Scalar},
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, LightModel, QuickSpotLight,
         SurfacePoint,
@@ -233,7 +233,7 @@ fn add_each<S: Scalar, L: Batched<S>>(
 macro_rules! slices {
     ([$($parameters:tt)*] $light:ty, $self:ident, $points:ident, $normals:ident,
      |$count:ident, $lights:ident| $each:expr, |$sums:ident| $add:expr) => {
-        impl<S: Scalar, $($parameters)*> $light {
+        impl<$($parameters)*> $light {
             /// Computes the irradiance at each of many surface points.
             ///
             /// Each result is bit-identical to a call of `irradiance`. Points and normals are
@@ -278,10 +278,10 @@ macro_rules! slices {
     };
 }
 
-slices!([P: Falloff, A: Attenuation] CompiledSpotLight<S, P, A>, in blocks);
-slices!([A: Attenuation] CompiledPointLight<S, A>, in blocks);
-slices!([P: Falloff, A: Attenuation] QuickSpotLight<S, P, A>, one by one);
-slices!([] CompiledDirectionalLight<S>, one by one);
+slices!([S: Scalar, P: Falloff, A: Attenuation] CompiledSpotLight<S, P, A>, in blocks);
+slices!([S: Scalar, A: Attenuation] CompiledPointLight<S, A>, in blocks);
+slices!([S: Quick, P: Falloff, A: Attenuation] QuickSpotLight<S, P, A>, one by one);
+slices!([S: Scalar] CompiledDirectionalLight<S>, one by one);
 
 impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     /// Computes the intensity at each of many versines, up to the length of the shorter slice.

@@ -52,18 +52,20 @@ pub use crate::{
 use crate::{haze::BeamScattering16, number::Fx16};
 #[cfg(feature = "fixed")]
 pub use crate::{
-    number::fixed16::{Frame16, Gain16, Ramp16},
-    number::fixed32::{Frame32, Gain32, Ramp32},
+    number::fixed16::{Frame16, Gain16},
+    number::fixed32::{Frame32, Gain32},
+    number::ramp::FixedRamp,
 };
 
 use crate::{
     attenuation::Attenuation,
     color::Rgb,
-    cone::{CompiledCone, QuickCone},
+    cone::CompiledCone,
     display::{CompiledExposure, Rgb565Ramp},
     falloff::Falloff,
     haze::BeamScattering,
     material::CompiledMaterial,
+    number::Quick,
     projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
     shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
     source::{Written, call, name},
@@ -110,16 +112,6 @@ where
     }
 }
 
-impl<S: SourceScalar, P: Falloff + Source> Source for QuickCone<S, P>
-where
-    P::Compiled<S>: Source,
-{
-    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "QuickCone::<{}, _>::", name::<S>())?;
-        call(out, "from_parts", &[&self.ramp, &self.falloff, &self.curve])
-    }
-}
-
 impl<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named> Source for CompiledSpotLight<S, P, A>
 where
     P::Compiled<S>: Source,
@@ -135,7 +127,7 @@ where
     }
 }
 
-impl<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named> Source for QuickSpotLight<S, P, A>
+impl<S: SourceScalar + Quick, P: Falloff + Source, A: Attenuation + Named> Source for QuickSpotLight<S, P, A>
 where
     P::Compiled<S>: Source,
     A::Constants<S>: Source,

@@ -6,13 +6,13 @@ mod compiled;
 mod two_angles;
 mod zoom;
 
-pub use self::compiled::{CompiledCone, QuickCone};
+pub use self::compiled::CompiledCone;
 
 use crate::{
     angle::Angle,
     error::{Error, Expected, Parameter},
     falloff::{Falloff, Hard, Power, Soft, SoftOrHard},
-    number::{HALF_A_CODE, Scalar, Slopes, float::positive},
+    number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
     search::bisect,
 };
 
@@ -265,14 +265,13 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// Compiles the cone for the quick evaluation.
-    pub(crate) fn compile_quick<S: Scalar>(&self) -> Result<QuickCone<S, P>, Error> {
+    pub(crate) fn compile_quick<S: Quick>(&self) -> Result<CompiledCone<S, P>, Error> {
         self.check::<S>()?;
-        let ramp = S::quick_ramp(self.inner, self.outer, self.limit);
-        Ok(QuickCone::from_parts(ramp, self.falloff, self.falloff.compile()))
+        Ok(CompiledCone::new(S::quick_ramp(self.inner, self.outer, self.limit), self.falloff))
     }
 
     /// Returns the bound of [`SpotLight::quick_error`](crate::SpotLight::quick_error).
-    pub(crate) fn quick_error<S: Scalar>(&self) -> f32 {
+    pub(crate) fn quick_error<S: Quick>(&self) -> f32 {
         if self.inner < self.outer {
             S::quick_error(&self.slopes(self.inner), self.outer)
         } else {

@@ -19,7 +19,7 @@
 macro_rules! for_numbers {
     ($then:ident) => {
         $then! {
-            Fx16(i16) Fx32(i32) Length(i32) Light16(u32) Light32(u64) Versine16(u32) Versine32(u64) Weight16(i32)
+            Fx16(i16) Fx32(i32) Length(i32) Light16(u32) Light32(u64) Versine(u32) Weight16(i32)
             Weight32(i64)
         }
     };

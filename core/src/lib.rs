@@ -57,16 +57,16 @@
 //! | | `f32` | [`Fx32`] | [`Fx16`] |
 //! |---|---|---|---|
 //! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit |
-//! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.0e-4 | 6.6e-6 | 0.25 |
-//! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 1,515 | 222 |
-//! | instructions, Cortex-M4F | 102 | 264 | 153 |
-//! | instructions, RV32IMC | 2,721 | 380 | 161 |
-//! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00004 | 0.70 |
+//! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.0e-4 | 3.4e-5 | 0.25 |
+//! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 553 | 222 |
+//! | instructions, Cortex-M4F | 102 | 179 | 153 |
+//! | instructions, RV32IMC | 2,721 | 202 | 161 |
+//! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00012 | 0.70 |
 //!
 //! [`SpotLight::compile_quick`] compiles one light for a quick evaluation. In `f32` the quick
 //! evaluation takes 74.1 instructions on a Cortex-M4F and errs by 0.019 linear codes. On a Cortex-M0
-//! the quick evaluation takes 146 instructions in [`Fx16`] and errs by 0.52 linear codes; in
-//! [`Fx32`] it takes 476 instructions and errs by 3.4e-5 linear codes.
+//! the quick evaluation takes 146 instructions in [`Fx16`] and errs by 0.52 linear codes. [`Fx32`]
+//! has one evaluation only.
 //!
 //! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the
 //! largest error of very many random points; *counted* means counted by an emulator. A lit point
@@ -97,7 +97,7 @@
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] | outside |
 //! |---|---|---|---|---|
-//! | coordinate of a light | any finite | ±32,767 | ±16,383 | refused |
+//! | coordinate of a light | any finite | ±32,639 | ±16,383 | refused |
 //! | coordinate of a point | any finite | -32,768 to 32,768 | -32,768 to 32,768 | [`Scalar::length`] saturates; infinite or NaN is dark in `f32` |
 //! | distance | 1.1e-19 to 1.8e19 | 2^-16 to 113,000, see below | 2^-16 to 85,000 | zero light: it counts as at the light, or as out of reach |
 //! | outer half angle | half of [`Cone::narrowest`] to 90° | the same | the same | refused |
@@ -107,7 +107,7 @@
 //! | intensity for one code | 300 | 1,000 | 1,000 | up to 1e9: the error grows with the intensity; beyond: refused |
 //!
 //! Where a component of the vector from a light to a point exceeds 32,768 units, `Fx32` drops one
-//! bit of the vector, and the narrowest cones of `Fx32` are twice as wide. The intensities in the
+//! bit of the vector, and the narrowest cones of `Fx32` are a quarter wider. The intensities in the
 //! table hold for cones with half angles from 3°, at any distance (searched, with light clipped at
 //! full scale); for a narrower cone these intensities are smaller in proportion. For a brighter
 //! light, divide the intensity and multiply the sum of all lights by an

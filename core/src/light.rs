@@ -10,7 +10,7 @@ mod spot;
 
 pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::PointLight, spot::SpotLight};
 pub use crate::{
-    cone::{CompiledCone, QuickCone},
+    cone::CompiledCone,
     material::CompiledMaterial,
     row::Row,
     shade::{

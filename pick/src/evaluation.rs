@@ -6,6 +6,7 @@ use luminaire::attenuation::{Attenuation as Law, NoAttenuation};
 use luminaire::codegen::{Source, as_source};
 use luminaire::falloff::Falloff;
 use luminaire::light::{CompiledSpotLight, QuickSpotLight};
+use luminaire::number::Quick;
 use luminaire::{Error, Fx16, Fx32, Scalar, Vec3};
 
 use crate::light::{Attenuation, Light, Shaped, shaped};
@@ -21,8 +22,6 @@ macro_rules! evaluations {
             Fx16Quick = "fx16-quick", QuickSpotLight, Fx16, compile_quick;
             /// 16-bit fixed point.
             Fx16 = "fx16", CompiledSpotLight, Fx16, compile;
-            /// The quick evaluation of `Fx32`.
-            Fx32Quick = "fx32-quick", QuickSpotLight, Fx32, compile_quick;
             /// 32-bit fixed point.
             Fx32 = "fx32", CompiledSpotLight, Fx32, compile;
             /// The quick evaluation of `f32`.
@@ -100,7 +99,7 @@ impl<S: Scalar, P: Falloff, A: Law> Lit<S> for CompiledSpotLight<S, P, A> {
     }
 }
 
-impl<S: Scalar, P: Falloff, A: Law> Lit<S> for QuickSpotLight<S, P, A> {
+impl<S: Quick, P: Falloff, A: Law> Lit<S> for QuickSpotLight<S, P, A> {
     fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.irradiance(point, normal)
     }

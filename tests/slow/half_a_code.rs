@@ -120,7 +120,7 @@ impl Domain {
     fn of<S: Format>() -> Self {
         match S::NAME {
             "f32" => Self { farthest: [1e6, 1e9], distances: [1e-3, 1e8] },
-            "fx32" => Self { farthest: [32_767.0; 2], distances: [1e-4, 50_000.0] },
+            "fx32" => Self { farthest: [32_639.0, 32_767.0], distances: [1e-4, 50_000.0] },
             _ => Self { farthest: [16_383.0, 32_767.0], distances: [1e-4, 40_000.0] },
         }
     }

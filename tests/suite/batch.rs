@@ -10,6 +10,7 @@ use luminaire::{
     dynamic::{AnyLight, CompiledAnyLight},
     falloff::{Falloff, Soft},
     light::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
+    number::Quick,
 };
 use support::{
     arbitrary::{bits, vector},
@@ -114,7 +115,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Light<S> for CompiledSpotLight<S, P,
     light!(single);
 }
 
-impl<S: Scalar, P: Falloff, A: Attenuation> Light<S> for QuickSpotLight<S, P, A> {
+impl<S: Quick, P: Falloff, A: Attenuation> Light<S> for QuickSpotLight<S, P, A> {
     light!(single);
 }
 
@@ -238,7 +239,6 @@ fn other_lights_light_a_batch_as_they_light_a_point() {
         for length in [0, 1, 63, 64, 65, LONG] {
             let spot = sweep::spot(&mut rng, shape_cone()).with_intensity(100.0).expect("a sound light");
             let sites = Sites::about(&mut rng, spot.position(), spot.axis(), 40.0, length);
-            assert_batch(&spot.compile_quick::<S>().expect("held"), &sites, length, &mut rng);
             let directional = DirectionalLight::new(spot.axis()).expect("a sound light");
             assert_batch(&directional.compile::<S>(), &sites, length, &mut rng);
             let point = PointLight::new(spot.position()).expect("a sound light");
@@ -250,6 +250,20 @@ fn other_lights_light_a_batch_as_they_light_a_point() {
     assert_others::<f32>();
     assert_others::<Fx32>();
     assert_others::<Fx16>();
+}
+
+#[test]
+fn a_quick_light_lights_a_batch_as_it_lights_a_point() {
+    fn assert_quick<S: Format + Quick>() {
+        let mut rng = Rng::with_seed(23);
+        for length in [0, 1, 63, 64, 65, LONG] {
+            let spot = sweep::spot(&mut rng, shape_cone()).with_intensity(100.0).expect("a sound light");
+            let sites = Sites::about(&mut rng, spot.position(), spot.axis(), 40.0, length);
+            assert_batch(&spot.compile_quick::<S>().expect("held"), &sites, length, &mut rng);
+        }
+    }
+    assert_quick::<f32>();
+    assert_quick::<Fx16>();
 }
 
 /// Slices of different lengths: the shortest one determines the number of points, whichever

@@ -83,14 +83,18 @@ fn a_cutoff_changes_nothing_within() {
 }
 
 /// Within a cutoff of 12 degrees the intensity is the same, with each versine in the scale of its
-/// own cone; outside it is zero.
+/// own cone; outside it is zero. `Fx32` has more bits than the versine of the open cone, which it
+/// rounds by up to 3 steps.
 fn assert_cut<S: Format>(open: &Cone<Soft>, cut: &Cone<Soft>) {
     let (open, cut) = (open.compile::<S>().expect("held"), cut.compile::<S>().expect("held"));
     for millidegrees in 0..20_000_u16 {
         let half = f32::from(millidegrees) / 1e3;
         let versine = Angle::from(HalfAngle::degrees(half)).versine();
         let expected = if half < 6.0 { open.at(open.versine(versine)) } else { S::ZERO };
-        assert_eq!(cut.at(cut.versine(versine)), expected, "{} {half}", S::NAME);
+        let found = cut.at(cut.versine(versine));
+        let steps = if S::NAME == "fx32" && half < 6.0 { 3.0 } else { 0.0 };
+        let apart = (found.exact() - expected.exact()).abs() / f64::from(S::STEP);
+        assert!(apart <= steps, "{} {half}: {found:?}, not {expected:?}", S::NAME);
     }
 }
 

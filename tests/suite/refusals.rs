@@ -338,7 +338,7 @@ fn a_position_beyond_the_reach_of_its_format() {
     assert!(far.compile::<f32>().is_ok());
     let message = |most| format!("position = 40000: expected a finite number from -{most} to {most} (y)");
     assert_refused(far.compile::<Fx16>(), Parameter::Position, &message(16_383));
-    assert_refused(far.compile::<Fx32>(), Parameter::Position, &message(32_767));
+    assert_refused(far.compile::<Fx32>(), Parameter::Position, &message(32_639));
     let light = luminaire::PointLight::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
     assert!(light.compile::<Fx16>().is_err());
 }

@@ -182,7 +182,7 @@ fn formats_keep_to_the_line_between_knots() {
     let mut knots = [Knot::default(); 24];
     let (table, _) = Table::from_angles(&measured, Angle::degrees(90.0), &mut knots).expect("sound data");
     assert_format::<f32>(table, 3.0);
-    assert_format::<Fx32>(table, 2.0);
+    assert_format::<Fx32>(table, 3.5);
     assert_format::<Fx16>(table, 2.5);
 }
 

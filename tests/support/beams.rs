@@ -8,7 +8,7 @@ use luminaire::{
     Cone, Scalar, Vec3,
     falloff::Soft,
     light::CompiledCone,
-    number::{Offset, Ray},
+    number::{Offset, Ray, Share},
 };
 
 /// The largest errors at a half angle.
@@ -52,7 +52,7 @@ pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
         let cosine_form = (cosine_form::<S>(ray.direction(), axis, outer) - exact).abs();
         found.cosine_form = found.cosine_form.max(oracle::counted(cosine_form));
         if let (Some(falloff), Some(worst)) = (&falloff, &mut found.versine_form) {
-            *worst = worst.max(oracle::counted((falloff.toward(&ray, axis).exact() - exact).abs()));
+            *worst = worst.max(oracle::counted((falloff.toward(&ray, axis).rounded().exact() - exact).abs()));
         }
     }
     found

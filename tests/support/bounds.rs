@@ -8,7 +8,7 @@
 //! | `spot` | position to intensity | full scale | [`HALF_ANGLES`](super::sweep::HALF_ANGLES) | searched |
 //! | `lit` | position and normal to irradiance, with Lambert's cosine and the inverse square, of a light that reaches full scale about where the point is | the larger of full scale and the light on the axis there | the same | searched |
 //! | `exhaustive` | versine to intensity, every versine | steps of the format | `slow::exhaustive::CONES` | exhaustive |
-//! | `fractions` | `t` to intensity, every fraction of 31 bits | steps of `Fx32` | one | exhaustive |
+//! | `fractions` | `t` to intensity, every fraction of 30 bits | steps of `Fx32` | one | exhaustive |
 //! | `haze` | air light of 1,800 rays, by the inverse square | what is seen there, or across the axis as near to the light where that is more | [`haze::HALF_ANGLES`](super::haze::HALF_ANGLES) | searched |
 //!
 //! `LUMINAIRE_BLESS=1 LUMINAIRE_FULL=1 cargo test --test suite --test slow -- accuracy::

@@ -118,4 +118,4 @@ macro_rules! fixed_format {
 }
 
 fixed_format!(Fx16, i16, i32, u32);
-fixed_format!(Fx32, i32, i32, u64);
+fixed_format!(Fx32, i32, i32, u32);

@@ -104,7 +104,7 @@ mod tests {
     /// over the pixels of these pictures.
     const BOUNDS: [(Form, [Option<f64>; 4]); 6] = [
         (Form::F32, [Some(2.1e-4), Some(1.7e-3), Some(0.028), Some(0.25)]),
-        (Form::Fx32, [Some(5.8e-6), Some(3.6e-5), Some(5.0e-4), Some(4.4e-3)]),
+        (Form::Fx32, [Some(1.25e-5), Some(5.4e-5), Some(6.8e-4), Some(6.7e-3)]),
         (Form::Fx16, [Some(0.26), Some(0.39), None, None]),
         (Form::Cosine, [Some(6.7e-3), Some(0.49), Some(49.0), Some(255.0)]),
         (Form::Powf, [Some(6.8e-3), Some(0.49), Some(47.0), Some(255.0)]),

@@ -36,7 +36,6 @@ import { draw } from "./price-chart.js";
 const NAMES = {
   "fx16-quick": "16 bits, quick",
   fx16: "16 bits",
-  "fx32-quick": "32 bits, quick",
   fx32: "32 bits",
   "f32-quick": "f32, quick",
   f32: "f32",

@@ -3,17 +3,18 @@
 //! The kind, the falloff and the attenuation of the light are matched once, so the loop over the
 //! points has no branch on these three.
 //!
-//! Each falloff has one loop for the inverse-square law, and one loop for no attenuation. Any other
-//! attenuation takes two loops: the first loop evaluates the cone, the second the attenuation. The
-//! number of compiled loops therefore grows with the sum of the numbers of falloffs and
-//! attenuations, instead of their product.
+//! Each falloff has one loop for the inverse-square law, and one loop for no attenuation. In `f32`
+//! any other attenuation takes two loops: the first loop evaluates the cone, the second the
+//! attenuation. The number of compiled loops therefore grows with the sum of the numbers of falloffs
+//! and attenuations, instead of their product. Fixed point would lose bits between two loops, so it
+//! has one loop that matches the attenuation at every point.
 
 use super::CompiledAnyLight;
 use crate::{
     attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, with_attenuation},
     cone::CompiledCone,
     falloff::{AnyFalloff, Falloff, with_falloff},
-    number::{FullOffset, Offset, Scalar},
+    number::{FullOffset, Offset, Scalar, Share},
     shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint},
     specular::SpecularLobe,
     vec3::{Vec3, nth},
@@ -112,11 +113,11 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
                 );
                 self.light(&light);
             }
+            None if !S::Offset::ROOTS_FIRST => self.light(light),
             None => {
                 let one = S::gain(1.0);
                 self.light(&CompiledPointLight::<S, NoAttenuation>::from_parts(position, (), one, 0, colors));
                 self.fall(position, &light.attenuation, intensity);
-                self.refine(light, position, fine_below);
             }
         }
     }
@@ -147,6 +148,18 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
                 fine_below,
                 colors,
             )),
+            None if !S::Offset::ROOTS_FIRST => {
+                self.light(&CompiledSpotLight::<S, P, AnyAttenuation>::from_parts(
+                    position,
+                    axis,
+                    cone,
+                    outside,
+                    light.attenuation,
+                    intensity,
+                    fine_below,
+                    colors,
+                ));
+            }
             plain => {
                 let (gain, below) = if plain.is_some() { (intensity, fine_below) } else { (S::gain(1.0), 0) };
                 self.light(&CompiledSpotLight::<S, P, NoAttenuation>::from_parts(
@@ -161,23 +174,6 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
                 ));
                 if plain.is_none() {
                     self.fall(position, &light.attenuation, intensity);
-                    self.refine(light, position, fine_below);
-                }
-            }
-        }
-    }
-
-    /// Re-evaluates the points that are so close to the light that they need the fine evaluation.
-    ///
-    /// The fine evaluation is impossible in two separate loops for the cone and the attenuation.
-    fn refine<L: LightModel<S>>(&mut self, light: &L, position: Vec3<S::Length>, fine_below: u32) {
-        for i in 0..N {
-            let surface = self.surfaces.at(i);
-            if S::offset(position, surface.point).is_near(fine_below) {
-                let arrival = light.evaluate::<H>(&surface, self.highlight, true);
-                self.arrivals.diffuse[i] = arrival.diffuse;
-                if H::SHINES {
-                    self.arrivals.specular[i] = arrival.specular;
                 }
             }
         }
@@ -234,10 +230,8 @@ fn attenuate_each<S: Scalar, A: Attenuation, const N: usize>(
 ) {
     let constants = *constants;
     for (i, light) in lights.iter_mut().enumerate() {
-        if !S::Offset::ROOTS_FIRST && *light == S::Irradiance::default() {
-            continue;
-        }
         let offset = S::offset(position, points.map(|column| nth(column, i)));
-        *light = A::expose(&constants, &offset, &offset.ray(), S::clip(*light), intensity);
+        let share = Share::of_scalar(S::clip(*light));
+        *light = A::expose(&constants, &offset, &offset.ray(), share, intensity);
     }
 }

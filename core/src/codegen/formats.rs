@@ -3,8 +3,9 @@
 #[cfg(feature = "fixed")]
 use crate::number::{
     Fx16, Fx32, Length, Light16, Light32, Weight16, Weight32,
-    fixed16::{Frame16, Gain16, Ramp16},
-    fixed32::{Frame32, Gain32, Ramp32},
+    fixed16::{Frame16, Gain16},
+    fixed32::{Frame32, Gain32},
+    ramp::FixedRamp,
 };
 use crate::{
     number::{
@@ -21,7 +22,6 @@ pub trait SourceScalar:
         Unit: Source,
         Weight: Source,
         Ramp: Source,
-        QuickRamp: Source,
         Frame: Source,
         Gain: Source,
         Irradiance: Source,
@@ -43,4 +43,4 @@ named!(Fx16 Fx32);
 #[cfg(feature = "fixed")]
 written_by_bits!(Fx16 Fx32 Length Weight16 Weight32 Light16 Light32);
 #[cfg(feature = "fixed")]
-written_by_bits!(Frame16 Frame32 Gain16 Gain32 Ramp16 Ramp32);
+written_by_bits!(Frame16 Frame32 Gain16 Gain32 FixedRamp);

@@ -6,7 +6,7 @@ use crate::{
     cone::CompiledCone,
     falloff::{Falloff, SoftOrHard},
     number::{
-        Fx16, Fx32, Gain, Length, Light16, Scalar, Versine16,
+        Fx16, Fx32, Gain, Length, Light16, Scalar, Versine,
         fixed16::{
             Gain16,
             arc::{Arc16, Chord, Span16, part, whole},
@@ -154,8 +154,8 @@ fn integrate(from: i32, to: i32, value: impl Fn(i32) -> u32) -> u32 {
 /// Returns the versines between which the intensity of a cone varies, in the scale of the cone.
 fn rim<P: Falloff>(falloff: &CompiledCone<Fx16, P>) -> [u32; 2] {
     let limit = falloff.ramp.limit();
-    let full = falloff.at(Versine16::from_bits(0));
-    let at = |versine: u32| falloff.at(Versine16::from_bits(versine));
+    let full = falloff.at(Versine::from_bits(0));
+    let at = |versine: u32| falloff.at(Versine::from_bits(versine));
     let part = |i: u32| (u64::from(limit) * u64::from(i) / 256) as u32;
     // A table may fall and rise again: the middle ends where it first falls, the rim where its last
     // light ends.

@@ -18,7 +18,7 @@
 #![expect(unsafe_code, reason = "to be Pod is a promise that the compiler cannot check")]
 
 #[cfg(feature = "fixed")]
-use crate::number::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, Weight16, Weight32};
+use crate::number::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, Weight32};
 use crate::{color::Rgb, display::Rgb565, vec3::Vec3};
 use bytemuck::{Pod, Zeroable};
 

@@ -11,7 +11,7 @@
 //! ```
 
 #[cfg(feature = "fixed")]
-use crate::number::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32, Weight16, Weight32};
+use crate::number::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, Weight32};
 use crate::{
     angle::{Angle, HalfAngle},
     color::Rgb,

@@ -7,7 +7,7 @@ use crate::{
     cone::{CompiledCone, Cone},
     error::{Error, Parameter},
     falloff::{Falloff, SoftOrHard},
-    number::{self, Scalar},
+    number::{self, Quick, Scalar},
     shade::{CompiledSpotLight, QuickSpotLight},
     vec3::Vec3,
 };
@@ -242,9 +242,8 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// [`quick_error`](Self::quick_error) returns a bound of this error.
     ///
     /// In `Fx16` the quick evaluation takes two thirds of the instructions of the standard one, and
-    /// the error grows as the cone gets narrower: use it for a display with few bits. In `Fx32` the
-    /// quick evaluation takes a third of the instructions on a processor without 64-bit products,
-    /// and the error is still far below a step of any display.
+    /// the error grows as the cone gets narrower: use it for a display with few bits. `Fx32` has one
+    /// evaluation only.
     ///
     /// ```
     /// use luminaire::{Cone, Fx16, HalfAngle, SpotLight, Vec3, falloff::Soft};
@@ -259,7 +258,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     ///
     /// # Errors
     /// The errors of [`compile`](Self::compile): both evaluations accept the same cones.
-    pub fn compile_quick<S: Scalar>(&self) -> Result<QuickSpotLight<S, P, A>, Error> {
+    pub fn compile_quick<S: Quick>(&self) -> Result<QuickSpotLight<S, P, A>, Error> {
         check_reach::<S>(self.position)?;
         Ok(QuickSpotLight {
             position: self.position.map(S::length),
@@ -280,7 +279,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// Where the attenuated intensity is larger, the error grows as that intensity does. The bound
     /// is searched, for all falloffs and for half angles from 0.5 to 90 degrees. For a step the
     /// bound is infinite: rounding errors move the edge, where the intensity jumps from 1 to 0.
-    pub fn quick_error<S: Scalar>(&self) -> f32 {
+    pub fn quick_error<S: Quick>(&self) -> f32 {
         self.cone.quick_error::<S>()
     }
 }

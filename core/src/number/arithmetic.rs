@@ -5,7 +5,7 @@
 //!
 //! | | `f32` | `Fx32` | `Fx16` |
 //! |---|---|---|---|
-//! | fraction: the argument of a falloff | f32 | U1F31 | U1F15 |
+//! | fraction: the argument of a falloff | f32 | U1F31 | U1F15; U1F31 for steep cones and bright lights |
 //! | gain: a factor with its own exponent | f32 | 28-bit mantissa and shift | 32-bit mantissa (computed gains: 16 bits) and shift |
 //! | rounding of `times` | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
 //!
@@ -34,7 +34,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// bits.
     type Versine: Copy + PartialOrd + core::fmt::Debug;
     /// Argument `t` of a falloff: 0 at the edge of a cone, 1 on the axis.
-    type Fraction: Fraction<Self, Value = Self>;
+    type Fraction: Fraction<Self>;
     /// Argument `t` of a falloff with more bits, for a steep cone or a bright light.
     ///
     /// In a format whose `Fraction` has enough bits, `Fine` is the same type as `Fraction`.
@@ -56,6 +56,8 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// of `point - light`. The difference `point - light` is exact if both positions are multiples
     /// of the same power of two.
     const DIRECTION_ERROR: f32;
+    /// Step of the squared cosines that [`FullOffset::is_outside`] compares.
+    const OUTSIDE_STEP: f32;
     /// Returns `steps / 16384` for `steps` in `[0, 16384]`: exact in every format.
     fn part(steps: u32) -> Self;
     /// Converts an axis to a unit vector of the format. The given axis has length 1 within the
@@ -281,7 +283,7 @@ impl<S: Arithmetic> Rise<S> {
     #[inline]
     pub(crate) fn scalar(self) -> S {
         match self {
-            Self::Coarse(t) => t.scalar(),
+            Self::Coarse(t) => t.scalar().rounded(),
             Self::Fine(t) => t.scalar().rounded(),
         }
     }
@@ -391,11 +393,11 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
 /// An offset of the format's standard evaluation. This trait adds an early-out test for the cone,
 /// and rays of the format's full precision.
 pub trait FullOffset<S: Arithmetic>:
-    Offset<S, Ray: Ray<S, Fraction = S::Fraction, Share = S, Ramp = S::Ramp>>
+    Offset<S, Ray: Ray<S, Fraction = S::Fraction, Share = <S::Fraction as Fraction<S>>::Value>>
 {
     /// A ray with more bits than [`Ray`](Offset::Ray); the same type in a format with only one
     /// evaluation.
-    type FineRay: Ray<S, Fraction = S::Fine, Ramp = S::Ramp>;
+    type FineRay: Ray<S, Fraction = S::Fine>;
 
     /// Whether a loop over many points first computes all reciprocal lengths with
     /// [`reciprocal`](Self::reciprocal), without early-outs.
@@ -448,8 +450,6 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     type Fraction: Fraction<S, Value = Self::Share>;
     /// Result type of falloffs and attenuations.
     type Share: Share<S>;
-    /// Compiled ramp of a cone: the map from versines to the falloff's argument `t`.
-    type Ramp: Copy + PartialEq + core::fmt::Debug;
 
     /// Returns the distance.
     fn distance(&self) -> S::Gain;
@@ -460,7 +460,7 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     /// The versine of the angle between the direction `l` and the axis `s` is computed as
     /// `|l - s|^2 / 2`. This form keeps the leading bits of the versine in narrow beams; `1 - l.s`
     /// would lose these bits.
-    fn rise(&self, axis: Vec3<S::Direction>, ramp: Self::Ramp) -> Self::Fraction;
+    fn rise(&self, axis: Vec3<S::Direction>, ramp: S::Ramp) -> Self::Fraction;
     /// Returns the cosine of the angle of incidence on a surface with this normal. The result is
     /// zero if the surface faces away.
     ///

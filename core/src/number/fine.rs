@@ -1,8 +1,8 @@
 //! Fractions with 31 fraction bits, computed with 32-bit products.
 //!
 //! Two evaluations use these fractions: the fine evaluation of [`Fx16`], for cones and lights that
-//! need more than 15 fraction bits, and the quick evaluation of [`Fx32`], because 32-bit products
-//! need fewer instructions than 64-bit products.
+//! need more than 15 fraction bits, and the evaluation of [`Fx32`], because 32-bit products need
+//! fewer instructions than 64-bit products.
 
 use super::{
     Arithmetic, Fraction, Fx16, Fx32, Gain16, Gain32, Knot, Light16, Light32, RealExponent, Share, Weight16,

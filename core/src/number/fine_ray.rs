@@ -1,14 +1,12 @@
 //! Direction to a point with 30 fraction bits, computed with 32-bit products.
 //!
-//! The fine evaluation of [`Fx16`](super::Fx16) and the quick evaluation of [`Fx32`] use this type
-//! of ray.
+//! The fine evaluation of [`Fx16`](super::Fx16) and the evaluation of [`Fx32`] use this type of ray.
 //!
 //! In the comments `W` is the offset, scaled until its largest component has 31 bits, and `|W|` is
 //! its length.
 
 use super::{
-    Fx32, Versine16,
-    fixed16::Ramp16,
+    FixedRamp, Fx32, Versine,
     product::{high_half, high_product, high_square, signed_high_half, signed_high_product},
 };
 use crate::vec3::Vec3;
@@ -45,8 +43,8 @@ fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
 
 /// Normalises a vector with 30 fraction bits whose length is within 3.5e-4 of 1.
 ///
-/// Each component of the result has an error of at most 2 units of 2^-30, and the length of the
-/// result an error of at most 3e-8. Also returns the relative excess of the length over 1, with 26
+/// The result has the direction of `nearly`, but for a rounding of each component by less than one
+/// unit of 2^-30 in each direction, and a length with an error of at most 2.4e-8. Also returns the relative excess of the length over 1, with 26
 /// fraction bits.
 #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 instructions without.
 pub(super) fn normalised(nearly: Vec3<i32>) -> (Vec3<i32>, i32) {
@@ -61,9 +59,10 @@ impl FineRay {
     /// Normalises an offset whose largest component has 31 bits, and had `bits` bits before
     /// scaling.
     ///
-    /// `estimate` is `2^46 / |W|` with a relative error of at most 3.5e-4. Each component of the
-    /// direction has an error of at most 2 units of 2^-30, and the length of the direction an error
-    /// of at most 3e-8.
+    /// `estimate` is `2^46 / |W|` with a relative error of at most 3.5e-4. The product with the
+    /// estimate and the correction of the length are both rounded down, with opposite signs: so each
+    /// component is within one unit of 2^-30 of its exact value times the length of the direction.
+    /// The length has an error of at most 2.4e-8.
     #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 instructions without.
     pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
         let (direction, excess) = normalised(way.map(|c| signed_high_product(c, estimate)));
@@ -101,22 +100,29 @@ impl FineRay {
 
     /// Returns the versine of the angle between direction and axis, in the scale of a ramp.
     #[inline]
-    pub(super) fn versine(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
-        let difference = self.direction.zip(axis, |d, s| d.wrapping_sub(s.to_bits()));
-        // As in the coarse evaluation, a larger difference is outside the cone. The sum of the
-        // squares of the accepted components has 30 bits inside the cone.
-        if size(difference) >> (31 - ramp.zoom) != 0 {
-            return Versine16::MAX;
-        }
-        Versine16::from_bits(squared_length(difference, ramp.zoom))
+    pub(super) fn versine(&self, axis: Vec3<Fx32>, ramp: FixedRamp) -> Versine {
+        versine(self.direction, axis, ramp)
     }
+}
+
+/// Returns the versine of the angle between a direction with 30 fraction bits and an axis, in the
+/// scale of a ramp.
+#[inline]
+pub(super) fn versine(direction: Vec3<i32>, axis: Vec3<Fx32>, ramp: FixedRamp) -> Versine {
+    let difference = direction.zip(axis, |d, s| d.wrapping_sub(s.to_bits()));
+    // As in the coarse evaluation, a larger difference is outside the cone. The sum of the squares
+    // of the accepted components has 30 bits inside the cone.
+    if size(difference) >> (31 - ramp.zoom) != 0 {
+        return Versine::MAX;
+    }
+    Versine::from_bits(squared_length(difference, ramp.zoom))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::number::fixed16::Offset16;
-    use crate::number::{FullOffset, Length, Offset, Quick};
+    use crate::number::{Arithmetic, FullOffset, Length, Offset};
 
     extern crate std;
 
@@ -139,8 +145,8 @@ mod tests {
         for way in ways.chain(dropped) {
             let exact = way.map(f64::from);
             let length = (exact.x * exact.x + exact.y * exact.y + exact.z * exact.z).sqrt();
-            let quick = Fx32::quick_offset(Vec3::default(), way.map(Length::from_bits)).ray();
-            for ray in [Offset16::new(way).fine_ray(), quick] {
+            let wide = Fx32::offset(Vec3::default(), way.map(Length::from_bits)).ray();
+            for ray in [Offset16::new(way).fine_ray(), wide] {
                 let found = ray.direction.map(|c| f64::from(c) / f64::from(1 << 30));
                 let squared = found.x * found.x + found.y * found.y + found.z * found.z;
                 let error = found.zip(exact, |f, e| (f / squared.sqrt() - e / length).abs());

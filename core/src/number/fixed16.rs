@@ -8,20 +8,24 @@
 
 pub(crate) mod arc;
 mod fine_ray;
+mod fraction;
 mod frame;
 mod lobe;
 mod offset;
 mod quick;
-mod ramp;
 
-pub(super) use self::offset::Offset16;
-pub(super) use self::ramp::MOST_ZOOM;
-use self::ramp::{magnified, zoom};
-pub use self::{frame::Frame16, ramp::Ramp16};
+pub(super) use self::fraction::Fraction16;
+pub use self::frame::Frame16;
+pub(super) use self::offset::{Offset16, is_outside};
 pub use super::gain::Gain16;
 use super::{
-    Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes,
-    Versine16, Weight16, Word, fine::Fine, fine_ray::size, fraction::Fraction16, operations, rounded, sphere,
+    Arithmetic, FixedRamp, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise,
+    Scalar, Slopes, Versine, Weight16, Word,
+    fine::Fine,
+    fine_ray::size,
+    operations,
+    ramp::{MOST_ZOOM, magnified, zoom},
+    rounded, sphere,
 };
 use crate::{trig, vec3::Vec3};
 
@@ -44,18 +48,13 @@ const OUTSIDE: i16 = 16 + 1;
 impl Arithmetic for Fx16 {
     operations!(i16, u16, u32, Light16, Weight16, Gain16, Offset16, Frame16, Steps14);
 
-    type Versine = Versine16;
     type Fraction = Fraction16;
     type Fine = Fine;
-    type Ramp = Ramp16;
     const DIRECTION_ERROR: f32 = 1.55e-5;
+    const OUTSIDE_STEP: f32 = Self::STEP;
 
     fn axis(axis: Vec3<f32>) -> Vec3<Fx32> {
         axis.map(Fx32::from_f32)
-    }
-
-    fn versine(ramp: Ramp16, value: f32) -> Versine16 {
-        if value.is_nan() { Versine16::MAX } else { magnified(value, ramp.zoom) }
     }
 
     #[inline]
@@ -102,21 +101,17 @@ impl Arithmetic for Fx16 {
         MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP)
     }
 
-    fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
-        Ramp16::new(inner, outer, limit)
+    fn fine_ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
+        FixedRamp::new(inner, outer, limit).into_fine()
     }
 
-    fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
-        Ramp16::new(inner, outer, limit).into_fine()
-    }
-
-    fn zoomed(from: Ramp16, to: Ramp16, part: Self) -> (Ramp16, Self) {
+    fn zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
         let (ramp, chords) = from.between(to, fraction(part), MOST_ZOOM);
         (ramp, Self::from_bits((chords.squared_cosine() >> 16) as i16 - OUTSIDE))
     }
 
     #[inline]
-    fn rise(ramp: Ramp16, versine: Versine16) -> Rise<Self> {
+    fn rise(ramp: FixedRamp, versine: Versine) -> Rise<Self> {
         ramp.rise(versine)
     }
 
@@ -163,7 +158,7 @@ impl Arithmetic for Fx16 {
     }
 
     #[inline]
-    fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: Ramp16) -> Versine16 {
+    fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: FixedRamp) -> Versine {
         let shift = MOST_ZOOM - ramp.zoom + 1;
         // The rounding constant of the difference is subtracted from the second direction. If that
         // is an axis, the subtraction happens once per light. The difference of opposite directions
@@ -171,10 +166,10 @@ impl Arithmetic for Fx16 {
         let b = b.map(|c| c.to_bits().wrapping_sub(1 << (shift - 1)));
         let difference = a.zip(b, |a, b| a.to_bits().wrapping_sub(b) >> shift);
         if size(difference) >> 15 != 0 {
-            return Versine16::MAX;
+            return Versine::MAX;
         }
         let squares = difference.map(|c| (c * c) as u32);
-        Versine16::from_bits(squares.x + squares.y + squares.z)
+        Versine::from_bits(squares.x + squares.y + squares.z)
     }
 }
 

@@ -1,17 +1,24 @@
-//! The 32-bit format: scalars, lengths and directions of 32 bits, products of 64 bits.
+//! The 32-bit format: scalars, lengths and directions of 32 bits.
+//!
+//! From a point to the light at the point, nearly all products are the upper halves of products of
+//! two 32-bit numbers. A processor without an instruction for an upper half computes it from products
+//! of 16-bit numbers, in 18 instructions on a Cortex-M0, where a product of 64 bits takes 39. The
+//! other operations, such as those on colours, have products of 64 bits.
 
 mod frame;
 mod lobe;
 mod offset;
-mod quick;
-mod ramp;
 
-pub use self::{frame::Frame32, ramp::Ramp32};
-use self::{offset::Offset32, ramp::nearest_versine};
+pub use self::frame::Frame32;
+use self::offset::Offset32;
 pub use super::gain::Gain32;
 use super::{
-    Arithmetic, Fx32, Length, Light32, Offset, ProjectedPoint, Ray, Rise, Scalar, Slopes, Versine32,
-    Weight32, Word, fraction::Fraction32, operations, rounded, sphere,
+    Arithmetic, FixedRamp, Fx32, Length, Light32, Offset, ProjectedPoint, Ray, Rise, Slopes, Versine,
+    Weight32, Word,
+    fine::Fine,
+    fine_ray, operations,
+    ramp::{MOST_ZOOM, magnified},
+    rounded, sphere,
 };
 use crate::vec3::Vec3;
 
@@ -19,12 +26,6 @@ use crate::vec3::Vec3;
 #[inline]
 fn wide(a: i32, b: i32) -> i64 {
     i64::from(a) * i64::from(b)
-}
-
-/// Returns the square of a component.
-#[inline]
-fn square(component: i32) -> u64 {
-    wide(component, component) as u64
 }
 
 /// Returns a scalar clamped to `[0, 1]`, as an unsigned factor.
@@ -40,32 +41,31 @@ fn fraction(part: Fx32) -> u32 {
 }
 
 /// The margin of the bound for rejecting points outside a cone, of which `number::outside_bound`
-/// states the reason, and two steps for the roundings of the squared cosine.
-const OUTSIDE: i32 = 16 + 2;
+/// states the reason, and one step for the rounding of the squared cosine.
+const OUTSIDE: i32 = (16 + 1) << 16;
 
 impl Arithmetic for Fx32 {
     operations!(i32, u32, u64, Light32, Weight32, Gain32, Offset32, Frame32, Steps30);
 
-    type Versine = Versine32;
-    type Fraction = Fraction32;
-    type Fine = Fraction32;
-    type Ramp = Ramp32;
-    // The rounding of three components by half a step each turns the direction by 0.87 steps of
-    // 2^-30. The constant does not include the halving of an offset with a component of more than
-    // 32,768 units, which turns the direction by 0.71 steps more.
-    const DIRECTION_ERROR: f32 = 8.2e-10;
+    type Fraction = Fine;
+    type Fine = Fine;
+    // The components of a direction are within one step of 2^-30 and those of an axis within half a
+    // step, up to a common factor: together they turn by `1.5 sqrt(3) / 2^30 = 2.42e-9`. Two errors
+    // of a versine are largest, relative to the outer versine, in the narrowest cone, a step with a
+    // half angle `a` of 1.35e-6: half the square of the difference of the two lengths, at most 2.4e-8,
+    // is as much as a turn by `(2.4e-8)^2 / 2 a = 2.13e-10`, and the last place of the versine by
+    // `3 / 2^59 a = 4e-12`. The constant does not include the halving of an offset with a component
+    // of more than 32,768 units, which turns the direction by 0.71 steps more.
+    const DIRECTION_ERROR: f32 = 2.65e-9;
+    const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
 
-    /// Uses all bits of the components, and normalises the axis like the direction to a point.
+    /// Uses all bits of the components, and normalises the axis with 64-bit products.
     fn axis(axis: Vec3<f32>) -> Vec3<Fx32> {
-        Offset32::new(axis.map(|c| Self::from_f32(c).to_bits())).ray().direction()
+        Offset32::new(axis.map(|c| Self::from_f32(c).to_bits())).unit()
     }
 
     fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Fx32> {
         Self::axis(toward)
-    }
-
-    fn versine(_: Ramp32, value: f32) -> Versine32 {
-        if value.is_nan() { Versine32::MAX } else { nearest_versine(value) }
     }
 
     #[inline]
@@ -73,23 +73,25 @@ impl Arithmetic for Fx32 {
         Offset32::between(light, point)
     }
 
-    /// The versines computed at set-up are `f32`, with a relative error of at most 4e-7.
+    /// Adds the other error terms:
+    ///
+    /// - The versines computed at set-up are `f32`, with a relative error of at most 4e-7.
+    /// - The length of a direction has an error of at most 2.4e-8.
+    /// - A versine is rounded down by less than 3 units of its last place, 1.2e-8 of the outer versine.
+    /// - The falloff's argument `t` and the products after it have 31 fraction bits.
     fn rounding(edge: &Slopes) -> f32 {
-        edge.angle * 0.21e-6 + (edge.fraction + 1.5) * Self::STEP
+        const LENGTH: f32 = 2.4e-8;
+        edge.angle * (0.21e-6 + LENGTH / 2.0 + 0.6e-8) + edge.fraction * 3e-9 + 3.0 * LENGTH
     }
 
-    fn ramp(inner: f32, outer: f32, limit: f32) -> Ramp32 {
-        Ramp32::new(inner, outer, limit)
-    }
-
-    fn zoomed(from: Ramp32, to: Ramp32, part: Self) -> (Ramp32, Self) {
-        let (ramp, chords) = from.between(to, fraction(part));
+    fn zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
+        let (ramp, chords) = from.between(to, fraction(part), MOST_ZOOM);
         (ramp, Self::from_bits(chords.squared_cosine() as i32 - OUTSIDE))
     }
 
     #[inline]
-    fn rise(ramp: Ramp32, versine: Versine32) -> Rise<Self> {
-        Rise::Coarse(ramp.rise(versine))
+    fn rise(ramp: FixedRamp, versine: Versine) -> Rise<Self> {
+        Rise::Coarse(ramp.rise_finely(versine))
     }
 
     #[inline]
@@ -100,9 +102,7 @@ impl Arithmetic for Fx32 {
     }
 
     #[inline]
-    fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, _: Ramp32) -> Versine32 {
-        let difference = a.zip(b, |a, b| a.to_bits().saturating_sub(b.to_bits()));
-        let squares = difference.map(square);
-        Versine32::from_bits(squares.x.saturating_add(squares.y).saturating_add(squares.z))
+    fn versine_between(a: Vec3<Fx32>, b: Vec3<Fx32>, ramp: FixedRamp) -> Versine {
+        fine_ray::versine(a.map(Self::to_bits), b, ramp)
     }
 }

@@ -9,9 +9,6 @@ use super::Scalar;
 use crate::vec3::Vec3;
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U3F29, U18F14, U34F30};
 
-/// The type of a versine of [`Fx32`], for which the crate `fixed` has no alias.
-type U3F61 = fixed::FixedU64<fixed::types::extra::U61>;
-
 /// Declares number types from types of `fixed`, with the integers that store them.
 macro_rules! numbers {
     ($($(#[$doc:meta])* $name:ident($fixed:ident, $bits:ty);)*) => {$(
@@ -111,10 +108,8 @@ numbers! {
     Light16(U18F14, u32);
     /// Irradiance in the format [`Fx32`], from 0 to 2^34 in steps of 2^-30; 1 is full scale.
     Light32(U34F30, u64);
-    /// A versine in the format [`Fx16`], scaled to a cone, in steps of 2^-29.
-    Versine16(U3F29, u32);
-    /// A versine in the format [`Fx32`], in steps of 2^-61.
-    Versine32(U3F61, u64);
+    /// A versine in both fixed-point formats, scaled to a cone, in steps of 2^-29.
+    Versine(U3F29, u32);
     /// A coefficient of a falloff in the format [`Fx16`], in steps of 2^-14.
     Weight16(I18F14, i32);
     /// A coefficient of a falloff in the format [`Fx32`], in steps of 2^-30.
@@ -216,7 +211,7 @@ macro_rules! scalars {
 
 scalars! {
     Fx16("fx16", Light16, 16_383.0);
-    Fx32("fx32", Light32, 32_767.0);
+    Fx32("fx32", Light32, 32_639.0);
 }
 
 /// Returns the integer nearest to a value, ties to even; saturates, and NaN becomes zero.

@@ -139,6 +139,7 @@ impl Arithmetic for f32 {
     // direction by 2^-24 in the worst case: two components are just over a power of two. The
     // rounding of the product with the reciprocal length turns the direction by 1.72 * 2^-25 in the
     // worst case: all three components are over 1/2.
+    const OUTSIDE_STEP: f32 = Self::STEP;
     const DIRECTION_ERROR: f32 = 1.12e-7;
 
     #[inline]

@@ -5,12 +5,6 @@
 //! point a fraction has one bit more than a scalar. The extra bit costs nothing, because a product
 //! of fractions needs no wider integer than a product of scalars.
 
-#[cfg(feature = "fixed")]
-mod fixed_point;
-
-#[cfg(feature = "fixed")]
-pub(super) use fixed_point::{Fraction16, Fraction32};
-
 use super::{Arithmetic, Knot, RealExponent, Share, float, knot::SLOPE_BITS};
 
 /// A number in `[0, 1]`, the argument of a falloff. In fixed point a fraction has more bits than a

@@ -1,7 +1,7 @@
 //! Spheres in the fixed-point formats: a sphere around a line, and a cone that spheres cannot reach.
 
 use super::{
-    Fx32, Length,
+    Fx32, Length, Scalar,
     product::{high_product, signed_high_half},
     root,
 };
@@ -42,18 +42,19 @@ pub(super) fn moved_back(
     let back = (product << up) as i32;
     let back = axis.map(|axis| signed_high_half(axis.to_bits(), back) << 2);
     let tip = tip.map(Length::to_bits);
-    // A difference of two coordinates may wrap, but the moved tip is a coordinate. It can only leave
-    // the range of a length if the tip has a coordinate of 31 bits.
+    // The moved tip can only be beyond `FARTHEST` if the tip has a coordinate of 31 bits.
     let ends = tip.map(|c| c ^ (c << 1));
-    if is_far || (ends.x | ends.y | ends.z) < 0 && wraps(tip, back) {
+    if is_far || (ends.x | ends.y | ends.z) < 0 && is_beyond(tip, back) {
         return None;
     }
     Some(tip.zip(back, |tip, back| Length::from_bits(tip.wrapping_sub(back))))
 }
 
-/// Returns whether a component of `a - b` leaves the range of 32 bits.
+/// Returns whether a component of `a - b` is beyond the farthest light of [`Fx32`], of which offsets
+/// may wrap.
 #[cold]
-fn wraps(a: Vec3<i32>, b: Vec3<i32>) -> bool {
-    let Vec3 { x, y, z } = a.zip(b, |a, b| a.checked_sub(b).is_none());
+fn is_beyond(a: Vec3<i32>, b: Vec3<i32>) -> bool {
+    const FARTHEST: u32 = (Fx32::FARTHEST as u32) << 16;
+    let Vec3 { x, y, z } = a.zip(b, |a, b| a.checked_sub(b).is_none_or(|c| c.unsigned_abs() > FARTHEST));
     x || y || z
 }

@@ -7,16 +7,16 @@ use super::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Qui
 use crate::{
     attenuation::Attenuation,
     color::Rgb,
-    cone::{CompiledCone, QuickCone},
+    cone::CompiledCone,
     falloff::Falloff,
-    number::{Gain, Scalar, unit},
+    number::{Gain, Quick, Scalar, unit},
     vec3::Vec3,
 };
 
 /// Implements the changes that every kind of light has.
 macro_rules! change {
-    ($light:ty $(, $parameter:ident: $bound:ident)*) => {
-        impl<S: Scalar $(, $parameter: $bound)*> $light {
+    ($light:ty, $($parameter:ident: $bound:ident),*) => {
+        impl<$($parameter: $bound),*> $light {
             /// Returns the same light at a part of its intensity, from 0 (dark) to 1 (unchanged).
             ///
             /// A part outside this range is clamped, and NaN is dark. The relative error is at most
@@ -42,10 +42,10 @@ macro_rules! change {
     };
 }
 
-change!(CompiledSpotLight<S, P, A>, P: Falloff, A: Attenuation);
-change!(QuickSpotLight<S, P, A>, P: Falloff, A: Attenuation);
-change!(CompiledPointLight<S, A>, A: Attenuation);
-change!(CompiledDirectionalLight<S>);
+change!(CompiledSpotLight<S, P, A>, S: Scalar, P: Falloff, A: Attenuation);
+change!(QuickSpotLight<S, P, A>, S: Quick, P: Falloff, A: Attenuation);
+change!(CompiledPointLight<S, A>, S: Scalar, A: Attenuation);
+change!(CompiledDirectionalLight<S>, S: Scalar);
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Returns the same light at another position, with the same axis.
@@ -57,8 +57,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Returns the same light with its axis through a point; `None` if the point is the light's
     /// position, and in `f32` if the squared distance is not a normal number.
     ///
-    /// The axis is within 2e-9 radians of the exact one in `Fx16`, 9e-10 in `Fx32` and 1.2e-7 in
-    /// `f32` (searched).
+    /// The axis is within 2e-9 radians of the exact one in fixed point, and 1.2e-7 in `f32`
+    /// (searched).
     pub fn aimed_at(self, point: Vec3<S::Length>) -> Option<Self> {
         let axis = unit::<S>(S::offset(self.position, point))?;
         Some(Self { axis, ..self })
@@ -99,7 +99,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     }
 }
 
-impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
+impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     /// Returns the same light at another position, with the same axis.
     #[must_use]
     pub fn moved_to(self, position: Vec3<S::Length>) -> Self {
@@ -127,7 +127,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
         if part > S::ZERO {
             let (from, to) = (self.cone.ramp, other.cone.ramp);
             let ramp = if part < S::ONE { S::quick_zoomed(from, to, part) } else { to };
-            Self { cone: QuickCone { ramp, ..self.cone }, ..self }
+            Self { cone: CompiledCone { ramp, ..self.cone }, ..self }
         } else {
             self
         }

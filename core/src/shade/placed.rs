@@ -24,7 +24,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
     /// Returns whether a point is certainly outside the cone: see [`FullOffset::is_outside`].
     fn is_outside(&self, offset: &S::Offset) -> bool;
     /// Returns the falloff of the cone along a ray; `None` for a light without a cone.
-    fn falloff<R: Ray<S, Ramp = S::Ramp>>(&self, ray: &R) -> Option<R::Share>;
+    fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share>;
 
     /// Returns the light that arrives at a surface: see
     /// [`LightModel::evaluate`](super::LightModel::evaluate).
@@ -80,7 +80,8 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
             lobe = super::lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
             let (shares, light) = self.along::<H, _>(&offset, &ray, cosine, || lobe);
             let is_enough = |share, light| {
-                !is_always_fine && S::is_clipped(A::windowed(attenuation, &offset, &ray, share), light)
+                !is_always_fine
+                    && S::is_clipped(A::windowed(attenuation, &offset, &ray, share).rounded(), light)
             };
             keeps = [
                 is_enough(shares.diffuse, light.diffuse),
@@ -105,7 +106,7 @@ pub(super) trait Placed<S: Scalar, A: Attenuation> {
 
     /// Returns the light along a ray: as shares of the intensity, and as irradiances.
     #[inline(always)] // `spot-table-lambert` on Cortex-M0: +29 instructions without.
-    fn along<H: SpecularLobe, R: Ray<S, Ramp = S::Ramp>>(
+    fn along<H: SpecularLobe, R: Ray<S>>(
         &self,
         offset: &S::Offset,
         ray: &R,

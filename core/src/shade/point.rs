@@ -81,7 +81,7 @@ impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPointLight<S, A> {
     }
 
     #[inline]
-    fn falloff<R: Ray<S, Ramp = S::Ramp>>(&self, _: &R) -> Option<R::Share> {
+    fn falloff<R: Ray<S>>(&self, _: &R) -> Option<R::Share> {
         None
     }
 }

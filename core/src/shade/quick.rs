@@ -4,9 +4,9 @@ use super::{Incident, LightModel, SurfacePoint, lobe};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
-    cone::QuickCone,
+    cone::CompiledCone,
     falloff::{Falloff, SoftOrHard},
-    number::{Fraction, Offset, Ray, Scalar, Share},
+    number::{Fraction, Offset, Quick, Ray, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -20,18 +20,18 @@ use crate::{
 /// [`SpotLight::quick_error`](crate::SpotLight::quick_error) bounds the error. Points, normals and
 /// irradiances have the types of the format's standard evaluation.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct QuickSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
+pub struct QuickSpotLight<S: Quick, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
     /// The axis as `Quick::quick_axis` returns it.
     pub(crate) axis: Vec3<S::Unit>,
-    pub(crate) cone: QuickCone<S, P>,
+    pub(crate) cone: CompiledCone<S, P>,
     pub(crate) attenuation: A::Constants<S>,
     pub(crate) intensity: S::Gain,
     pub(crate) color: Rgb<S>,
     pub(crate) specular_color: Rgb<S>,
 }
 
-impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
+impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     /// Returns the irradiance at a surface point, not yet multiplied by the colours; 1 is full
     /// scale.
     ///
@@ -72,7 +72,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     pub const fn from_parts(
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,
-        cone: QuickCone<S, P>,
+        cone: CompiledCone<S, P>,
         attenuation: A::Constants<S>,
         intensity: S::Gain,
         [color, specular_color]: [Rgb<S>; 2],
@@ -81,7 +81,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     }
 }
 
-impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P, A> {
+impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P, A> {
     #[inline]
     fn colors(&self) -> [Rgb<S>; 2] {
         [self.color, self.specular_color]

@@ -70,7 +70,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         if offset.is_near(self.fine_below) {
             return self.cone.toward(&offset.fine_ray(), self.axis).rounded();
         }
-        self.cone.toward(&offset.ray(), self.axis)
+        self.cone.toward(&offset.ray(), self.axis).rounded()
     }
 
     /// Returns `false` only if no point within `radius` of `center` receives light: all of them are
@@ -79,7 +79,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// A program skips a light for an object, a tile or a row by its bounding sphere.
     /// [`Row`](crate::light::Row) does so for the parts of a row. For cones from 8 to 160 degrees a
     /// sphere is skipped if its gap to the cone is more than 0.12 of the distance from the light to
-    /// its centre in `Fx16`, 0.0008 in `Fx32` and 0.0003 in `f32` (searched). Spheres near a
+    /// its centre in `Fx16` and `Fx32`, and 0.0003 in `f32` (searched). Spheres near a
     /// narrower cone may not be skipped, and those near a cone of 180 degrees never are.
     pub fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
         LightModel::can_reach(self, center, radius)
@@ -178,7 +178,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Placed<S, A> for CompiledSpotLight<S
     }
 
     #[inline]
-    fn falloff<R: Ray<S, Ramp = S::Ramp>>(&self, ray: &R) -> Option<R::Share> {
+    fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share> {
         Some(self.cone.toward(ray, self.axis))
     }
 }

@@ -14,7 +14,7 @@ CompiledSpotLight::<Fx16, _, Ranged<SquareWindow, InverseSquare>>::from_parts(
     Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
     Vec3::new(Fx32::from_bits(0), Fx32::from_bits(-960383872), Fx32::from_bits(480191936)),
     CompiledCone::<Fx16, _>::from_parts(
-        Ramp16::from_bits([2, 0, 518036448, 13, 33959, 2147499439, 0, 29, 2225560593]),
+        FixedRamp::from_bits([2, 0, 518036448, 13, 33959, 2147499439, 0, 29, 2225560593]),
         Cubic::from_bits([1067450368, 1080033280]),
         CompiledCubic::<Fx16>::from_parts(
             Weight16::from_bits(4096),
@@ -82,7 +82,7 @@ CompiledSpotLight::<Fx16, _, Ranged<Cut, Polynomial>>::from_parts(
     Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
     Vec3::new(Fx32::from_bits(0), Fx32::from_bits(-960383872), Fx32::from_bits(480191936)),
     CompiledCone::<Fx16, _>::from_parts(
-        Ramp16::from_bits([2, 0, 518036448, 13, 33959, 2147499439, 0, 29, 2225560593]),
+        FixedRamp::from_bits([2, 0, 518036448, 13, 33959, 2147499439, 0, 29, 2225560593]),
         InvertedRealPower::from_bits([1069547520, 0]),
         CompiledInvertedRealPower::from_bits([12582912, 23, 0, 134217728]),
     ),

@@ -1,7 +1,7 @@
 //! Values as words: the bits that the file stores.
 
 use luminaire::Scalar;
-use luminaire::number::{Fx16, Fx32, Length, Light16, Light32, Versine16, Versine32};
+use luminaire::number::{Fx16, Fx32, Length, Light16, Light32, Versine};
 
 /// A value that is stored in a word.
 pub trait Word: Copy {
@@ -37,8 +37,7 @@ fixed_word! {
     "i2f14": Fx16, i16, u16;
     "i2f30": Fx32, i32, u32;
     "i16f16": Length, i32, u32;
-    "u3f29": Versine16, u32, u32;
-    "u3f61": Versine32, u64, u64;
+    "u3f29": Versine, u32, u32;
     "u18f14": Light16, u32, u32;
     "u34f30": Light32, u64, u64;
 }

@@ -14,6 +14,7 @@ use luminaire::{
     display::{Exposure, Rgb565Ramp},
     haze::Haze,
     models::SAMPLES,
+    number::Quick,
     projector::{Gobo, Projection, Shadow},
 };
 #[allow(clippy::wildcard_imports, reason = "the types of the lists")]
@@ -38,12 +39,23 @@ fn main() -> Outcome {
     println!("cargo::rerun-if-changed=../memory.rs");
     memory::place(None)?;
     if env::var_os("CARGO_FEATURE_F32").is_some() {
+        quick::<f32>()?;
         constants::<f32>()
     } else if env::var_os("CARGO_FEATURE_FX32").is_some() {
+        write("quick", &soft()?.compile::<Fx32>()?)?;
         constants::<Fx32>()
     } else {
+        quick::<Fx16>()?;
         constants::<Fx16>()
     }
+}
+
+fn soft() -> Result<SpotLight<Soft, NoAttenuation>, Error> {
+    key(Cone::from_field(Soft, FIELD)?, NoAttenuation)
+}
+
+fn quick<S: SourceScalar + Quick>() -> Outcome {
+    write("quick", &soft()?.compile_quick::<S>()?)
 }
 
 fn constants<S: SourceScalar>() -> Outcome {
@@ -51,7 +63,6 @@ fn constants<S: SourceScalar>() -> Outcome {
     let cone = Cone::from_field(Soft, FIELD)?;
     spot_of::<S, _, _>("hotspot", cone.with_inner(Angle::degrees(12.0))?, NoAttenuation)?;
     spot_of::<S, _, _>("cutoff", cone.with_cutoff(FIELD)?, NoAttenuation)?;
-    write("quick", &key(cone, NoAttenuation)?.compile_quick::<S>()?)?;
     write("bright", &key(cone, NoAttenuation)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
     spot_of::<S, _, _>("wide", Cone::from_field(Soft, WIDE_FIELD)?, NoAttenuation)?;
     write("part", &S::from_f32(0.375))?;

@@ -5,6 +5,7 @@ use luminaire::falloff::*;
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Scalar, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
+    number::Quick,
 };
 use luminaire_oracle as oracle;
 
@@ -125,7 +126,6 @@ pub fn points(setting: Setting, visitor: &mut impl Visitor) {
     format::<Fx32>(setting, visitor);
     format::<f32>(setting, visitor);
     quick::<Fx16>("fx16-quick", setting, visitor);
-    quick::<Fx32>("fx32-quick", setting, visitor);
     quick::<f32>("f32-quick", setting, visitor);
     let outer = setting.outer_versine();
     for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
@@ -167,7 +167,7 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
 }
 
 /// The points by the quick evaluation of a format.
-fn quick<S: Format>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
+fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
     for (kernel, population) in REJECTS {
         if let Ok(light) = spot::<Soft>(setting).with_attenuation(NoAttenuation).compile_quick::<S>() {
             let truth = light_of::<Soft>(setting, population, 1.0, false);
@@ -210,7 +210,6 @@ fn evaluations<P: Shape>(
     let rows = |format| kernels.map(|kernel| Row::lit(kernel, format));
     quickly_lit::<Fx16, P>(rows("fx16-quick"), intensity, setting, visitor);
     lit::<Fx16, P>(rows(Fx16::NAME), intensity, setting, visitor);
-    quickly_lit::<Fx32, P>(rows("fx32-quick"), intensity, setting, visitor);
     lit::<Fx32, P>(rows(Fx32::NAME), intensity, setting, visitor);
     quickly_lit::<f32, P>(rows("f32-quick"), intensity, setting, visitor);
     lit::<f32, P>(rows(f32::NAME), intensity, setting, visitor);
@@ -227,7 +226,7 @@ fn lit<S: Format, P: Shape>(rows: [Row; 2], intensity: f32, setting: Setting, vi
     visitor.point(rows[1], OurPoint::new(falling), &far);
 }
 
-fn quickly_lit<S: Format, P: Shape>(
+fn quickly_lit<S: Format + Quick, P: Shape>(
     rows: [Row; 2],
     intensity: f32,
     setting: Setting,

@@ -5,6 +5,7 @@ use luminaire::{
     attenuation::Attenuation,
     falloff::Soft,
     light::{CompiledCone, CompiledSpotLight, LightModel, QuickSpotLight, SurfacePoint},
+    number::Quick,
     specular::{Phong, SpecularLobe},
 };
 
@@ -107,18 +108,18 @@ impl<S: Format, P: Shape, A: Attenuation> Kernel for OurPoint<S, P, A> {
 
 /// The same by the quick evaluation.
 #[derive(Clone, Copy, Debug)]
-pub struct QuickPoint<S: Scalar, P: Shape, A: Attenuation> {
+pub struct QuickPoint<S: Quick, P: Shape, A: Attenuation> {
     light: QuickSpotLight<S, P, A>,
 }
 
-impl<S: Scalar, P: Shape, A: Attenuation> QuickPoint<S, P, A> {
+impl<S: Quick, P: Shape, A: Attenuation> QuickPoint<S, P, A> {
     /// The points that this light lights.
     pub fn new(light: QuickSpotLight<S, P, A>) -> Self {
         Self { light }
     }
 }
 
-impl<S: Format, P: Shape, A: Attenuation> Kernel for QuickPoint<S, P, A> {
+impl<S: Format + Quick, P: Shape, A: Attenuation> Kernel for QuickPoint<S, P, A> {
     type Place = Site;
     type Input = Stored<S>;
     type Output = S::Irradiance;

@@ -99,7 +99,7 @@ impl Format for f32 {
 }
 
 impl Format for Fx32 {
-    words!(|value| value.to_bits() as u32, value.to_bits().cast_unsigned());
+    words!(|value| value.to_bits(), value.to_bits().cast_unsigned());
 }
 
 impl Format for Fx16 {

@@ -5,7 +5,7 @@
 //! cone's ramp, and versines by `4^zoom`.
 
 use crate::number::{
-    Fx32, Gain, Gain16, Length, Versine16,
+    Fx32, Gain, Gain16, Length, Versine,
     fine_ray::{normalised, size},
     product::{high_half, high_product, high_square, signed_high_half, signed_high_product},
     reciprocal::quick_inverse_16,
@@ -326,12 +326,12 @@ impl Arc16 {
 
     /// Returns the versine off the axis at `v`, and `1 / (1 + v^2)` with 16 fraction bits.
     #[inline]
-    pub(crate) fn at(&self, v: i32) -> (Versine16, u32) {
+    pub(crate) fn at(&self, v: i32) -> (Versine, u32) {
         let square = high_square(v);
         let one_plus = (1 << 15) + (square >> (13 + 2 * self.zoom).min(31));
         let share = quick_inverse_16(one_plus.min(65_535));
         let risen = high_product(square, (self.radius * share) >> 15);
-        (Versine16::from_bits(self.least.saturating_add(risen << 2)), share)
+        (Versine::from_bits(self.least.saturating_add(risen << 2)), share)
     }
 }
 

@@ -5,16 +5,14 @@
 //! `Arithmetic::fine_below` gives the distance from a bright light below which points need the fine
 //! evaluation.
 
-use super::Ramp16;
 use crate::number::{
-    Fx16, Fx32, Gain16, Light16, Offset, Ray, fine::Fine, fine_ray::FineRay, product::high_half,
+    FixedRamp, Fx16, Fx32, Gain16, Light16, Offset, Ray, fine::Fine, fine_ray::FineRay, product::high_half,
 };
 use crate::vec3::Vec3;
 
 impl Ray<Fx16> for FineRay {
     type Fraction = Fine;
     type Share = Fine;
-    type Ramp = Ramp16;
 
     #[inline]
     fn distance(&self) -> Gain16 {
@@ -27,7 +25,7 @@ impl Ray<Fx16> for FineRay {
     }
 
     #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
-    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fine {
+    fn rise(&self, axis: Vec3<Fx32>, ramp: FixedRamp) -> Fine {
         ramp.rise_finely(self.versine(axis, ramp))
     }
 

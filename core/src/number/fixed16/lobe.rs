@@ -1,6 +1,6 @@
 //! Powers and reflections in the 16-bit format, with 32-bit products.
 
-use crate::number::{Fx16, Fx32, Versine16, raised};
+use crate::number::{Fx16, Fx32, Versine, raised};
 use crate::vec3::Vec3;
 
 /// Returns `1 - x y` from `a = 1 - x` and `b = 1 - y`, with 32 fraction bits.
@@ -14,7 +14,7 @@ fn lack_of_product(a: u32, b: u32) -> u32 {
 /// The function computes with `1 - cosine`, which keeps its leading bits near the axis; the cosine
 /// would lose these bits.
 #[inline]
-pub(super) fn power(versine: Versine16, exponent: u32) -> Fx16 {
+pub(super) fn power(versine: Versine, exponent: u32) -> Fx16 {
     let lack = raised(0, versine.to_bits().saturating_mul(8), exponent, lack_of_product);
     let lack = ((lack >> 17) + 1) >> 1;
     Fx16::from_bits(((1 << 14) - lack) as i16)

@@ -3,11 +3,10 @@
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.
 
-use super::{Ramp16, factor};
+use super::{Fraction16, factor};
 use crate::number::{
-    Arithmetic, FullOffset, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, cold_path,
+    Arithmetic, FixedRamp, FullOffset, Fx16, Fx32, Gain16, Length, Light16, Offset, Ray, cold_path,
     fine_ray::{FineRay, size},
-    fraction::Fraction16,
     product::high_product,
     root,
 };
@@ -152,6 +151,18 @@ impl Offset16 {
     }
 }
 
+/// Returns whether an offset `v` with this squared length is certainly outside a cone with this
+/// axis. `bound` is the bound of [`FullOffset::is_outside`], with 14 fraction bits.
+#[inline]
+pub(in crate::number) fn is_outside(v: Vec3<i32>, squared: u32, axis: Vec3<Fx32>, bound: i32) -> bool {
+    let products = axis.zip(v, |s, v| (s.to_bits() >> 16) * v);
+    let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
+    // The axis has unit length, so 16 bits hold the component of `v` along the axis.
+    let along = along.max(0) as u32;
+    let bound = u32::from(bound.max(0) as u16);
+    along.wrapping_mul(along) < (squared >> 14).wrapping_mul(bound)
+}
+
 impl Offset<Fx16> for Offset16 {
     type Ray = Ray16;
     /// The inner product `n.v` of the normal and `v`, with 14 fraction bits; negative if the
@@ -202,12 +213,7 @@ impl FullOffset<Fx16> for Offset16 {
 
     #[inline]
     fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx16) -> bool {
-        let products = axis.zip(self.coarse(), |s, v| (s.to_bits() >> 16) * v);
-        let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
-        // The axis has unit length, so 16 bits hold the component of `v` along the axis.
-        let along = along.max(0) as u32;
-        let bound = u32::from(bound.to_bits().max(0) as u16);
-        along.wrapping_mul(along) < (self.squared() >> 14).wrapping_mul(bound)
+        is_outside(self.coarse(), self.squared(), axis, bound.to_bits().into())
     }
 
     #[inline]
@@ -236,7 +242,6 @@ impl FullOffset<Fx16> for Offset16 {
 impl Ray<Fx16> for Ray16 {
     type Fraction = Fraction16;
     type Share = Fx16;
-    type Ramp = Ramp16;
 
     #[inline]
     fn distance(&self) -> Gain16 {
@@ -250,7 +255,7 @@ impl Ray<Fx16> for Ray16 {
     }
 
     #[inline]
-    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
+    fn rise(&self, axis: Vec3<Fx32>, ramp: FixedRamp) -> Fraction16 {
         ramp.rise_coarsely(Fx16::versine_between(self.direction(), axis, ramp))
     }
 

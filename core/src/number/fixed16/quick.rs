@@ -6,10 +6,10 @@
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.
 
-use super::{Ramp16, factor, fraction, offset::Offset16};
+use super::{Fraction16, factor, fraction, offset::Offset16};
 use crate::number::{
-    Fx16, Fx32, Gain16, Length, Light16, Offset, Quick, Ray, Scalar, Slopes, Versine16, cold_path,
-    fine_ray::size, fraction::Fraction16, product::high_product, root,
+    FixedRamp, Fx16, Fx32, Gain16, Length, Light16, Offset, Quick, Ray, Scalar, Slopes, Versine, cold_path,
+    fine_ray::size, product::high_product, root,
 };
 use crate::trig;
 use crate::vec3::Vec3;
@@ -76,7 +76,6 @@ impl QuickOffset16 {
 
 impl Quick for Fx16 {
     type QuickOffset = QuickOffset16;
-    type QuickRamp = Ramp16;
 
     #[inline]
     fn quick_offset(light: Vec3<Length>, point: Vec3<Length>) -> QuickOffset16 {
@@ -89,11 +88,11 @@ impl Quick for Fx16 {
         axis.map(|c| Fx32::from_bits(c.to_bits().wrapping_sub(CUT_OFF + (1 << (DROPPED - 1)))))
     }
 
-    fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Ramp16 {
-        Ramp16::with_zoom(inner, outer, limit, 0)
+    fn quick_ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
+        FixedRamp::with_zoom(inner, outer, limit, 0)
     }
 
-    fn quick_zoomed(from: Ramp16, to: Ramp16, part: Self) -> Ramp16 {
+    fn quick_zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> FixedRamp {
         from.between(to, fraction(part), 0).0
     }
 
@@ -146,7 +145,6 @@ impl QuickRay16 {
 impl Ray<Fx16> for QuickRay16 {
     type Fraction = Fraction16;
     type Share = Fx16;
-    type Ramp = Ramp16;
 
     #[inline]
     fn distance(&self) -> Gain16 {
@@ -162,13 +160,13 @@ impl Ray<Fx16> for QuickRay16 {
     /// direction and axis has at most 15 bits and a sign, so the sum of the squares fits 32 bits
     /// for opposite directions, too.
     #[inline]
-    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp16) -> Fraction16 {
+    fn rise(&self, axis: Vec3<Fx32>, ramp: FixedRamp) -> Fraction16 {
         let squares = self.product().zip(axis, |d, s| {
             let difference = d.wrapping_sub(s.to_bits()) >> DROPPED;
             difference.wrapping_mul(difference) as u32
         });
         let squared = squares.x.wrapping_add(squares.y).wrapping_add(squares.z);
-        ramp.rise_coarsely(Versine16::from_bits(squared))
+        ramp.rise_coarsely(Versine::from_bits(squared))
     }
 
     /// The result is over 1 for a normal that is longer than 1, and at most 2.

@@ -1,16 +1,13 @@
-//! Powers and reflections in the 32-bit format, with 64-bit products.
+//! Powers and reflections in the 32-bit format.
 
 use super::wide;
-use crate::number::{Fx32, Versine32, raised};
+use crate::number::{Fx32, Versine, product::high_half, raised};
 use crate::vec3::Vec3;
 
-/// One, with 62 fraction bits.
-const ONE: u64 = 1 << 62;
-
-/// Returns `1 - x y` from `a = 1 - x` and `b = 1 - y`, with 62 fraction bits.
+/// Returns `1 - x y` from `a = 1 - x` and `b = 1 - y`, with 32 fraction bits.
 #[inline]
-fn lack_of_product(a: u64, b: u64) -> u64 {
-    (a + b - (a >> 31) * (b >> 31)).min(ONE)
+fn lack_of_product(a: u32, b: u32) -> u32 {
+    a.saturating_add(b - high_half(a, b))
 }
 
 /// Returns `(1 - versine)^exponent`.
@@ -18,10 +15,10 @@ fn lack_of_product(a: u64, b: u64) -> u64 {
 /// The function computes with `1 - cosine`, which keeps its leading bits near the axis; the cosine
 /// would lose these bits.
 #[inline]
-pub(super) fn power(versine: Versine32, exponent: u32) -> Fx32 {
-    let lack = raised(0, versine.to_bits().min(ONE / 2) * 2, exponent, lack_of_product);
-    let lack = ((lack >> 31) + 1) >> 1;
-    Fx32::from_bits(((1 << 30) - lack) as i32)
+pub(super) fn power(versine: Versine, exponent: u32) -> Fx32 {
+    let lack = raised(0, versine.to_bits().saturating_mul(8), exponent, lack_of_product);
+    let lack = ((lack >> 1) + 1) >> 1;
+    Fx32::from_bits((1 << 30) - lack as i32)
 }
 
 /// Returns the inner product of a direction and a normal, with 58 fraction bits.

@@ -1,12 +1,21 @@
 //! Offset from a light to a point in the 32-bit format, and its direction and length.
-//!
-//! In the comments `|v|` is the length of the scaled offset, whose largest component has 31 bits.
 
-use super::{Ramp32, factor, square, wide};
+use super::wide;
 use crate::number::{
-    Arithmetic, FullOffset, Fx32, Gain32, Length, Light32, Offset, Ray, cold_path, fraction::Fraction32, root,
+    FixedRamp, FullOffset, Fx32, Gain32, Length, Light32, Offset, Ray, cold_path,
+    fine::{self, Fine},
+    fine_ray::{FineRay, size},
+    fixed16::is_outside,
+    product::{high_half, high_square, signed_high_half},
+    root,
 };
 use crate::vec3::Vec3;
+
+/// Number of lower bits of an offset that the square root and the early-outs do not use.
+const DROPPED: u32 = 16;
+
+/// Bit length up to which an offset is too short for the common path.
+const SHORT: u32 = 16;
 
 /// Offset from a light to a point, scaled until its largest component has 31 bits.
 #[derive(Clone, Copy, Debug)]
@@ -16,34 +25,31 @@ pub struct Offset32 {
     pub(super) bits: u32,
 }
 
-/// Unit direction and reciprocal distance.
-#[derive(Clone, Copy, Debug)]
-pub struct Ray32 {
-    direction: Vec3<i32>,
-    bits: u32,
-    squared: u64,
-    /// `2^62 / |v|`, of 31 to 33 bits.
-    reciprocal: u64,
-}
-
-/// Returns the inner product of a vector and an offset. The result wraps if the vector is longer
-/// than 1.15.
-#[inline]
-fn inner_product(vector: Vec3<Fx32>, way: Vec3<i32>) -> i64 {
-    let products = vector.zip(way, |a, b| wide(a.to_bits(), b));
-    products.x.wrapping_add(products.y).wrapping_add(products.z)
-}
-
 impl Offset32 {
     /// Returns the offset from a light to a point.
     #[inline]
     pub(super) fn between(light: Vec3<Length>, point: Vec3<Length>) -> Self {
+        let way = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
+        // As in the 16-bit format, a difference that wraps has more than 23 bits if the light is
+        // within 32,639, so this test detects the wrap.
+        let above = size(way) >> SHORT;
+        if above == 0 || above >= 128 {
+            cold_path();
+            return Self::near_or_far(light, point);
+        }
+        let bits = root::ilog2_of_seven_bits(above) + SHORT + 1;
+        Self { way: way.map(|c| c << (31 - bits)), bits }
+    }
+
+    /// Returns an offset whose largest component is less than one unit, or 128 units and more.
+    #[cold]
+    #[inline(never)]
+    fn near_or_far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let [p, l] = [point, light].map(|place| place.map(Length::to_bits));
         let way = (p.x.checked_sub(l.x), p.y.checked_sub(l.y), p.z.checked_sub(l.z));
         if let (Some(x), Some(y), Some(z)) = way {
             return Self::new(Vec3::new(x, y, z));
         }
-        cold_path();
         let half = |p, l| ((i64::from(p) - i64::from(l) + 1) >> 1).min(i32::MAX.into()) as i32;
         let Self { way, bits } = Self::new(p.zip(l, half));
         Self { way, bits: bits + 1 }
@@ -52,46 +58,29 @@ impl Offset32 {
     /// Returns the offset for a vector of any size.
     #[inline]
     pub(super) fn new(way: Vec3<i32>) -> Self {
-        let magnitudes = way.map(|c| (c ^ (c >> 31)) as u32);
-        let bits = root::bit_length(magnitudes.x | magnitudes.y | magnitudes.z);
+        let bits = root::bit_length(size(way));
         Self { way: way.map(|c| c << (31 - bits)), bits }
     }
 
-    /// Returns `|v|^2`. The square is computed on demand, because a surface that faces away does
-    /// not need it.
+    /// Returns the upper 15 bits and the sign of each component.
     #[inline]
-    fn squared(&self) -> u64 {
-        let squares = self.way.map(square);
-        squares.x + squares.y + squares.z
+    fn coarse(&self) -> Vec3<i32> {
+        self.way.map(|c| c >> DROPPED)
     }
-}
 
-impl Offset<Fx32> for Offset32 {
-    type Ray = Ray32;
-    /// The inner product of the normal and the scaled offset, with 30 fraction bits and the sign
-    /// reversed.
+    /// Returns the squared length of [`coarse`](Self::coarse).
+    #[inline]
+    fn squared(&self) -> u32 {
+        let squares = self.coarse().map(|c| (c * c) as u32);
+        squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
+    }
+
+    /// Returns the unit vector along the offset, each component within one unit of 2^-30.
     ///
-    /// The inner product wraps for normals longer than 1.15, which is defined behaviour.
-    type Facing = i64;
-
-    #[inline]
-    fn facing(&self, normal: Vec3<Fx32>) -> i64 {
-        inner_product(normal, self.way).wrapping_neg()
-    }
-
-    #[inline]
-    fn faces_away(facing: i64) -> bool {
-        facing <= 0
-    }
-
-    #[inline]
-    fn squared_distance(&self) -> Gain32 {
-        Gain32::normalised(self.squared(), 94 - 2 * self.bits as i32)
-    }
-
-    #[inline(always)] // `lit.fx32` on Cortex-M0: +170 instructions without.
-    fn ray(&self) -> Ray32 {
-        let squared = self.squared();
+    /// The axis of a light has this accuracy. It is computed once, with 64-bit products.
+    pub(super) fn unit(&self) -> Vec3<Fx32> {
+        let squares = self.way.map(|c| wide(c, c) as u64);
+        let squared = squares.x + squares.y + squares.z;
         let reciprocal = if squared >= 1 << 62 {
             root::inverse_sqrt_32(squared) >> 1
         } else if squared >= 1 << 60 {
@@ -99,21 +88,54 @@ impl Offset<Fx32> for Offset32 {
         } else {
             0
         };
-        let direction = self.way.map(|c| {
+        self.way.map(|c| {
             let product = i64::from(c) * reciprocal as i64;
-            ((product + (1 << 31)) >> 32) as i32
-        });
-        Ray32 { direction, bits: self.bits, squared, reciprocal }
+            Fx32::from_bits(((product + (1 << 31)) >> 32) as i32)
+        })
+    }
+}
+
+impl Offset<Fx32> for Offset32 {
+    type Ray = FineRay;
+    /// The inner product of the normal and the offset of 15 bits, with 13 fraction bits.
+    ///
+    /// The lower bits of normal and offset are dropped before the product, so that the sum fits 32
+    /// bits for a normal of any length.
+    type Facing = i32;
+
+    #[inline]
+    fn facing(&self, normal: Vec3<Fx32>) -> i32 {
+        let products = normal.zip(self.coarse(), |n, v| (n.to_bits() >> 17) * v);
+        products.x + products.y + products.z
+    }
+
+    /// Returns whether the surface certainly faces away from the light.
+    ///
+    /// The truncated bits of the normal change the inner product by less than `3 * 2^15`, and those
+    /// of the offset by less than `3 * 2^14`.
+    #[inline]
+    fn faces_away(facing: i32) -> bool {
+        facing >= 9 << 14
+    }
+
+    #[inline]
+    fn squared_distance(&self) -> Gain32 {
+        let squares = self.way.map(high_square);
+        Gain32::normalised((squares.x + squares.y + squares.z).into(), 62 - 2 * self.bits as i32)
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> FineRay {
+        FineRay::new(self.way, root::quick_inverse_sqrt_16(self.squared()), self.bits)
     }
 }
 
 impl FullOffset<Fx32> for Offset32 {
-    type FineRay = Ray32;
+    type FineRay = FineRay;
 
     #[inline]
     fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx32) -> bool {
-        let along = inner_product(axis, self.way) >> 31;
-        along.wrapping_mul(along.abs()) < (self.squared() >> 32) as i64 * i64::from(bound.to_bits())
+        is_outside(self.coarse(), self.squared(), axis, bound.to_bits() >> 16)
     }
 
     #[inline]
@@ -122,50 +144,43 @@ impl FullOffset<Fx32> for Offset32 {
     }
 
     #[inline]
-    fn fine_ray(&self) -> Ray32 {
+    fn fine_ray(&self) -> FineRay {
         self.ray()
     }
 }
 
-impl Ray<Fx32> for Ray32 {
-    type Fraction = Fraction32;
-    type Share = Fx32;
-    type Ramp = Ramp32;
+impl Ray<Fx32> for FineRay {
+    type Fraction = Fine;
+    type Share = Fine;
 
     #[inline]
     fn distance(&self) -> Gain32 {
-        // The distance is `|v| 2^30`, of 61 or 62 bits.
-        let distance = (self.squared >> 30) * (self.reciprocal >> 2);
-        Gain32::normalised(distance, 77 - self.bits as i32)
+        Gain32::normalised(self.length().into(), 47 - self.bits)
     }
 
     #[inline]
     fn direction(&self) -> Vec3<Fx32> {
-        self.direction.map(Fx32::from_bits)
+        self.unit()
+    }
+
+    #[inline(always)]
+    fn rise(&self, axis: Vec3<Fx32>, ramp: FixedRamp) -> Fine {
+        ramp.rise_finely(self.versine(axis, ramp))
+    }
+
+    /// The cosine is capped at 1, also for normals longer than 1.
+    #[inline]
+    fn cosine(&self, _: i32, normal: Vec3<Fx32>) -> Fine {
+        // Half of a normal's component fits 30 bits and a sign, for normals of any length.
+        let products = self.direction.zip(normal, |d, n| signed_high_half(d, n.to_bits() >> 1));
+        let along = products.x + products.y + products.z;
+        Fine(along.min(0).unsigned_abs().min(1 << 27) << 4)
     }
 
     #[inline]
-    fn rise(&self, axis: Vec3<Fx32>, ramp: Ramp32) -> Fraction32 {
-        ramp.rise(Fx32::versine_between(self.direction(), axis, ramp))
-    }
-
-    #[inline]
-    fn cosine(&self, facing: i64, _: Vec3<Fx32>) -> Fraction32 {
-        // The product is at most the length of the normal, in units of 2^-61. The product fits 64
-        // bits even if `facing` has wrapped: `facing` only wraps if `|v| > 2^31`, and then the
-        // reciprocal is small.
-        let cosine = ((facing.max(0) as u64 >> 31) * self.reciprocal) >> 30;
-        Fraction32(cosine.min(1 << 31) as u32)
-    }
-
-    #[inline]
-    fn expose(&self, share: Fx32, gain: Gain32) -> Light32 {
-        // The reciprocal, the gain's factor and `mantissa` have at most 32, 28 and 34 bits, so
-        // every product fits 64 bits.
-        let reciprocal = self.reciprocal >> 1;
-        let squared = (reciprocal * reciprocal) >> 28;
-        let mantissa = (gain.factor() * squared) >> 28;
-        Light32::shifted(factor(share) * mantissa, gain.scale() + 2 * self.bits as i32 - 28)
+    fn expose(&self, share: Fine, gain: Gain32) -> Light32 {
+        let here = self.attenuated(gain.mantissa << 4);
+        fine::light(high_half(share.0, here), gain.shift + 2 * self.bits - 61)
     }
 }
 

@@ -11,6 +11,8 @@ macro_rules! operations {
         type Position = Length;
         type Direction = Fx32;
         type Received = $light;
+        type Versine = Versine;
+        type Ramp = FixedRamp;
         type Weight = $weight;
         type Frame = $frame;
         type Gain = $gain;
@@ -24,6 +26,14 @@ macro_rules! operations {
         fn weight(value: f32) -> $weight {
             const ONE: f32 = $weight::ONE.to_bits() as f32;
             $weight::from_bits(rounded(value.clamp(-4.0, 4.0) * ONE) as _)
+        }
+
+        fn versine(ramp: FixedRamp, value: f32) -> Versine {
+            if value.is_nan() { Versine::MAX } else { magnified(value, ramp.zoom) }
+        }
+
+        fn ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
+            FixedRamp::new(inner, outer, limit)
         }
 
         fn gain(value: f32) -> $gain {
@@ -115,7 +125,8 @@ macro_rules! operations {
         #[inline]
         fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
             // Half the difference of two components always fits 32 bits.
-            $offset::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().direction()
+            let difference = b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1));
+            Ray::<Self>::direction(&$offset::new(difference).ray())
         }
 
         #[inline]

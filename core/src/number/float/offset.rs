@@ -124,7 +124,6 @@ impl FloatRay {
 impl Ray<f32> for FloatRay {
     type Fraction = FloatFraction;
     type Share = f32;
-    type Ramp = FloatRamp;
 
     #[inline]
     fn direction(&self) -> Vec3<f32> {

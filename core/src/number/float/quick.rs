@@ -28,7 +28,6 @@ fn inverse_sqrt(x: f32) -> f32 {
 
 impl Quick for f32 {
     type QuickOffset = QuickFloatOffset;
-    type QuickRamp = FloatRamp;
 
     #[inline]
     fn quick_offset(light: Vec3<f32>, point: Vec3<f32>) -> QuickFloatOffset {

@@ -4,6 +4,7 @@ use luminaire::{
     AmbientLight, Cone, DirectionalLight, Error, PointLight, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
     falloff::{Falloff, Soft},
+    number::Quick,
 };
 
 use super::falloff::Description;
@@ -27,7 +28,7 @@ pub(super) fn spot<S: Format, P: Falloff>(
 }
 
 /// The light at a point by the quick evaluation, level and attenuated.
-pub(super) fn quick<S: Format, P: Falloff>(case: &mut Case<'_>, falloff: P) -> Outcome {
+pub(super) fn quick<S: Format + Quick, P: Falloff>(case: &mut Case<'_>, falloff: P) -> Outcome {
     let description = Description::of(case, |_| Ok(falloff));
     let (position, axis, intensity) =
         (case.vector("position"), case.vector("axis"), case.number("intensity"));

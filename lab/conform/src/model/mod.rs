@@ -27,12 +27,12 @@ pub struct Model {
     /// Its name in the file.
     pub name: &'static str,
     /// The model in each format, in the order of [`FORMATS`]; only in `f32` if the model belongs to
-    /// set-up.
+    /// set-up, and without `fx32` if that format has no quick evaluation of it.
     pub runs: &'static [Evaluate],
 }
 
 /// The formats, as the file names them.
-pub const FORMATS: [&str; 3] = ["f32", "fx32", "fx16"];
+pub const FORMATS: [&str; 3] = ["f32", "fx16", "fx32"];
 
 /// Finds the model of a section such as `spot soft fx16`.
 pub(crate) fn find(section: &str) -> Option<Evaluate> {
@@ -52,11 +52,11 @@ macro_rules! each {
                     $outcome
                 },
                 |$case| {
-                    type $format = Fx32;
+                    type $format = Fx16;
                     $outcome
                 },
                 |$case| {
-                    type $format = Fx16;
+                    type $format = Fx32;
                     $outcome
                 },
             ],
@@ -128,8 +128,14 @@ static WRITTEN: &[Model] = &[
     each!("spot soft", S, case => light::spot::<S, _>(case, |_| Ok(Soft))),
     each!("spot hard", S, case => light::spot::<S, _>(case, |_| Ok(Hard))),
     each!("spot either-edge", S, case => light::spot::<S, _>(case, |_| Ok(SoftOrHard::Hard))),
-    each!("quick soft", S, case => light::quick::<S, _>(case, Soft)),
-    each!("quick hard", S, case => light::quick::<S, _>(case, Hard)),
+    Model {
+        name: "quick soft",
+        runs: &[|case| light::quick::<f32, _>(case, Soft), |case| light::quick::<Fx16, _>(case, Soft)],
+    },
+    Model {
+        name: "quick hard",
+        runs: &[|case| light::quick::<f32, _>(case, Hard), |case| light::quick::<Fx16, _>(case, Hard)],
+    },
     each!("spot between", S, case => light::between::<S>(case)),
     each!("point unattenuated", S, case => light::point::<S, _>(case, |_| Ok(NoAttenuation))),
     each!("point inverse-square", S, case => light::point::<S, _>(case, |_| Ok(InverseSquare))),

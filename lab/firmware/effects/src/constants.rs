@@ -6,7 +6,7 @@ use luminaire::{
     display::{CompiledExposure, Rgb565Ramp},
     falloff::Soft,
     light::{
-        CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight, QuickSpotLight,
+        CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
     },
     projector::{CompiledGobo, Shadow},
     specular::NoSpecular,
@@ -19,6 +19,12 @@ type Beam = luminaire::haze::BeamScattering<Soft>;
 #[cfg(not(feature = "f32"))]
 type Beam = luminaire::haze::BeamScattering16<Soft>;
 
+/// The soft spotlight by the quick evaluation; `Fx32` has only one evaluation.
+#[cfg(feature = "fx32")]
+type Quick = CompiledSpotLight<Format, Soft, NoAttenuation>;
+#[cfg(not(feature = "fx32"))]
+type Quick = luminaire::light::QuickSpotLight<Format, Soft, NoAttenuation>;
+
 macro_rules! constants {
     ($($file:literal $name:ident: $type:ty;)*) => {$(
         #[doc = concat!("The constant of the file ", $file, ".")]
@@ -29,7 +35,7 @@ macro_rules! constants {
 constants! {
     "hotspot.rs" HOTSPOT: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "cutoff.rs" CUTOFF: CompiledSpotLight<Format, Soft, NoAttenuation>;
-    "quick.rs" QUICK: QuickSpotLight<Format, Soft, NoAttenuation>;
+    "quick.rs" QUICK: Quick;
     "bright.rs" BRIGHT: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "wide.rs" WIDE: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "part.rs" PART: Format;

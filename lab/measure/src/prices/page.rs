@@ -6,7 +6,7 @@ use super::list::{Cost, Error, Place, PriceList, Row};
 use super::target::Target;
 
 /// The columns of the tables by format.
-const FORMATS: [&str; 7] = ["fx16-quick", "fx16", "fx32-quick", "fx32", "f32-quick", "f32", "f64"];
+const FORMATS: [&str; 6] = ["fx16-quick", "fx16", "fx32", "f32-quick", "f32", "f64"];
 
 const INTRODUCTION: &str = "\
 # What accuracy costs
@@ -58,7 +58,7 @@ executes, without constant tables such as those of roots and the 1024 bytes of `
 | lit-specular | the same | and Phong's highlight of shininess 32, the direction to the eye included |
 | away, outside | the same, facing away, or outside the cone | zero, by an early-out before the root |
 
-`fx16-quick`, `fx32-quick` and `f32-quick` are the [quick evaluations](NUMERICS.md#the-quick-evaluation).
+`fx16-quick` and `f32-quick` are the [quick evaluations](NUMERICS.md#the-quick-evaluation).
 `f64` reads points of f32. `powf-libm`, `powf-micromath` and `powf-std` are the power of the cosine by the crates libm and
 micromath, of the versions in `Cargo.lock`, and by the standard library; `table-256` is the same by
 interpolation in 256 entries, `schlick` by Schlick's rational function; `smoothstep` is GLSL's, `gltf` the specification's

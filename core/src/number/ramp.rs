@@ -1,10 +1,10 @@
-//! The ramp of a cone in the 16-bit format: the map from versines to the falloff's argument `t`.
+//! The ramp of a cone in fixed point: the map from versines to the falloff's argument `t`.
 
-use crate::number::{
-    Fx16, Rise, Versine16,
+use super::{
+    Fx16, Rise, Versine,
     chord::{self, Chords},
     fine::Fine,
-    fraction::Fraction16,
+    fixed16::Fraction16,
     product::high_half,
     reciprocal::inverse_32,
     root, rounded,
@@ -12,11 +12,11 @@ use crate::number::{
 
 /// The largest zoom of a ramp, which scales versines by `4^zoom`. A larger zoom would need more
 /// bits than a direction has.
-pub(in crate::number) const MOST_ZOOM: u32 = 15;
+pub(super) const MOST_ZOOM: u32 = 15;
 
 /// A ramp: maps the excess of a versine over the inner versine to the falloff's argument `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Ramp16 {
+pub struct FixedRamp {
     /// The versines of this ramp are scaled by `4^zoom`.
     pub(crate) zoom: u32,
     /// Inner versine, up to which the intensity is full.
@@ -44,7 +44,7 @@ pub struct Ramp16 {
     fine_mantissa: u32,
 }
 
-impl Ramp16 {
+impl FixedRamp {
     /// Restores a ramp from its bits, in the order of the fields.
     ///
     /// Invalid values are replaced, so that every versine gives a `t` in `[0, 1]`.
@@ -76,7 +76,7 @@ impl Ramp16 {
     }
 
     /// Builds the ramp between two versines, with `t = 0` from the versine `limit` on.
-    pub(in crate::number) fn new(inner: f32, outer: f32, limit: f32) -> Self {
+    pub(super) fn new(inner: f32, outer: f32, limit: f32) -> Self {
         // The zoom is such that the scaled limit is at most 2, the square of the largest component
         // of a difference that `versine_between` accepts. A difference with a larger component is
         // beyond the limit.
@@ -84,7 +84,7 @@ impl Ramp16 {
     }
 
     /// Builds the ramp of [`new`](Self::new) with a given zoom: versines are scaled by `4^zoom`.
-    pub(in crate::number) fn with_zoom(inner: f32, outer: f32, limit: f32, zoom: u32) -> Self {
+    pub(super) fn with_zoom(inner: f32, outer: f32, limit: f32, zoom: u32) -> Self {
         let limit = if limit < outer { limit } else { outer };
         let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
         let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
@@ -114,7 +114,7 @@ impl Ramp16 {
     ///
     /// `part` has 32 fraction bits, and `most` is the largest zoom. The ramp is fine if one of the
     /// two ramps is.
-    pub(in crate::number) fn between(self, other: Self, part: u32, most: u32) -> (Self, Chords) {
+    pub(super) fn between(self, other: Self, part: u32, most: u32) -> (Self, Chords) {
         let chords = self.chords().between(other.chords(), part);
         let ramp = Self::of_chords(chords, most);
         (if self.fine > 0 || other.fine > 0 { ramp.into_fine() } else { ramp }, chords)
@@ -156,7 +156,7 @@ impl Ramp16 {
     }
 
     /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
-    pub(in crate::number) fn into_fine(self) -> Self {
+    pub(super) fn into_fine(self) -> Self {
         Self { width: 0, fine: self.width, ..self }
     }
 
@@ -167,7 +167,7 @@ impl Ramp16 {
 
     /// Returns the falloff's argument `t` at a versine.
     #[inline]
-    pub(in crate::number) fn rise(self, versine: Versine16) -> Rise<Fx16> {
+    pub(super) fn rise(self, versine: Versine) -> Rise<Fx16> {
         match self.within(versine) {
             Some(t) => Rise::Coarse(t),
             // For a fine ramp `within` returns `None`, because the `width` of a fine ramp is 0.
@@ -178,26 +178,26 @@ impl Ramp16 {
 
     /// Returns the falloff's argument `t` at a versine, for a ramp that is not a fine ramp.
     #[inline]
-    pub(in crate::number) fn rise_coarsely(self, versine: Versine16) -> Fraction16 {
+    pub(super) fn rise_coarsely(self, versine: Versine) -> Fraction16 {
         self.within(versine).unwrap_or_else(|| self.end(versine))
     }
 
     /// Returns `t` at a versine between the ends of the ramp, and `None` at any other versine.
     #[inline]
-    fn within(self, versine: Versine16) -> Option<Fraction16> {
+    fn within(self, versine: Versine) -> Option<Fraction16> {
         let past = versine.to_bits().wrapping_sub(self.inner);
         (past < self.width).then(|| Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16))
     }
 
     /// Returns `t` at a versine at or beyond an end of the ramp: 1 or 0.
     #[inline]
-    fn end(self, versine: Versine16) -> Fraction16 {
+    fn end(self, versine: Versine) -> Fraction16 {
         Fraction16(if versine.to_bits() < self.inner { 1 << 15 } else { 0 })
     }
 
     /// Returns the falloff's argument `t` at a versine, with full precision.
     #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
-    pub(in crate::number) fn rise_finely(self, versine: Versine16) -> Fine {
+    pub(super) fn rise_finely(self, versine: Versine) -> Fine {
         let versine = versine.to_bits();
         let past = versine.wrapping_sub(self.inner);
         if past >= self.width.max(self.fine) {
@@ -218,13 +218,13 @@ impl Ramp16 {
 }
 
 /// Returns the zoom of a ramp that ends at this versine.
-pub(in crate::number) fn zoom(limit: f32) -> u32 {
+pub(super) fn zoom(limit: f32) -> u32 {
     (1..=MOST_ZOOM).take_while(|&zoom| magnified(limit, zoom).to_bits() <= 2 << 29).last().unwrap_or(0)
 }
 
 /// Returns the nearest versine times `4^zoom`; saturates, and NaN becomes zero.
-pub(in crate::number) fn magnified(value: f32, zoom: u32) -> Versine16 {
-    Versine16::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
+pub(super) fn magnified(value: f32, zoom: u32) -> Versine {
+    Versine::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
 }
 
 #[cfg(test)]
@@ -234,28 +234,28 @@ mod tests {
     extern crate std;
 
     /// Returns ramps of every width, with hotspots and cutoffs.
-    fn ramps() -> impl Iterator<Item = Ramp16> {
+    fn ramps() -> impl Iterator<Item = FixedRamp> {
         (0..20_000_u32).flat_map(|i| {
             let outer = (1.0 - i as f32 / 40_000.0) / (1_u32 << (i % 14)) as f32;
             let inner = outer * [0.0, 0.3, 0.97][i as usize % 3];
-            [outer, outer - 0.4 * (outer - inner)].map(|limit| Ramp16::new(inner, outer, limit))
+            [outer, outer - 0.4 * (outer - inner)].map(|limit| FixedRamp::new(inner, outer, limit))
         })
     }
 
     #[test]
     fn a_ramp_keeps_its_bits() {
         for ramp in ramps().flat_map(|ramp| [ramp, ramp.into_fine()]) {
-            assert_eq!(Ramp16::from_bits(ramp.to_bits()), ramp);
+            assert_eq!(FixedRamp::from_bits(ramp.to_bits()), ramp);
         }
     }
 
     #[test]
     fn bits_beyond_their_limits_are_replaced() {
         const MOST: u32 = (1 << 31) + (1 << 16) - 1;
-        let most = Ramp16::from_bits([u32::MAX; 9]).to_bits();
+        let most = FixedRamp::from_bits([u32::MAX; 9]).to_bits();
         assert_eq!(most, [15, u32::MAX, 0, 31, u32::MAX, MOST, u32::MAX, 63, u32::MAX]);
         let mantissa =
-            |width, mantissa| Ramp16::from_bits([0, 0, width, 0, mantissa, 1 << 31, 0, 0, 0]).mantissa;
+            |width, mantissa| FixedRamp::from_bits([0, 0, width, 0, mantissa, 1 << 31, 0, 0, 0]).mantissa;
         assert_eq!([mantissa(2, 1 << 31), mantissa(2, (1 << 31) + 1)], [1 << 31, 0]);
         assert_eq!([mantissa(3, 1 << 30), mantissa(3, (1 << 30) + 1)], [1 << 30, 0]);
     }
@@ -264,9 +264,9 @@ mod tests {
     #[test]
     fn a_step_is_dark_from_its_edge_on() {
         for versine in [1.0, 0.3, 1e-3] {
-            let ramp = Ramp16::new(versine, versine, versine);
+            let ramp = FixedRamp::new(versine, versine, versine);
             let edge = magnified(versine, ramp.zoom).to_bits();
-            let [inside, on] = [edge - 1, edge].map(Versine16::from_bits);
+            let [inside, on] = [edge - 1, edge].map(Versine::from_bits);
             assert_eq!([inside, on].map(|v| ramp.rise_coarsely(v)), [Fraction16(1 << 15), Fraction16(0)]);
             let ramp = ramp.into_fine();
             assert_eq!([inside, on].map(|v| ramp.rise_finely(v)), [Fine::ONE, Fine(0)]);
@@ -281,7 +281,7 @@ mod tests {
     fn a_cutoff_may_be_narrow_within_a_wide_ramp() {
         for shift in 8..29 {
             let limit = 1.0 / (1_u32 << shift) as f32;
-            let ramp = Ramp16::new(0.0, 1.0, limit);
+            let ramp = FixedRamp::new(0.0, 1.0, limit);
             for share in [0.0, 0.5, 0.99] {
                 let t = ramp.rise_coarsely(magnified(limit * share, ramp.zoom));
                 let error = f64::from(t.0) / 32_768.0 - f64::from(1.0 - limit * share);
@@ -291,7 +291,7 @@ mod tests {
     }
 
     /// Returns pairs of ramps, a part with 32 fraction bits, and the ramp between the two.
-    fn zooms() -> impl Iterator<Item = ([Ramp16; 2], u32, Ramp16)> {
+    fn zooms() -> impl Iterator<Item = ([FixedRamp; 2], u32, FixedRamp)> {
         let zooms = ramps().zip(ramps().skip(7_919)).enumerate();
         zooms.map(|(i, (from, to))| {
             let part = (i as u32 + 1).wrapping_mul(0x9e37_79b9);
@@ -302,13 +302,13 @@ mod tests {
     #[test]
     fn a_ramp_between_keeps_its_bits() {
         for (ends, part, ramp) in zooms() {
-            assert_eq!(Ramp16::from_bits(ramp.to_bits()), ramp, "{ends:?} {part}");
+            assert_eq!(FixedRamp::from_bits(ramp.to_bits()), ramp, "{ends:?} {part}");
         }
     }
 
     /// Returns the inner versine, the outer versine and the limit of a ramp. The outer versine is
     /// within 2^-31 of the span of that from which the ramp was built.
-    fn exact(ramp: Ramp16) -> [f64; 3] {
+    fn exact(ramp: FixedRamp) -> [f64; 3] {
         let unit = 0.5_f64.powi(29 + 2 * ramp.zoom as i32);
         let span = 2_f64.powi(ramp.fine_shift as i32 + 31) / f64::from(ramp.fine_mantissa);
         let inner = f64::from(ramp.inner);
