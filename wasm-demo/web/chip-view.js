@@ -53,7 +53,7 @@ export class ChipView {
   /** Loads the view, the emulator and the firmware. */
   static async open() {
     const place = find("chip");
-    const answer = await fetch("chip.html");
+    const answer = await fetch(new URL("chip.html", import.meta.url));
     if (!answer.ok) throw new Error(`chip.html: the server answers ${answer.status}`);
     place.innerHTML = await answer.text();
     const worker = new Worker(new URL("chip-worker.js", import.meta.url), { type: "module" });

@@ -33,7 +33,7 @@ export async function loadPrices() {
   /** @type {List | undefined} */
   let list;
   try {
-    const answer = await fetch("effects.json");
+    const answer = await fetch(new URL("effects.json", import.meta.url));
     if (!answer.ok) throw new Error(answer.statusText);
     list = await answer.json();
   } catch (error) {

@@ -105,7 +105,7 @@ export class PriceList {
   /** Loads the list. A list that is missing or can't be loaded is empty. */
   static async load() {
     try {
-      const answer = await fetch("accuracy-vs-cost.json");
+      const answer = await fetch(new URL("accuracy-vs-cost.json", import.meta.url));
       if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
       return new PriceList((await answer.json())?.rows ?? []);
     } catch (error) {

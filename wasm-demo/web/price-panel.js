@@ -118,7 +118,7 @@ export class PricePanel {
    */
   static async open(place) {
     const [text, chips] = await Promise.all(["price.html", "chips.json"].map(async (file) => {
-      const answer = await fetch(file);
+      const answer = await fetch(new URL(file, import.meta.url));
       if (!answer.ok) throw new Error(`${file}: the server answers ${answer.status}`);
       return file.endsWith(".json") ? answer.json() : answer.text();
     }));

@@ -232,9 +232,10 @@ quick("the folder for static hosts works under a path", async () => {
   assert.ok(!(await ask(() => crossOriginIsolated)), "the server sends special headers");
   // Firefox and WebKit also list the pictures and fonts of their own controls, which are data in the address.
   const names = new Set(requests.filter((address) => !address.startsWith("data:")).map((address) => address.replace(hosted.address, "")));
+  const version = hosted.files.find((name) => name.includes("/")).split("/")[0];
   // What the page loads by itself after the first picture, and what a browser without a window does not need.
   const late = /^(curve|effect-prices|effects|handles|press|shapes|icon)\./;
-  const first = (names) => [...names].filter((name) => name && name !== "index.html" && !late.test(name)).sort();
+  const first = (names) => [...names].map((name) => name.replace(`${version}/`, "")).filter((name) => name && name !== "index.html" && !late.test(name)).sort();
   assert.deepEqual(first(names), first(hosted.files), "the files of the first picture");
   for (const view of VIEWS) {
     await open(`?#${view}?play=none`, { page: hosted.address });
@@ -252,7 +253,8 @@ quick("the folder for static hosts works under a path", async () => {
 if (hosted.isSmall) {
   more("the first picture and the chip are small, and the chip has its licences", async () => {
     must(hosted.gzip, (bytes) => bytes < 400_000, "less than 400,000 bytes by gzip for the first picture");
-    const files = ["", "chip"].flatMap((folder) =>
+    const version = hosted.files.find((name) => name.includes("/")).split("/")[0];
+    const files = [version, `${version}/chip`].flatMap((folder) =>
       readdirSync(join(hosted.folder, folder), { withFileTypes: true })
         .filter((entry) => entry.isFile() && /^(chip|luminaire_chip|rp2040)/.test(entry.name))
         .map(({ name }) => join(hosted.folder, folder, name)),
