@@ -233,7 +233,7 @@ pub extern "C" fn luminaire_spot_aim_along(
     y: i32,
     z: i32,
 ) -> bool {
-    try_to(spot, |light| light.aimed_along(Vec3::new(x, y, z).map(Fx32::from_bits)))
+    try_to(spot, |light| light.aimed_along(Vec3::new(x, y, z).map(Length::from_bits)))
 }
 
 /// Dims the light to a part of its intensity, in steps of 2^-14 from 0 to 2^14.

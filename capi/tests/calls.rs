@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use luminaire::{
-    Angle, Cone, Error, Fx16, Fx32, Length, Rgb, SpotLight, Vec3,
+    Angle, Cone, Error, Fx16, Length, Rgb, SpotLight, Vec3,
     display::{Rgb565, clip, encode_srgb},
     falloff::{Falloff, Hard, Soft},
     light::CompiledSpotLight,
@@ -107,7 +107,7 @@ fn expected() -> String {
             _ => line(both(12.0, 26.0), &wide, part, &mut random),
         };
     }
-    let aimed = changed.aimed_along(Vec3::new(1, -9, 0).map(Fx32::from_bits)).expect("not zero");
+    let aimed = changed.aimed_along(Vec3::new(1, -9, 0).map(Length::from_bits)).expect("not zero");
     for i in 0..64 {
         let point = Vec3::new(i * (1 << 12) - (2 << 16), 0, 0).map(Length::from_bits);
         let mut sum = Rgb::<Light16>::default();

@@ -64,12 +64,12 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         Some(Self { axis, ..self })
     }
 
-    /// Returns the same light with its axis along a vector of any length; `None` if the vector is
-    /// zero, and in `f32` if its squared length is not a normal number.
+    /// Returns the same light with its axis along a vector of any length, which has the type of a
+    /// point; `None` if the vector is zero, and in `f32` if its squared length is not a normal number.
     ///
     /// The error of the axis is that of [`aimed_at`](Self::aimed_at).
-    pub fn aimed_along(self, direction: Vec3<S::Unit>) -> Option<Self> {
-        let axis = unit::<S>(S::offset_along(direction))?;
+    pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
+        let axis = unit::<S>(S::offset(Vec3::default(), direction))?;
         Some(Self { axis, ..self })
     }
 
@@ -115,8 +115,8 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
 
     /// Returns the same light with its axis along a vector of any length, like
     /// [`CompiledSpotLight::aimed_along`].
-    pub fn aimed_along(self, direction: Vec3<S::Unit>) -> Option<Self> {
-        let axis = unit::<S>(S::offset_along(direction))?;
+    pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
+        let axis = unit::<S>(S::offset(Vec3::default(), direction))?;
         Some(Self { axis: S::quick_axis(axis), ..self })
     }
 
@@ -147,8 +147,8 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
     /// zero, and in `f32` if its squared length is not a normal number.
     ///
     /// The error of the direction is that of [`CompiledSpotLight::aimed_at`].
-    pub fn aimed_along(self, direction: Vec3<S::Unit>) -> Option<Self> {
-        let direction = unit::<S>(S::offset_along(direction))?;
+    pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
+        let direction = unit::<S>(S::offset(Vec3::default(), direction))?;
         Some(Self { direction, ..self })
     }
 }
