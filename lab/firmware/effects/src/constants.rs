@@ -5,9 +5,7 @@ use luminaire::{
     attenuation::NoAttenuation,
     display::{CompiledExposure, Rgb565Ramp},
     falloff::Soft,
-    light::{
-        CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
-    },
+    light::{CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight},
     projector::{CompiledGobo, Shadow},
     specular::NoSpecular,
 };

@@ -14,7 +14,7 @@ type Rows = &'static [(&'static str, &'static [&'static str])];
 /// match on every model. One lobe with unknown results stands for all lobes, whose own functions are
 /// called by the row `Highlight`.
 const TYPES: Rows = &[
-    ("Quick", &["Format"]),
+    ("Quick", &["QuickFormat"]),
     ("Scalar", &["Format"]),
     ("SourceScalar", &["Format"]),
     ("Arithmetic", &["Format"]),
