@@ -44,7 +44,7 @@ function codes(value) {
 function styled() {
   const sheet = document.createElement("link");
   sheet.rel = "stylesheet";
-  sheet.href = "museum.css";
+  sheet.href = new URL("museum.css", import.meta.url).href;
   return new Promise((resolve) => {
     sheet.addEventListener("load", resolve);
     // Without its style the museum is plain and still right.
