@@ -188,11 +188,11 @@ fn normal_along<S: Scalar>(direction: Vec3<S::Unit>) -> Vec3<S> {
 /// negative.
 ///
 /// The derivative of `c |c|` with respect to the cosine `c` is at most 2. So with a margin of 16
-/// steps (`Arithmetic::OUTSIDE_STEP`) the test rejects no point whose versine exceeds the outer versine by up
-/// to 8 steps. In every format the error of a versine is less than 8 steps. The additional margin
-/// `squared_sine * EPSILON` covers the rounding of the squared sine, which is computed in `f32` for
-/// every format. The squared cosine is computed from the squared sine, because the squared sine of
-/// a narrow cone keeps its leading bits.
+/// steps (`Arithmetic::OUTSIDE_STEP`) the test rejects no point whose versine exceeds the outer
+/// versine by up to 8 steps. In every format the error of a versine is less than 8 steps. The
+/// additional margin `squared_sine * EPSILON` covers the rounding of the squared sine, which is
+/// computed in `f32` for every format. The squared cosine is computed from the squared sine, because
+/// the squared sine of a narrow cone keeps its leading bits.
 pub(crate) fn outside_bound<S: Scalar>(outer_versine: f32) -> S {
     let squared_sine = outer_versine * (2.0 - outer_versine);
     let margin = squared_sine * f32::EPSILON + 16.0 * S::OUTSIDE_STEP;

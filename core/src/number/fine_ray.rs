@@ -36,7 +36,7 @@ pub(super) fn size(way: Vec3<i32>) -> u32 {
 
 /// Returns `|2^shift vector|^2 / 2^32` of a vector with signed components.
 #[inline]
-fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
+pub(super) fn squared_length(vector: Vec3<i32>, shift: u32) -> u32 {
     let squares = vector.map(|c| high_square(c << shift));
     squares.x + squares.y + squares.z
 }

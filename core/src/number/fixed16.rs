@@ -16,7 +16,7 @@ mod quick;
 
 pub(super) use self::fraction::Fraction16;
 pub use self::frame::Frame16;
-pub(super) use self::offset::{Offset16, is_outside};
+pub(super) use self::offset::{Offset16, is_outside, squared_length};
 pub use super::gain::Gain16;
 use super::{
     Arithmetic, FixedRamp, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise,

@@ -140,27 +140,31 @@ impl Offset16 {
         (self.coarse(), self.bits)
     }
 
-    /// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32
-    /// bits.
-    ///
-    /// The square is computed on demand, because a surface that faces away does not need it.
+    /// Returns `|v|^2`. The square is computed on demand, because a surface that faces away does not
+    /// need it.
     #[inline]
     fn squared(&self) -> u32 {
-        let squares = self.coarse().map(|c| (c * c) as u32);
-        squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
+        squared_length(self.coarse())
     }
 }
 
-/// Returns whether an offset `v` with this squared length is certainly outside a cone with this
-/// axis. `bound` is the bound of [`FullOffset::is_outside`], with 14 fraction bits.
+/// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32 bits.
 #[inline]
-pub(in crate::number) fn is_outside(v: Vec3<i32>, squared: u32, axis: Vec3<Fx32>, bound: i32) -> bool {
+pub(in crate::number) fn squared_length(v: Vec3<i32>) -> u32 {
+    let squares = v.map(|c| (c * c) as u32);
+    squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
+}
+
+/// Returns whether an offset `v` is certainly outside a cone with this axis. `bound` is the bound of
+/// [`FullOffset::is_outside`], with 14 fraction bits.
+#[inline]
+pub(in crate::number) fn is_outside(v: Vec3<i32>, axis: Vec3<Fx32>, bound: i32) -> bool {
     let products = axis.zip(v, |s, v| (s.to_bits() >> 16) * v);
     let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
     // The axis has unit length, so 16 bits hold the component of `v` along the axis.
     let along = along.max(0) as u32;
     let bound = u32::from(bound.max(0) as u16);
-    along.wrapping_mul(along) < (squared >> 14).wrapping_mul(bound)
+    along.wrapping_mul(along) < (squared_length(v) >> 14).wrapping_mul(bound)
 }
 
 impl Offset<Fx16> for Offset16 {
@@ -213,7 +217,7 @@ impl FullOffset<Fx16> for Offset16 {
 
     #[inline]
     fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx16) -> bool {
-        is_outside(self.coarse(), self.squared(), axis, bound.to_bits().into())
+        is_outside(self.coarse(), axis, bound.to_bits().into())
     }
 
     #[inline]

@@ -6,7 +6,10 @@
 //! In the comments `v` is the offset, scaled until its largest component has 15 bits, and `|v|` is
 //! its length.
 
-use super::{Fraction16, factor, fraction, offset::Offset16};
+use super::{
+    Fraction16, factor, fraction,
+    offset::{Offset16, squared_length},
+};
 use crate::number::{
     FixedRamp, Fx16, Fx32, Gain16, Length, Light16, Offset, Quick, Ray, Scalar, Slopes, Versine, cold_path,
     fine_ray::size, product::high_product, root,
@@ -64,14 +67,6 @@ impl QuickOffset16 {
         let (way, bits) = Offset16::between(light, point).scaled_to_15_bits();
         Self { way, bits }
     }
-
-    /// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32
-    /// bits.
-    #[inline]
-    fn squared(&self) -> u32 {
-        let squares = self.way.map(|c| (c * c) as u32);
-        squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
-    }
 }
 
 impl Quick for Fx16 {
@@ -124,12 +119,12 @@ impl Offset<Fx16> for QuickOffset16 {
 
     #[inline]
     fn squared_distance(&self) -> Gain16 {
-        Gain16::normalised(self.squared(), 62 - 2 * self.bits as i32)
+        Gain16::normalised(squared_length(self.way), 62 - 2 * self.bits as i32)
     }
 
     #[inline]
     fn ray(&self) -> QuickRay16 {
-        let squared = self.squared();
+        let squared = squared_length(self.way);
         QuickRay16 { offset: *self, squared, reciprocal: root::quick_inverse_sqrt_16(squared) }
     }
 }

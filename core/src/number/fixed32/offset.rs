@@ -4,9 +4,9 @@ use super::wide;
 use crate::number::{
     FixedRamp, FullOffset, Fx32, Gain32, Length, Light32, Offset, Ray, cold_path,
     fine::{self, Fine},
-    fine_ray::{FineRay, size},
-    fixed16::is_outside,
-    product::{high_half, high_square, signed_high_half},
+    fine_ray::{self, FineRay, size},
+    fixed16::{is_outside, squared_length},
+    product::{high_half, signed_high_half},
     root,
 };
 use crate::vec3::Vec3;
@@ -68,13 +68,6 @@ impl Offset32 {
         self.way.map(|c| c >> DROPPED)
     }
 
-    /// Returns the squared length of [`coarse`](Self::coarse).
-    #[inline]
-    fn squared(&self) -> u32 {
-        let squares = self.coarse().map(|c| (c * c) as u32);
-        squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
-    }
-
     /// Returns the unit vector along the offset, each component within one unit of 2^-30.
     ///
     /// The axis of a light has this accuracy. It is computed once, with 64-bit products.
@@ -120,13 +113,12 @@ impl Offset<Fx32> for Offset32 {
 
     #[inline]
     fn squared_distance(&self) -> Gain32 {
-        let squares = self.way.map(high_square);
-        Gain32::normalised((squares.x + squares.y + squares.z).into(), 62 - 2 * self.bits as i32)
+        Gain32::normalised(fine_ray::squared_length(self.way, 0).into(), 62 - 2 * self.bits as i32)
     }
 
     #[inline(always)]
     fn ray(&self) -> FineRay {
-        FineRay::new(self.way, root::quick_inverse_sqrt_16(self.squared()), self.bits)
+        FineRay::new(self.way, root::quick_inverse_sqrt_16(squared_length(self.coarse())), self.bits)
     }
 }
 
@@ -135,7 +127,7 @@ impl FullOffset<Fx32> for Offset32 {
 
     #[inline]
     fn is_outside(&self, axis: Vec3<Fx32>, bound: Fx32) -> bool {
-        is_outside(self.coarse(), self.squared(), axis, bound.to_bits() >> 16)
+        is_outside(self.coarse(), axis, bound.to_bits() >> 16)
     }
 
     #[inline]
