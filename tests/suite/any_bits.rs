@@ -199,10 +199,12 @@ fn any_bits_make_a_quick_light() {
             );
             assert_lights(rng, light);
             assert_shines(rng, light);
-            let cone = CompiledCone::from_parts(S::any_ramp(rng), Hard, Hard);
-            let other = QuickSpotLight::from_parts(position, axis, cone, (range, ()), gain, colors);
-            let part = S::scalar_from_bits(bits(rng));
-            assert_lights(rng, light.zoomed(&other, part));
+            for _ in 0..7 {
+                let cone = CompiledCone::from_parts(S::any_ramp(rng), Hard, Hard);
+                let other = QuickSpotLight::from_parts(position, axis, cone, (range, ()), gain, colors);
+                let part = S::scalar_from_bits(bits(rng));
+                assert_lights(rng, light.zoomed(&other, part));
+            }
         }
     }
     assert_quick::<f32>();

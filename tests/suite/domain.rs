@@ -177,7 +177,8 @@ fn assert_positions<S: Format>(ends: [f64; 2]) {
         // An offset of more than 32 bits loses one bit. There the narrowest cone of `Fx32` is a
         // quarter wider.
         let times = if S::NAME == "fx32" { 1.25 } else { 1.0 };
-        for (half_degrees, least) in [(times * shape.narrowest::<S>(), 0.14), (60.0, 0.0)] {
+        for (half_degrees, least) in [(times * shape.narrowest::<S>(), 0.15 / f64::from(times)), (60.0, 0.0)]
+        {
             let scene = |rng: &mut Rng| {
                 let light = DVec3::from_array([0; 3].map(|_| coordinate(rng, ends[0])));
                 let near = sweep::direction(rng).map(|c| ends[1] * 1e-3_f64.powf(rng.f64()) * c);

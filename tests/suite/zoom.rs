@@ -184,25 +184,27 @@ fn assert_ends<S: Format>(parts: [&[S]; 2]) {
 }
 
 /// The same in the quick evaluation.
-fn assert_quick_ends<S: Format + Quick>() {
+fn assert_quick_ends<S: Format + Quick>(parts: [&[S]; 2]) {
     let mut rng = Rng::with_seed(1);
     for _ in 0..300 {
         let Ok(cones) = Zoom::somewhere(&mut rng, 1.0).cones(Soft) else { continue };
         let [Ok(narrow), Ok(wide)] = cones.map(|cone| light(cone).compile_quick::<S>()) else { continue };
-        assert_eq!(narrow.zoomed(&wide, S::ZERO), narrow);
-        assert_eq!(narrow.zoomed(&wide, S::ONE), wide);
+        for (parts, end) in parts.into_iter().zip([narrow, wide]) {
+            parts.iter().for_each(|&part| assert_eq!(narrow.zoomed(&wide, part), end));
+        }
     }
 }
 
 #[test]
 fn the_ends_of_a_zoom_are_its_cones() {
-    let fx16 = Fx16::from_bits;
-    assert_ends::<Fx16>([&[fx16(0), fx16(-1), fx16(i16::MIN)], &[Fx16::ONE, fx16(i16::MAX)]]);
-    let fx32 = Fx32::from_bits;
-    assert_ends::<Fx32>([&[fx32(0), fx32(-1), fx32(i32::MIN)], &[Fx32::ONE, fx32(i32::MAX)]]);
-    assert_ends::<f32>([&[0.0, -0.0, -7.0, f32::NAN], &[1.0, 2.0, f32::INFINITY]]);
-    assert_quick_ends::<Fx16>();
-    assert_quick_ends::<f32>();
+    let (fx16, fx32) = (Fx16::from_bits, Fx32::from_bits);
+    let sixteen: [&[Fx16]; 2] = [&[fx16(0), fx16(-1), fx16(i16::MIN)], &[Fx16::ONE, fx16(i16::MAX)]];
+    let single: [&[f32]; 2] = [&[0.0, -0.0, -7.0, f32::NAN], &[1.0, 2.0, f32::INFINITY]];
+    assert_ends(sixteen);
+    assert_ends([&[fx32(0), fx32(-1), fx32(i32::MIN)], &[Fx32::ONE, fx32(i32::MAX)]]);
+    assert_ends(single);
+    assert_quick_ends(sixteen);
+    assert_quick_ends(single);
 }
 
 /// The early-outs of a zoomed light change no bit, and outside of the cone is no light.
