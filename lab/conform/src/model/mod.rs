@@ -27,7 +27,7 @@ pub struct Model {
     /// Its name in the file.
     pub name: &'static str,
     /// The model in each format, in the order of [`FORMATS`]; only in `f32` if the model belongs to
-    /// set-up, and without `fx32` if that format has no quick evaluation of it.
+    /// set-up, and not in `fx32` if the model is of the quick evaluation.
     pub runs: &'static [Evaluate],
 }
 
