@@ -18,7 +18,7 @@
 //! | know when to use something else | [not_for] |
 //!
 //! Commands are run in a clone of the repository; files such as `docs/EFFECTS.md` and folders such as
-//! `boards/` are in it, not in the crate.
+//! `examples/boards/` are in it, not in the crate.
 //!
 //! This module has no items: it is in the documentation alone.
 

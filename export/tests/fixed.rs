@@ -196,7 +196,7 @@ fn lights_of_any_names_share_a_file_with_the_library() {
     let light = light.with_attenuation(SmoothRange::new(9.0).expect("a range"));
     let file = folder.path().join("all.c");
     for turn in 0..2 {
-        let mut text = include_str!("../../capi/include/luminaire.h").to_owned();
+        let mut text = include_str!("../capi/include/luminaire.h").to_owned();
         for (index, name) in NAMES.iter().enumerate() {
             let language = [Language::CFixed, Language::CFloat][(index + turn) % 2];
             text += &export(light, name, language).expect("a light");

@@ -6,7 +6,7 @@
 //   news:   { stages }, { failure }, { nanos, wallMs, rows }, { picture }
 
 import { Simulator } from "rp2040js";
-import { Board } from "../../boards/emulator/board.mjs";
+import { Board } from "../../examples/boards/emulator/board.mjs";
 import init, { Expected, stages } from "./chip/luminaire_chip.js";
 
 /** Milliseconds between two looks at the page's orders. */

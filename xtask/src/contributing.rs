@@ -16,7 +16,7 @@ use tools::suite::Suite;
 const MOST_FILES: usize = 3;
 
 /// Files and folders that are not copied, by the end of their path.
-const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "lab/firmware/effects/src/bin"];
+const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "benches/firmware/effects/src/bin"];
 
 /// Adds the steps: all packages of the copy compile, and its host tests pass, once its bounds are
 /// recorded.
@@ -25,7 +25,10 @@ pub(crate) fn run(suite: &mut Suite) {
         let tree = Tree::with_the_example()?;
         progress.run(tree.cargo("", &["check", "--workspace", "--all-targets"]))?;
         progress.run(
-            tree.cargo("lab/firmware", &["check", "--workspace", "--all-targets", "--features", "effects"]),
+            tree.cargo(
+                "benches/firmware",
+                &["check", "--workspace", "--all-targets", "--features", "effects"],
+            ),
         )
     });
     suite.step("contributing: the worked example passes the host tests", passes);
@@ -34,7 +37,7 @@ pub(crate) fn run(suite: &mut Suite) {
 fn passes(progress: &Progress) -> Result<()> {
     let tree = Tree::with_the_example()?;
     let written: [(&[&str], &str); 2] = [
-        (&["run", "-p", "luminaire-conform", "--bin", "conform", "generate"], "lab/conform/vectors.txt"),
+        (&["run", "-p", "luminaire-conform", "--bin", "conform", "generate"], "tests/conform/vectors.txt"),
         (&["run", "-p", "suite", "--example", "worst-places"], "tests/slow/worst/places.txt"),
     ];
     for (arguments, file) in written {

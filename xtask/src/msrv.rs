@@ -15,7 +15,7 @@ const VERSION: &str = "1.85";
 
 /// The crates that promise it, and their folders.
 const CRATES: [(&str, &str); 3] =
-    [("luminaire", "core"), ("luminaire-render", "render"), ("luminaire-fixtures", "fixtures")];
+    [("luminaire", "core"), ("luminaire-render", "render"), ("luminaire-fixtures", "export/fixtures")];
 
 /// Debian's packages of compilers of that version, each with the packages of its standard library.
 const COMPILERS: [(&str, [&str; 2]); 2] = [

@@ -14,7 +14,7 @@ fn block<'a>(readme: &'a str, first_line: &str) -> Option<&'a str> {
 fn a_block_of_the_readme_is_the_file_that_it_names() {
     let text = |file: &str| fs::read_to_string(project::root().join(file)).unwrap();
     let readme = text("README.md");
-    assert_eq!(block(&readme, "// src/lib.rs"), Some(&*text("boards/template/src/lib.rs")));
+    assert_eq!(block(&readme, "// src/lib.rs"), Some(&*text("examples/boards/template/src/lib.rs")));
     let hello = text("core/examples/hello.rs");
     assert!(hello.ends_with(block(&readme, "```rust").unwrap()), "expected {hello}");
 }

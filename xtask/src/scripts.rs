@@ -53,10 +53,10 @@ fn rules(progress: &Progress) -> Result<()> {
     let folder = install::npm("eslint", progress)?;
     // Beside the packages that it imports.
     let rules = folder.with_file_name("eslint.config.mjs");
-    fs::copy(project::root().join("lab/tools/npm/eslint.config.mjs"), &rules)?;
+    fs::copy(project::root().join("xtask/tools/npm/eslint.config.mjs"), &rules)?;
     let mut check = node_program("eslint")?;
     check.current_dir(project::root()).arg("--config").arg(rules);
-    check.args(["--max-warnings=0", "wasm-demo", "lab/browser"]);
+    check.args(["--max-warnings=0", "wasm-demo", "xtask/browser"]);
     progress.run(check)
 }
 

@@ -128,7 +128,7 @@ fn page(suite: &mut Suite, full: bool) {
 fn fuzz(suite: &mut Suite) {
     suite.step("fuzz: the targets compile", |progress| {
         let mut check = with(command::cargo("check"), &["--bins"]);
-        check.current_dir(project::root().join("fuzz"));
+        check.current_dir(project::root().join("tests/fuzz"));
         progress.run(check)
     });
 }

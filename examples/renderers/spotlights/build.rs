@@ -1,6 +1,6 @@
 //! Places the program in memory.
 
-#[path = "../../../lab/firmware/memory.rs"]
+#[path = "../../../benches/firmware/memory.rs"]
 mod memory;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

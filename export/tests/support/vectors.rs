@@ -85,7 +85,7 @@ fn width(name: &str) -> usize {
 
 /// Returns the vectors of all lights that the crate exports to C.
 pub(crate) fn fixed16() -> Vec<Vector> {
-    let text = include_str!("../../../lab/conform/vectors.txt");
+    let text = include_str!("../../../tests/conform/vectors.txt");
     let mut vectors = Vec::new();
     let (mut section, mut names) = ("", Vec::new());
     for line in text.lines() {

@@ -1,5 +1,5 @@
 // What the page promises in every engine, also in WebKit's, for which this is all.
-import { chromium } from "../../../lab/browser/launch.mjs";
+import { chromium } from "../../../xtask/browser/launch.mjs";
 import { probe } from "./probe.mjs";
 import { ENGINE, PAGE, SIZE, ask, assert, change, drag, draws, enter, isLit, number, open, place, press, quick, settle, shows, sum, works, words, written } from "./visit.mjs";
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 
-import { chromium } from "../../../lab/browser/launch.mjs";
+import { chromium } from "../../../xtask/browser/launch.mjs";
 
 /** The lights: a shader in each language, places as bits, and what the kernel computes there. */
 const { lights } = JSON.parse(readFileSync(process.env.EXPECTED, "utf8"));

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { setTimeout as pause } from "node:timers/promises";
 
-import { PATIENCE, chromium, puppeteer } from "../../../lab/browser/launch.mjs";
+import { PATIENCE, chromium, puppeteer } from "../../../xtask/browser/launch.mjs";
 import { probe } from "./probe.mjs";
 import { webkit } from "./webkit.mjs";
 

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { setTimeout as pause } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
 
-import { PATIENCE, display } from "../../../lab/browser/launch.mjs";
+import { PATIENCE, display } from "../../../xtask/browser/launch.mjs";
 
 const { PYTHON, WEBKIT_DRIVER } = process.env;
 

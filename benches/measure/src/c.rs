@@ -1,0 +1,143 @@
+//! C on microcontrollers: the library for C, and the instructions of lights that `luminaire export`
+//! writes as C.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+
+use crate::boards::board::{Board, RV32IMC};
+use crate::boards::cost;
+use crate::boards::emulator::Emulator;
+use crate::boards::laboratory::{Laboratory, RELEASE, on_the_host_with_feature};
+use tools::progress::Progress;
+use tools::suite::Suite;
+use tools::toolchain::Toolchain;
+use tools::{command, compilers, project};
+
+/// The package of the library, and the name of its file.
+const LIBRARY: (&str, &str) = ("luminaire-c", "libluminaire_c.a");
+
+/// The program that calls every function of the library.
+const CALLS: &str = "export/capi/tests/calls.c";
+
+/// A board that runs programs of C, and the compiler with the options for it.
+struct Machine {
+    board: Board,
+    compiler: &'static str,
+    options: &'static [&'static str],
+    /// A file to compile beside the program.
+    beside: Option<&'static str>,
+}
+
+/// The machines. No emulated board with a Cortex-M0 has room for the text output of newlib, so one with a
+/// Cortex-M3 runs its code.
+static MACHINES: [Machine; 2] = [
+    Machine {
+        board: Board {
+            name: "cortex-m0",
+            title: "Cortex-M0",
+            target: "thumbv6m-none-eabi",
+            emulator: "qemu-system-arm",
+            machine: &["-M", "mps2-an385"],
+        },
+        compiler: "arm-none-eabi-gcc",
+        options: &[
+            "-mcpu=cortex-m0",
+            "-mthumb",
+            "--specs=rdimon.specs",
+            "-Wl,--section-start=.vectors=0",
+            "-Wl,--undefined=vectors",
+        ],
+        beside: Some("benches/firmware/src/vectors.c"),
+    },
+    Machine {
+        board: RV32IMC,
+        compiler: "riscv64-unknown-elf-gcc",
+        options: &[
+            "-march=rv32imc",
+            "-mabi=ilp32",
+            "--specs=picolibc.specs",
+            "--oslib=semihost",
+            "--crt0=semihost",
+            // Code and data in the RAM of the board, a megabyte each.
+            "-Wl,--defsym=__flash=0x80000000,--defsym=__flash_size=0x100000",
+            "-Wl,--defsym=__ram=0x80100000,--defsym=__ram_size=0x100000",
+        ],
+        beside: None,
+    },
+];
+
+/// The firmware program that counts the instructions, and the feature that it needs.
+const PROGRAM: (&str, &str) = ("exported", "export");
+
+/// Adds the steps. They fail unless C, compiled by gcc, has the bits of the kernel.
+pub fn steps(suite: &mut Suite, boards: &[&'static Board]) {
+    for machine in &MACHINES {
+        let name = machine.board.name;
+        suite.step(
+            &format!("c: a program that calls the library on {name} prints what the host's prints"),
+            |progress| called(machine, progress),
+        );
+    }
+    for &board in boards {
+        suite.remarked(&format!("c: the instructions of an exported light on {}", board.name), |progress| {
+            Ok(vec![compared(board, progress)?])
+        });
+    }
+}
+
+/// Builds the program for this machine and for a small processor, and compares what they print.
+fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
+    let Machine { board, compiler, options, beside } = machine;
+    compilers::find(progress)?;
+    let (package, library) = LIBRARY;
+    let mut build = command::cargo("build");
+    build.args(["--package", package]);
+    progress.run(build)?;
+    let program = compiled("cc", &[], None, &project::target().join("debug").join(library))?;
+    let expected = command::answer(&mut Command::new(program))?;
+
+    let toolchain = Toolchain::find(board.target, progress)?;
+    let mut build = toolchain.cargo_build("core", &[]);
+    build.args(["--release", "--package", package]);
+    progress.run(build)?;
+    let options = [&["-Os", "-Wl,--gc-sections"], *options].concat();
+    let library = toolchain.artifacts("release").join(library);
+    let program = compiled(compiler, &options, *beside, &library)?;
+    let found = Emulator::find(board, progress)?.run_on_console(&program)?;
+    ensure!(expected.lines().count() > 1000, "expected many results, found {expected}");
+    if let Some((found, expected)) = found.lines().zip(expected.lines()).find(|(one, other)| one != other) {
+        bail!("on {} `{found}`, on the host `{expected}`", board.title);
+    }
+    ensure!(found.lines().count() == expected.lines().count(), "a program did not end");
+    Ok(())
+}
+
+/// Compiles the program and a file beside it with a library. Returns its file.
+fn compiled(compiler: &str, options: &[&str], beside: Option<&str>, library: &Path) -> Result<PathBuf> {
+    let (root, program) = (project::root(), project::target().join(format!("calls-{compiler}")));
+    let mut compile = Command::new(compiler);
+    compile.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic"]).args(options);
+    compile.arg("-I").arg(root.join("export/capi/include")).arg(root.join(CALLS));
+    compile.args(beside.map(|file| root.join(file))).arg(library);
+    compile.args(["-lm", "-o"]).arg(&program);
+    command::answer(&mut compile)?;
+    Ok(program)
+}
+
+/// Counts the instructions of an exported light and of the kernel's.
+fn compared(board: &'static Board, progress: &Progress) -> Result<String> {
+    compilers::find(progress)?;
+    let (program, feature) = PROGRAM;
+    let host = on_the_host_with_feature(program, feature, progress)?;
+    let laboratory = Laboratory::with_feature(program, feature, RELEASE, board, progress)?;
+    let costs = cost::measure(&laboratory, program, &host, None)?.kernels;
+    let of = |name| costs.iter().find(|cost| cost.kernel == name).context("a line for each kernel");
+    let (rust, c) = (of("rust")?, of("c")?);
+    let more = (c.instructions / rust.instructions - 1.0) * 100.0;
+    Ok(format!(
+        "{}: a lit point takes {:.1} instructions and {} bytes in C, {:.1} and {} in Rust ({more:+.0} %)",
+        board.name, c.instructions, c.bytes, rust.instructions, rust.bytes
+    ))
+}

@@ -1,0 +1,96 @@
+//! The check of a board's firmware: what its display receives, against the host's pixels.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+use luminaire_stage::Shown;
+use serde::Deserialize;
+use tools::command;
+use tools::progress::Progress;
+use tools::project;
+
+use crate::boards::Rp2040;
+use crate::frame;
+
+/// Runs firmware in the emulator.
+const SCRIPT: &str = "benches/measure/src/device/rp2040.mjs";
+/// The pictures that are checked: the still, the black display, the frame on record, and the first that
+/// moves.
+const PICTURES: usize = 4;
+
+/// What the emulator has recorded.
+#[derive(Debug, Deserialize)]
+struct Recorded {
+    /// The lines on the UART, one for each picture.
+    lines: Vec<String>,
+    pictures: Vec<Received>,
+    /// Instructions and cycles of each region.
+    regions: Vec<[u64; 2]>,
+}
+
+/// A picture that the display has received.
+#[derive(Debug, Deserialize)]
+struct Received {
+    /// The first and the last column of the window.
+    columns: [u16; 2],
+    /// The first and the last row of the window.
+    rows: [u16; 2],
+    pixels: Vec<u16>,
+}
+
+/// Runs the firmware of the RP2040 from the second stage of the boot on. Returns a line for each
+/// picture, that of the recorded frame last. An error if a pixel differs from the host's, or if the
+/// recorded frame takes another number of instructions than in QEMU, by the same compiler.
+pub(super) fn check(firmware: &Path, progress: &Progress) -> Result<Vec<String>> {
+    let recorded = run(firmware, progress)?;
+    let stages = luminaire_stage::STAGES.split(' ').count();
+    let mut regions = recorded.regions.as_slice();
+    let (mut lines, mut last) = (Vec::new(), None);
+    ensure!(recorded.pictures.len() == PICTURES, "the display has received {}", recorded.pictures.len());
+    for ((number, received), line) in (0..).zip(&recorded.pictures).zip(&recorded.lines) {
+        let expected = Shown::numbered(number);
+        compare(&expected, received, line)?;
+        if !expected.is_lit {
+            continue;
+        }
+        let count = stages * (expected.rows[1] - expected.rows[0] + 1) as usize;
+        let (counted, rest) = regions.split_at_checked(count).context("the emulator lacks regions")?;
+        regions = rest;
+        let pixels = expected.pixels.len();
+        let cycles: u64 = counted.iter().map(|[_, cycles]| cycles).sum();
+        let line = format!("{pixels} pixels, 0 differ, {:.0} cycles a pixel", cycles as f64 / pixels as f64);
+        if expected.name == "frame 0" {
+            frame::agrees(firmware, counted.iter().map(|[instructions, _]| instructions).sum())?;
+            last = Some(format!("rp2040: {line}"));
+        } else {
+            lines.push(format!("{}: {line}", expected.name));
+        }
+    }
+    lines.extend(last);
+    Ok(lines)
+}
+
+fn run(firmware: &Path, progress: &Progress) -> Result<Recorded> {
+    let emulator = Rp2040::find(progress)?;
+    let result = project::target().join("rp2040.json");
+    let mut node = emulator.script(SCRIPT);
+    command::answer(node.arg(firmware).arg(PICTURES.to_string()).arg(&result))?;
+    let text = fs::read_to_string(&result).context("rp2040js has recorded nothing")?;
+    serde_json::from_str(&text).context("rp2040js has recorded something else")
+}
+
+/// Fails if the display has received something else than expected, or if the line on the UART states
+/// another checksum.
+fn compare(expected: &Shown, received: &Received, line: &str) -> Result<()> {
+    let Shown { name, columns, rows, pixels, .. } = expected;
+    let window = (&received.columns, &received.rows);
+    ensure!(window == (columns, rows), "{name}: window {window:?}, expected {columns:?} and {rows:?}");
+    let count = received.pixels.len();
+    ensure!(count == pixels.len(), "{name}: {count} pixels received, expected {}", pixels.len());
+    let differ = received.pixels.iter().zip(pixels).filter(|(received, pixel)| received != pixel).count();
+    ensure!(differ == 0, "{name}: {count} pixels, {differ} differ");
+    let start = format!("{name}: {count} pixels, checksum {:08x}, ", expected.checksum());
+    ensure!(line.starts_with(&start), "expected `{start}`, found `{line}` on the UART");
+    Ok(())
+}

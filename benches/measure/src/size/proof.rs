@@ -1,0 +1,331 @@
+//! The proof that nothing panics: programs that call each public function of the core on unknown
+//! values, and that do not link if one of them can panic.
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, ensure};
+
+use super::effects::{self, Format, PROFILE};
+use super::program::Program;
+use super::public::{self, Function};
+use crate::boards::{Board, laboratory};
+use tools::progress::Progress;
+use tools::{command, project};
+
+/// The program that calls the functions that depend on the format.
+const NO_PANIC: &str = "no_panic";
+/// The program that calls the other functions. One format is enough for it.
+const COMMON: &str = "no_panic_common";
+
+/// The kernel's features that the functions are listed and compiled with, named as the feature of the
+/// programs that selects them.
+#[derive(Debug)]
+pub(crate) struct Configuration {
+    pub(crate) name: &'static str,
+    features: &'static str,
+}
+
+/// With the arithmetic of the number formats, and so with `libm`.
+pub(crate) const MAIN: Configuration = Configuration { name: "arithmetic", features: "fixed,arithmetic" };
+/// The further configurations: the kernel's own series instead of `libm`, with the conversions to other
+/// crates; and `micromath`.
+pub(crate) const MORE: [Configuration; 2] = [
+    Configuration {
+        name: "interop",
+        features: "fixed,bytemuck,defmt,embedded-graphics-core04,glam034,mint05,serde",
+    },
+    Configuration { name: "micromath", features: "fixed,micromath" },
+];
+
+/// Functions without a wrapper, by path or as `Trait::function`, each with the reason.
+const EXEMPT: [(&str, &str); 4] = [
+    ("Debug::fmt", "text for people: the formatter of the standard library can panic"),
+    ("Display::fmt", "text for people: the formatter of the standard library can panic"),
+    ("Named::write_name", "source text, which build scripts write on the host"),
+    ("Source::write", "source text, which build scripts write on the host"),
+];
+
+/// The types in the programs' library that depend on the format. A call that names one of them is made in
+/// each format.
+const OF_FORMAT: [&str; 10] = [
+    "Format",
+    "QuickFormat",
+    "Irradiance",
+    "Gain",
+    "Offset",
+    "Ray",
+    "FineRay",
+    "FineShare",
+    "Fraction",
+    "FineFraction",
+];
+
+/// Arguments of cargo that check the arithmetic of the kernel for overflow, and link the programs
+/// nevertheless: the compiler can prove much of it free of overflow, but not all.
+const CHECKED: [&str; 4] = [
+    "--features=culprits",
+    "--config=profile.size.package.luminaire.overflow-checks=true",
+    "--config=profile.size.package.luminaire-proof.overflow-checks=true",
+    "--config=profile.size.package.fixed.overflow-checks=true",
+];
+
+/// The start of paths in `core/src` of arithmetic that the compiler cannot prove free of overflow, each
+/// with the range that it does not know. The tests run with overflow checks, and search it.
+const UNPROVED: [(&str, &str); 22] = [
+    ("display/dither.rs", "a linear value is at most 1"),
+    ("display/ramp.rs", "a step is at most the last code"),
+    ("display/srgb.rs", "a code is at most the last code"),
+    ("falloff/integer.rs", "an exponent is from 1 to 1,024"),
+    ("falloff/table", "a table has 1 to 65,536 samples"),
+    ("haze/beam", "steps along a ray, and words of the fixed-point beam"),
+    ("light.rs", "the exponent of a finite float is at most 254"),
+    ("number/chord.rs", "a chord is at most the diameter"),
+    ("number/fine.rs", "a fine fraction is at most 1"),
+    ("number/fine_ray.rs", "a unit vector is at most 1"),
+    ("number/fixed", "the words of a compiled light and of unit vectors"),
+    ("number/float.rs", "the bits of a finite float have a successor"),
+    ("number/float/frame.rs", "a step is within the frame"),
+    ("number/fraction", "a fraction is at most 1, an index below the samples"),
+    ("number/gain.rs", "the words of a gain"),
+    ("number/product.rs", "the factors of a product"),
+    ("number/ramp.rs", "the words of a ramp"),
+    ("number/real.rs", "a logarithm is at most 32, a power at most 1"),
+    ("number/reciprocal.rs", "the digits of a normalised number"),
+    ("number/root.rs", "the digits of a normalised number"),
+    ("number/sphere.rs", "the words of a cone and a sphere"),
+    ("projector/", "a side is at most 4,096, shares add up to 1, a roll is at most 360 degrees"),
+];
+
+/// All public functions of the core: those called in each format, those called once, and the number
+/// of exempt ones.
+#[derive(Debug)]
+pub(crate) struct Proof {
+    configuration: &'static Configuration,
+    each_format: Vec<Function>,
+    common: Vec<Function>,
+    exempt: usize,
+}
+
+impl Proof {
+    /// Lists the functions with rustdoc, and writes what the programs include.
+    pub(crate) fn write(configuration: &'static Configuration, progress: &Progress) -> Result<Self> {
+        let folder = project::target().join("public");
+        let mut rustdoc = command::cargo("rustdoc");
+        rustdoc.args([
+            "--package",
+            "luminaire",
+            "--no-default-features",
+            "--features",
+            configuration.features,
+        ]);
+        rustdoc.arg("--target-dir").arg(&folder);
+        // Only a nightly compiler writes the list, or a stable one with `RUSTC_BOOTSTRAP`.
+        rustdoc.args(["--", "-Zunstable-options", "--output-format=json"]).env("RUSTC_BOOTSTRAP", "1");
+        progress.run(rustdoc)?;
+        let json = fs::read(folder.join("doc/luminaire.json")).context("rustdoc has written no list")?;
+        let proof = Self::of(configuration, public::functions(&serde_json::from_slice(&json)?)?)?;
+        let folder = project::root().join("benches/firmware/target/calls").join(configuration.name);
+        for (program, functions) in [(NO_PANIC, &proof.each_format), (COMMON, &proof.common)] {
+            effects::write_source(&folder, &format!("{program}.rs"), &wrappers(functions))?;
+        }
+        Ok(proof)
+    }
+
+    /// Links programs. A program that can panic does not link, unless among the `arguments` of cargo is
+    /// the feature `culprits`.
+    pub(crate) fn link(
+        &self,
+        board: &Board,
+        format: Format,
+        programs: &[&str],
+        arguments: &[&str],
+        progress: &Progress,
+    ) -> Result<Vec<PathBuf>> {
+        let mut all =
+            vec!["--profile", PROFILE, "--package", "luminaire-proof", "--features", self.configuration.name];
+        all.extend(programs.iter().flat_map(|name| ["--bin", name]));
+        let toolchain = laboratory::build(board, &[&all, format.features(), arguments].concat(), progress)?;
+        Ok(programs.iter().map(|name| toolchain.artifacts(PROFILE).join(name)).collect())
+    }
+
+    /// Fails if arithmetic outside [`UNPROVED`] can overflow, in any format.
+    pub(crate) fn overflows(&self, board: &Board, progress: &Progress) -> Result<()> {
+        let mut places = BTreeSet::new();
+        for format in Format::ALL {
+            for file in self.link(board, format, programs(format), &CHECKED, progress)? {
+                places.extend(Program::places(&file)?);
+            }
+        }
+        // The standard library counts what is in memory, which cannot overflow.
+        let own = places.iter().filter(|(file, _)| !file.contains("library/core/src/"));
+        let found = own.filter_map(|(file, line)| {
+            let file = file.rsplit_once("core/src/").map_or(&**file, |(_, file)| file);
+            (!UNPROVED.iter().any(|(start, _)| file.starts_with(start))).then(|| format!("{file}:{line}"))
+        });
+        let found: Vec<_> = found.collect();
+        ensure!(
+            found.is_empty(),
+            "these can overflow, unless the compiler misses a range (then add a row to UNPROVED):\n{}",
+            found.join("\n")
+        );
+        Ok(())
+    }
+
+    fn of(configuration: &'static Configuration, functions: Vec<Function>) -> Result<Self> {
+        let is =
+            |function: &Function, name| function.of_trait.as_deref() == Some(name) || function.name == name;
+        for (name, _) in EXEMPT {
+            ensure!(
+                configuration.name != MAIN.name || functions.iter().any(|function| is(function, name)),
+                "no function is {name}: remove it from EXEMPT"
+            );
+        }
+        let all = functions.len();
+        let called =
+            functions.into_iter().filter(|function| !EXEMPT.iter().any(|(name, _)| is(function, name)));
+        let called: Vec<_> = called.collect();
+        let failures = called.iter().filter_map(|function| {
+            let reason = function.calls.as_ref().err()?;
+            Some(format!("{}: {reason}", function.name))
+        });
+        let failures: Vec<_> = failures.collect();
+        ensure!(
+            failures.is_empty(),
+            "no call is known of these functions; add a row to a table in benches/measure/src/size/public.rs:\n{}",
+            failures.join("\n")
+        );
+        let exempt = all - called.len();
+        let (each_format, common) = called.into_iter().partition(depends_on_format);
+        Ok(Self { configuration, each_format, common, exempt })
+    }
+
+    /// The names of the functions that can panic, read from programs that are linked although they
+    /// can panic.
+    pub(crate) fn culprits(
+        &self,
+        board: &Board,
+        format: Format,
+        programs: &[&str],
+        progress: &Progress,
+    ) -> Result<Vec<&str>> {
+        let files = self.link(board, format, programs, &["--features", "culprits"], progress)?;
+        let mut culprits = Vec::new();
+        for (program, file) in programs.iter().zip(files) {
+            let callers = Program::callers(&file, "a_panic_is_reachable")?;
+            let functions = if *program == COMMON { &self.common } else { &self.each_format };
+            let named = functions.iter().map(|function| function.name.as_str());
+            culprits.extend(named.filter(|name| callers.contains(&format!("{program}::{}", symbol(name)))));
+        }
+        Ok(culprits)
+    }
+}
+
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (each, common) = (self.each_format.len(), self.common.len());
+        let all = each + common + self.exempt;
+        write!(
+            f,
+            "{}: {all} functions, {each} wrappers per format and {common} for all, {} exempt",
+            self.configuration.name, self.exempt
+        )
+    }
+}
+
+/// The programs that are linked in a format.
+pub(crate) fn programs(format: Format) -> &'static [&'static str] {
+    if format == Format::Fx16 { &[NO_PANIC, COMMON] } else { &[NO_PANIC] }
+}
+
+fn depends_on_format(function: &Function) -> bool {
+    let calls = function.calls.iter().flatten();
+    let mut words = calls.flat_map(|call| call.split(|c: char| !c.is_alphanumeric()));
+    words.any(|word| OF_FORMAT.contains(&word))
+}
+
+/// The name of a function's wrapper.
+fn symbol(name: &str) -> String {
+    let name = name.replace("luminaire::", "").replace("core::", "");
+    let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("_")
+}
+
+/// A wrapper for each function, and the function that calls them all.
+fn wrappers(functions: &[Function]) -> String {
+    let mut text = String::new();
+    for function in functions {
+        let calls = function.calls.iter().flatten().map(|call| format!("        {call};\n"));
+        text += &format!(
+            "/// `{}`\n#[inline(never)]\n#[allow(non_snake_case, unused_unsafe, reason = \"generated\")]\n\
+             fn {}() {{\n    // SAFETY: never run.\n    unsafe {{\n{}    }}\n}}\n\n",
+            function.name,
+            symbol(&function.name),
+            calls.collect::<String>()
+        );
+    }
+    let symbols: String = functions.iter().map(|of| format!("        {},\n", symbol(&of.name))).collect();
+    text + &format!(
+        "fn every_function() {{\n    let all: [fn(); {}] = [\n{symbols}    ];\n    \
+         core::hint::black_box(all).iter().for_each(|function| function());\n}}\n",
+        functions.len()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn function(name: &str, of_trait: Option<&str>, call: Result<&str, &str>) -> Function {
+        let calls = call.map(|call| vec![call.to_owned()]).map_err(str::to_owned);
+        Function { name: name.to_owned(), of_trait: of_trait.map(str::to_owned), calls }
+    }
+
+    /// One function for each exemption, followed by `more`.
+    fn functions(more: &[Function]) -> Vec<Function> {
+        let exempt = EXEMPT.iter().map(|(name, _)| function("<T as Trait>::f", Some(name), Err("unknown")));
+        exempt.chain(more.iter().cloned()).collect()
+    }
+
+    #[test]
+    fn functions_are_exempt_common_or_called_in_each_format() {
+        let common = function("luminaire::Angle::versine", None, Ok("sink(source::<luminaire::Angle>())"));
+        let each = function("<luminaire::Rgb<Format>>::new", None, Ok("sink(source::<FineRay>())"));
+        let proof = Proof::of(&MAIN, functions(&[common, each])).unwrap();
+        assert_eq!(
+            proof.to_string(),
+            "arithmetic: 6 functions, 1 wrappers per format and 1 for all, 4 exempt"
+        );
+        let text = wrappers(&proof.each_format);
+        assert!(text.contains("fn Rgb_Format_new() {"), "{text}");
+        assert!(text.contains("        sink(source::<FineRay>());\n"), "{text}");
+        assert!(text.contains("[fn(); 1] = [\n        Rgb_Format_new,\n"), "{text}");
+    }
+
+    #[test]
+    fn a_function_without_a_call_is_refused_by_name() {
+        let refused =
+            Proof::of(&MAIN, functions(&[function("luminaire::f", None, Err("no row"))])).unwrap_err();
+        assert!(refused.to_string().contains("luminaire::f: no row"), "{refused}");
+    }
+
+    #[test]
+    fn an_exemption_of_no_function_is_refused() {
+        let refused = Proof::of(&MAIN, functions(&[])[1..].to_vec()).unwrap_err().to_string();
+        assert!(refused.contains(EXEMPT[0].0) && refused.contains("remove it"), "{refused}");
+    }
+
+    #[test]
+    fn every_short_name_of_the_format_is_known() {
+        let file = project::root().join("benches/firmware/proof/src/lib.rs");
+        let text = fs::read_to_string(file).unwrap();
+        let types = text.lines().filter_map(|line| line.trim().strip_prefix("pub type ")?.split_once(' '));
+        let mut names: Vec<_> = types.map(|(name, _)| name).chain(["Format"]).collect();
+        let mut known = OF_FORMAT.to_vec();
+        names.sort_unstable();
+        known.sort_unstable();
+        assert_eq!(names, known);
+    }
+}

@@ -1,0 +1,228 @@
+//! The crates as they are packed, tested without the rest of the repository.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+use tempfile::TempDir;
+
+use measure::size::program::Program;
+use tools::progress::Progress;
+use tools::suite::Suite;
+use tools::tally::{self, Tally};
+use tools::toolchain::Toolchain;
+use tools::{command, compilers, project};
+
+use crate::renderers;
+
+/// The crates, each after its dependencies, with the files that each must contain beside its
+/// source.
+const CRATES: [(&str, &[&str]); 5] = [
+    ("luminaire", &["README.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT"]),
+    ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/still.rs"]),
+    ("luminaire-fixtures", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "data/README.md"]),
+    ("luminaire-export", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "arduino/library.properties"]),
+    ("luminaire-c", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "include/luminaire.h"]),
+];
+
+/// The examples of the kernel.
+const EXAMPLES: [&str; 6] = ["hello", "wall", "moving_light", "embedded_graphics", "data_sheet", "gltf"];
+
+/// The warnings that are accepted: one until the project has an address to name, and one for each test
+/// that needs the repository and is not packed.
+const ACCEPTED: [&str; 2] =
+    ["manifest has no documentation, homepage or repository", "is not included in the published package"];
+
+/// The firmware to copy; the README shows its library.
+const TEMPLATE: &str = "examples/boards/template";
+
+/// Changes the files of the template to the quick evaluation.
+const QUICK: [(&str, &str, &str); 2] = [
+    ("build.rs", "compile::<Fx16>()", "compile_quick::<Fx16>()"),
+    ("src/lib.rs", "CompiledSpotLight", "QuickSpotLight"),
+];
+
+/// Where the template has the kernel.
+const KERNEL: &str = "path = \"../../core\"";
+
+/// Where the manifests of folders have the crates.
+const IN_FOLDERS: [(&str, &str); 2] = [(KERNEL, "luminaire"), ("path = \"../../capi\"", "luminaire-c")];
+
+/// The target of the template: the smallest supported processor.
+const TARGET: &str = "thumbv6m-none-eabi";
+
+/// Adds the steps.
+pub(crate) fn run(suite: &mut Suite) {
+    const NAMES: [&str; 5] = [
+        "package: the crates are complete",
+        "package: the firmware to copy links without float or panic",
+        "package: the crates' own tests pass",
+        "package: renderers of other projects draw what the kernel computes",
+        "package: the kernel compiles with the oldest dependencies that it allows",
+    ];
+    if !NAMES.iter().any(|name| suite.wants(name)) {
+        return;
+    }
+    let unpacked = suite.require(NAMES[0], Unpacked::new);
+    let unpacked = || unpacked.as_ref().context("the crates were not packed");
+    suite.remarked(NAMES[1], |progress| {
+        let [exact, quick] = unpacked()?.firmware(progress)?;
+        let readme = fs::read_to_string(project::root().join("README.md"))?;
+        for (bytes, before, after) in
+            [(exact, "**", " kB of flash**"), (quick, " ", " kB by the quick evaluation")]
+        {
+            let words = format!("{before}{:.1}{after}", bytes as f64 / 1000.0);
+            ensure!(readme.contains(&words), "README.md: expected `{}`", words.trim());
+        }
+        Ok(vec![format!("{exact} bytes of flash, by the quick evaluation {quick}")])
+    });
+    suite.count(NAMES[2], |progress| unpacked()?.tests(progress));
+    suite.remarked(NAMES[3], |progress| unpacked()?.renderers(progress));
+    // Last, because it writes into the lock file.
+    suite.step(NAMES[4], |progress| unpacked()?.oldest_dependencies(progress));
+}
+
+/// The packed crates, unpacked in a folder outside every workspace.
+struct Unpacked {
+    folder: TempDir,
+}
+
+impl Unpacked {
+    fn new(progress: &Progress) -> Result<Self> {
+        let mut package = command::cargo("package");
+        package.args(["--allow-dirty", "--no-verify"]);
+        package.args(CRATES.iter().flat_map(|(name, _)| ["--package", name]));
+        let ended = command::capture(package)?;
+        progress.quote(&ended.output);
+        ensure!(ended.success, "cargo package failed");
+        let warnings = ended.output.lines().filter(|line| line.starts_with("warning"));
+        let others: Vec<_> =
+            warnings.filter(|line| !ACCEPTED.iter().any(|accepted| line.contains(accepted))).collect();
+        ensure!(others.is_empty(), "expected no warning but {ACCEPTED:?}, found {others:?}");
+        let unpacked = Self { folder: tempfile::tempdir()? };
+        for (name, files) in CRATES {
+            let mut tar = Command::new("tar");
+            tar.arg("xzf").arg(project::target().join(format!("package/{name}-{VERSION}.crate")));
+            tar.current_dir(unpacked.folder.path());
+            progress.run(tar)?;
+            // A link that was not followed has only the path of its file.
+            let is_whole = |file: &&&str| {
+                fs::metadata(unpacked.of(name).join(file))
+                    .is_ok_and(|file| file.is_file() && file.len() > 100)
+            };
+            let missing: Vec<_> = files.iter().filter(|file| !is_whole(file)).collect();
+            ensure!(missing.is_empty(), "the crate {name} lacks {missing:?}");
+            if name != "luminaire" {
+                let settings = unpacked.of(name).join(".cargo");
+                fs::create_dir(&settings)?;
+                fs::write(settings.join("config.toml"), unpacked.kernel())?;
+            }
+        }
+        Ok(unpacked)
+    }
+
+    /// The folder of a crate.
+    fn of(&self, name: &str) -> PathBuf {
+        self.folder.path().join(format!("{name}-{VERSION}"))
+    }
+
+    /// The settings by which cargo takes the unpacked kernel, which is not yet on any registry.
+    fn kernel(&self) -> String {
+        format!("[patch.crates-io]\nluminaire = {{ path = {:?} }}\n", self.of("luminaire"))
+    }
+
+    /// Runs the crates' own tests, doc tests and examples included.
+    fn tests(&self, progress: &Progress) -> Result<Tally> {
+        compilers::find(progress)?;
+        let mut tally = Tally::default();
+        for (name, _) in CRATES {
+            let mut test = self.cargo("test", &self.of(name));
+            // Tests that compile C skip a compiler that is not installed, unless this variable is set.
+            test.arg("--all-features").env("LUMINAIRE_TOOLS", "1");
+            tally += tally::cargo_test(test, progress)?;
+        }
+        for example in EXAMPLES {
+            let mut run = self.cargo("run", &self.of("luminaire"));
+            run.args(["--all-features", "--example", example]);
+            progress.run(run).with_context(|| format!("the example {example}"))?;
+        }
+        Ok(tally)
+    }
+
+    /// Checks the kernel with the oldest version of each dependency that its manifest allows.
+    fn oldest_dependencies(&self, progress: &Progress) -> Result<()> {
+        let mut update = self.cargo("update", &self.of("luminaire"));
+        // Only nightly cargo has the option, or stable cargo with `RUSTC_BOOTSTRAP`.
+        update.arg("-Zdirect-minimal-versions").env("RUSTC_BOOTSTRAP", "1");
+        progress.run(update)?;
+        let mut check = self.cargo("check", &self.of("luminaire"));
+        check.args(["--lib", "--all-features"]);
+        progress.run(check)
+    }
+
+    fn cargo(&self, subcommand: &str, folder: &Path) -> Command {
+        let mut cargo = command::cargo(subcommand);
+        cargo.current_dir(folder).env("CARGO_TARGET_DIR", project::target().join("unpacked"));
+        // The workspace's profiles are not packed, and without optimisation the renderer's tests
+        // take minutes.
+        cargo.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2").env("CARGO_PROFILE_TEST_OPT_LEVEL", "2");
+        cargo
+    }
+
+    /// Draws the pictures of other renderers with the unpacked crates. Returns the rows of the table.
+    fn renderers(&self, progress: &Progress) -> Result<Vec<String>> {
+        let folder = self.copied(renderers::FOLDER, &["target"])?;
+        let manifest = folder.join("Cargo.toml");
+        fs::write(&manifest, fs::read_to_string(&manifest)? + "\n" + &self.kernel())?;
+        let rows = renderers::pictures(&folder, progress)?;
+        renderers::are_on_the_page(&rows).map(|()| rows)
+    }
+
+    /// Copies a folder of the repository, with the unpacked crates in its manifest.
+    fn copied(&self, folder: &str, left_out: &[&str]) -> Result<PathBuf> {
+        let copies = self.folder.path().join(folder);
+        for (file, content) in project::files(&project::root().join(folder), left_out)? {
+            let copy = copies.join(file);
+            fs::create_dir_all(copy.parent().context("a file has a folder")?)?;
+            fs::write(&copy, content).with_context(|| format!("cannot write {}", copy.display()))?;
+        }
+        let manifest = copies.join("Cargo.toml");
+        let mut text = fs::read_to_string(&manifest)?;
+        for (path, name) in IN_FOLDERS {
+            text = text.replace(path, &format!("path = {:?}", self.of(name)));
+        }
+        fs::write(&manifest, text)?;
+        Ok(copies)
+    }
+
+    /// Builds a copy of the template with the unpacked kernel, and again with the quick evaluation.
+    /// Returns their bytes of flash.
+    fn firmware(&self, progress: &Progress) -> Result<[u64; 2]> {
+        let folder = self.copied(TEMPLATE, &["target", "Cargo.lock"])?;
+        let exact = scanline(&folder, progress)?;
+        for (file, exact, quick) in QUICK {
+            let file = folder.join(file);
+            fs::write(&file, fs::read_to_string(&file)?.replace(exact, quick))?;
+        }
+        let quick = scanline(&folder, progress)?;
+        ensure!(quick < exact, "expected fewer than {exact} bytes by the quick evaluation, found {quick}");
+        Ok([exact, quick])
+    }
+}
+
+/// Builds the template in a folder. Returns its bytes of flash.
+fn scanline(folder: &Path, progress: &Progress) -> Result<u64> {
+    let toolchain = Toolchain::find(TARGET, progress)?;
+    let mut build = toolchain.cargo_build("core", &[]);
+    build.arg("--release").current_dir(folder);
+    progress.run(build)?;
+    let program = Program::read(&toolchain.artifacts("release").join("scanline"))?;
+    program.has_no_float()?;
+    let panics = program.names_of(|name| name.starts_with("core::panicking"));
+    ensure!(panics.is_empty(), "there are panics: {}", panics.join(", "));
+    ensure!(program.bytes > 500, "expected a scanline, found {} bytes", program.bytes);
+    Ok(program.bytes)
+}
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,0 +1,238 @@
+//! Installing missing tools: Debian packages if the program runs as root, npm packages into the
+//! project's target folder.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::{Duration, Instant};
+use std::{fs, thread};
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+
+use crate::command::Ended;
+use crate::progress::Progress;
+use crate::{command, project};
+
+/// How long to wait for another apt, such as the one that updates a fresh Debian.
+const PATIENCE: Duration = Duration::from_secs(600);
+
+/// Time between two attempts.
+const PAUSE: Duration = Duration::from_secs(5);
+
+/// Whether Debian packages can be installed without a password: the system is Debian, and the user
+/// is root.
+pub fn debian_root() -> bool {
+    let debian = fs::read_to_string("/etc/os-release").is_ok_and(|release| is_debian(&release));
+    debian && command::answer(Command::new("id").arg("-u")).is_ok_and(|user| user == "0")
+}
+
+fn is_debian(os_release: &str) -> bool {
+    os_release.lines().any(|line| line == "ID=debian" || line == "ID=\"debian\"")
+}
+
+/// The first of these programs on PATH. As root on Debian, installs the packages if there is none.
+pub fn program(names: &[&str], packages: &[&str], progress: &Progress) -> Result<PathBuf> {
+    if let Some(program) = command::on_path(names) {
+        return Ok(program);
+    }
+    if debian_root() {
+        apt(packages, progress)?;
+    }
+    command::on_path(names).with_context(|| {
+        format!("none of {} is on PATH: install the Debian packages {}", names.join(", "), packages.join(" "))
+    })
+}
+
+/// Node.js, which runs scripts. As root on Debian, installs it and npm if there is none.
+pub fn node(progress: &Progress) -> Result<PathBuf> {
+    program(&["node", "nodejs"], &NODE_PACKAGES, progress)
+}
+
+const NODE_PACKAGES: [&str; 2] = ["nodejs", "npm"];
+
+/// Installs Debian packages. Call it only if [`debian_root`] returns true.
+pub fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
+    let step = progress.begin("Installing", format_args!("Debian packages: {}", packages.join(" ")));
+    let remedy = || {
+        format!("cannot install them: try `apt-get update && apt-get install {}` by hand", packages.join(" "))
+    };
+    let install = [&["install", "-y", "--no-install-recommends"], packages].concat();
+    for words in [&["update"][..], &install] {
+        apt_get(words, project::root(), progress).with_context(remedy)?;
+    }
+    step.done();
+    Ok(())
+}
+
+/// Runs `apt-get` in a folder, when no other apt is running.
+pub fn apt_get(words: &[&str], folder: &Path, progress: &Progress) -> Result<()> {
+    let call = || apt_get_command(words, folder);
+    let run = || command::capture_and_tell(call(), |text| progress.quote(text));
+    let wait = || {
+        progress.say("Waiting", "for another program that installs packages");
+        thread::sleep(PAUSE);
+    };
+    if !until_unlocked(Instant::now() + PATIENCE, wait, run)?.success {
+        bail!("{} failed", command::describe(&call()));
+    }
+    Ok(())
+}
+
+fn apt_get_command(words: &[&str], folder: &Path) -> Command {
+    let mut command = Command::new("apt-get");
+    // This option makes apt wait for one of its locks: the one that is held while packages are
+    // unpacked.
+    command.arg("-o").arg(format!("DPkg::Lock::Timeout={}", PATIENCE.as_secs())).args(words);
+    // apt's messages are parsed, so they must be English.
+    command.env("DEBIAN_FRONTEND", "noninteractive").env("LC_ALL", "C").current_dir(folder);
+    command
+}
+
+/// Runs a program again until it finds no lock held by another, or until `end`.
+fn until_unlocked(end: Instant, wait: impl Fn(), run: impl Fn() -> Result<Ended>) -> Result<Ended> {
+    loop {
+        let ended = run()?;
+        // apt has no option to wait for its locks on the package lists and on the archive.
+        let is_locked = ended.output.lines().any(|line| line.starts_with("E: Could not get lock"));
+        if ended.success || !is_locked || Instant::now() > end {
+            return Ok(ended);
+        }
+        wait();
+    }
+}
+
+/// The npm packages and their versions. `devDependencies` are those that only tests run.
+const NPM_PACKAGES: &str = include_str!("../npm/package.json");
+
+/// The versions of all packages that those need.
+const NPM_LOCK: &str = include_str!("../npm/package-lock.json");
+
+/// The program of an npm package in `target/tools`, if it is installed there.
+pub fn npm_program(name: &str) -> Option<PathBuf> {
+    let program = npm_modules().join(".bin").join(name);
+    program.is_file().then_some(program)
+}
+
+/// The folder of the npm packages in `target/tools`.
+pub fn npm_modules() -> PathBuf {
+    tools().join("node_modules")
+}
+
+/// The recorded version of an npm package, as in `rp2040js 1.4.1`.
+pub fn npm_version(name: &str) -> Result<String> {
+    let packages: Value =
+        serde_json::from_str(NPM_PACKAGES).context("the list of npm packages is no JSON")?;
+    let version = ["dependencies", "devDependencies"].iter().find_map(|kind| packages[kind][name].as_str());
+    let version = version.with_context(|| format!("package = {name:?}: expected one of xtask/tools/npm"))?;
+    Ok(format!("{name} {version}"))
+}
+
+/// The folder of an npm package in `target/tools`. If it is not installed there with the recorded
+/// version, all packages are, never globally; those that only tests run are left out until a test
+/// needs one.
+pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
+    npm_version(name)?;
+    // Written last, so that an interrupted installation is done again.
+    let (folder, installed) = (npm_modules().join(name), tools().join("npm-installed.json"));
+    fs::create_dir_all(tools()).with_context(|| format!("cannot create {}", tools().display()))?;
+    // Steps that run side by side wait for each other.
+    let one_at_a_time = fs::File::create(tools().join("npm.lock")).context("cannot write npm.lock")?;
+    one_at_a_time.lock().context("cannot wait for another npm")?;
+    let is_recorded = fs::read_to_string(&installed).is_ok_and(|lock| lock == NPM_LOCK);
+    if is_recorded && folder.is_dir() {
+        return Ok(folder);
+    }
+    let npm = program(&["npm"], &NODE_PACKAGES, progress)?;
+    let step = progress.begin("Installing", "the npm packages of xtask/tools/npm into target/tools");
+    fs::write(tools().join("package.json"), NPM_PACKAGES)?;
+    fs::write(tools().join("package-lock.json"), NPM_LOCK)?;
+    let mut install = Command::new(npm);
+    // Without a network the default retries would hold up the build for minutes.
+    install.args(["install", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=60000"]);
+    let is_for_tests = serde_json::from_str::<Value>(NPM_PACKAGES)?["devDependencies"][name].is_string();
+    let has_tests = npm_modules().join("typescript").is_dir();
+    if !is_for_tests && !has_tests {
+        install.arg("--omit=dev");
+    }
+    install.current_dir(tools());
+    progress.run(install)?;
+    step.done();
+    ensure!(folder.is_dir(), "npm has not installed {name} into {}", folder.display());
+    fs::write(&installed, NPM_LOCK)?;
+    Ok(folder)
+}
+
+/// The program of a crate, found on PATH or else built into `target/tools`, never into the user's
+/// own folder.
+pub fn cargo_program(name: &str, progress: &Progress) -> Result<PathBuf> {
+    let built = tools().join("bin").join(name);
+    if let Some(program) = command::on_path(&[name]).or_else(|| built.is_file().then(|| built.clone())) {
+        return Ok(program);
+    }
+    let step = progress.begin("Building", format_args!("{name} into target/tools"));
+    let mut install = command::cargo("install");
+    install.args(["--locked", name, "--root"]).arg(tools());
+    progress.run(install)?;
+    step.done();
+    Ok(built)
+}
+
+fn tools() -> PathBuf {
+    project::target().join("tools")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+
+    #[test]
+    fn apt_waits_for_the_lock_of_dpkg() {
+        let command = apt_get_command(&["install", "-y", "lld"], Path::new("/"));
+        let described = command::describe(&command);
+        assert_eq!(described, "`apt-get -o DPkg::Lock::Timeout=600 install -y lld`");
+    }
+
+    #[test]
+    fn a_busy_apt_is_waited_for_and_a_failure_is_not() {
+        const LOCKED: &str =
+            "Reading package lists...\nE: Could not get lock /var/lib/apt/lists/lock. It is held";
+        let calls = |outputs: &[&str], end: Instant| {
+            let (calls, waits) = (Cell::new(0), Cell::new(0));
+            let run = || {
+                let output = outputs[calls.replace(calls.get() + 1).min(outputs.len() - 1)].to_owned();
+                Ok(Ended { success: output.is_empty(), output })
+            };
+            let ended = until_unlocked(end, || waits.set(waits.get() + 1), run).unwrap();
+            (ended.success, calls.get(), waits.get())
+        };
+        let later = Instant::now() + PATIENCE;
+        assert_eq!(calls(&[LOCKED, LOCKED, ""], later), (true, 3, 2));
+        // A message about waiting for a lock does not count: apt may have waited, and then found no
+        // network.
+        let waited = "Waiting for cache lock: Could not get lock /var/lib/dpkg/lock\nE: Failed to fetch";
+        for failure in ["E: Unable to locate package", waited] {
+            assert_eq!(calls(&[failure], later), (false, 1, 0), "{failure}");
+        }
+        assert_eq!(calls(&[LOCKED, "E: none"], later), (false, 2, 1));
+        assert_eq!(calls(&[LOCKED], Instant::now() - PAUSE), (false, 1, 0));
+    }
+
+    #[test]
+    fn npm_packages_have_the_locked_versions() {
+        let lock: Value = serde_json::from_str(NPM_LOCK).unwrap();
+        for name in ["binaryen", "esbuild", "rp2040js", "typescript"] {
+            let locked = &lock["packages"][format!("node_modules/{name}")]["version"];
+            assert_eq!(npm_version(name).unwrap(), format!("{name} {}", locked.as_str().unwrap()));
+        }
+        assert!(npm_version("left-pad").unwrap_err().to_string().contains("left-pad"));
+    }
+
+    #[test]
+    fn only_debian_itself_is_debian() {
+        assert!(is_debian("PRETTY_NAME=\"Debian GNU/Linux 12\"\nID=debian\n"));
+        assert!(!is_debian("ID=ubuntu\nID_LIKE=debian\n"));
+        assert!(!is_debian(""));
+    }
+}
