@@ -1,15 +1,12 @@
-//! C on microcontrollers: the library for C, and the instructions of lights that `luminaire export`
-//! writes as C.
+//! C on microcontrollers: the library for C.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Result, bail, ensure};
 
 use crate::boards::board::{Board, RV32IMC};
-use crate::boards::cost;
 use crate::boards::emulator::Emulator;
-use crate::boards::laboratory::{Laboratory, RELEASE, on_the_host_with_feature};
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::toolchain::Toolchain;
@@ -68,22 +65,14 @@ static MACHINES: [Machine; 2] = [
     },
 ];
 
-/// The firmware program that counts the instructions, and the feature that it needs.
-const PROGRAM: (&str, &str) = ("exported", "export");
-
 /// Adds the steps. They fail unless C, compiled by gcc, has the bits of the kernel.
-pub fn steps(suite: &mut Suite, boards: &[&'static Board]) {
+pub fn steps(suite: &mut Suite) {
     for machine in &MACHINES {
         let name = machine.board.name;
         suite.step(
             &format!("c: a program that calls the library on {name} prints what the host's prints"),
             |progress| called(machine, progress),
         );
-    }
-    for &board in boards {
-        suite.remarked(&format!("c: the instructions of an exported light on {}", board.name), |progress| {
-            Ok(vec![compared(board, progress)?])
-        });
     }
 }
 
@@ -124,20 +113,4 @@ fn compiled(compiler: &str, options: &[&str], beside: Option<&str>, library: &Pa
     compile.args(["-lm", "-o"]).arg(&program);
     command::answer(&mut compile)?;
     Ok(program)
-}
-
-/// Counts the instructions of an exported light and of the kernel's.
-fn compared(board: &'static Board, progress: &Progress) -> Result<String> {
-    compilers::find(progress)?;
-    let (program, feature) = PROGRAM;
-    let host = on_the_host_with_feature(program, feature, progress)?;
-    let laboratory = Laboratory::with_feature(program, feature, RELEASE, board, progress)?;
-    let costs = cost::measure(&laboratory, program, &host, None)?.kernels;
-    let of = |name| costs.iter().find(|cost| cost.kernel == name).context("a line for each kernel");
-    let (rust, c) = (of("rust")?, of("c")?);
-    let more = (c.instructions / rust.instructions - 1.0) * 100.0;
-    Ok(format!(
-        "{}: a lit point takes {:.1} instructions and {} bytes in C, {:.1} and {} in Rust ({more:+.0} %)",
-        board.name, c.instructions, c.bytes, rust.instructions, rust.bytes
-    ))
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
 use crate::boards::board::{self, Board};
@@ -12,7 +12,6 @@ use crate::boards::{Rp2040, cost, laboratory};
 use crate::record::{self, Figure, Group, Record};
 use tools::progress::Progress;
 use tools::suite::Suite;
-use tools::{command, tally::Tally};
 
 /// The options of `pick`.
 #[derive(Debug, Default, PartialEq, clap::Args)]
@@ -23,42 +22,18 @@ pub struct PickOptions {
     /// Write the prices although they differ from those on record
     #[arg(long)]
     pub bless: bool,
-    /// Instead of counting, run answers of `luminaire pick` and compare the results with the host's
-    #[arg(long, conflicts_with = "bless")]
-    pub answers: bool,
 }
 
 /// The firmware program.
 const PROGRAM: &str = "choose";
 
-/// The program that runs answers, and the feature that it needs.
-const ANSWERS: (&str, &str) = ("picked", "pick");
-
-/// Adds the steps of the long tests: on the host, the errors of answers at random points; on each
-/// board, the prices and the same bits of the answers.
+/// Adds a step for each board: the prices are those on record.
 pub fn steps(suite: &mut Suite, boards: &[&'static Board]) {
-    suite.count("pick: the errors of answers that are compiled into a program", |progress| {
-        let mut cargo = laboratory::firmware(command::cargo("test"));
-        cargo.args(["--lib", "--features", ANSWERS.1, "picked"]);
-        let ended = command::capture(cargo)?;
-        progress.quote(&ended.output);
-        ensure!(ended.success, "an answer exceeds its bound");
-        Ok(Tally::of_cargo_test(&ended.output))
-    });
     for &board in boards {
         suite.remarked(&format!("pick: the prices on {}", board.name), |progress| {
             record::check(&counted(&[board], progress)?)
         });
-        suite.step(&format!("pick: the same bits of answers on {}", board.name), |progress| {
-            answers(board, progress)
-        });
     }
-}
-
-/// Runs the answers on a board and compares the results with the host's.
-fn answers(board: &'static Board, progress: &Progress) -> Result<()> {
-    let (program, feature) = ANSWERS;
-    laboratory::compare_with_the_host(program, &["--features", feature], board, progress)
 }
 
 /// The prices, by board.
@@ -79,11 +54,6 @@ struct OnBoard {
 pub fn run(options: &PickOptions) -> Result<()> {
     let progress = Progress::Live;
     let boards = if options.boards.is_empty() { board::ALL.iter().collect() } else { options.boards.clone() };
-    if options.answers {
-        boards.iter().try_for_each(|board| answers(board, &progress))?;
-        println!("the answers give the bits of the host");
-        return Ok(());
-    }
     let mut prices = counted(&boards, &progress)?;
     if options.bless {
         for (board, old) in record::load::<Prices>()?.unwrap_or_default().0 {

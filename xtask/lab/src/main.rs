@@ -11,7 +11,7 @@ mod steps;
 use std::process::ExitCode;
 
 use clap::Parser;
-use measure::{boards, conform, device, effects, frame, pick, prices, rivals, size};
+use measure::{boards, conform, device, effects, frame, pick, prices};
 
 use arguments::Request;
 
@@ -26,8 +26,6 @@ fn main() -> ExitCode {
         Request::Frame(options) => frame::run(&options).map(done),
         Request::Effects(options) => effects::run(&options).map(done),
         Request::Pick(options) => pick::run(&options).map(done),
-        Request::Rivals(options) => rivals::run(&options).map(done),
-        Request::Size(options) => size::run(&options).map(done),
         Request::Measure(options) => prices::run(&options).map(done),
         Request::Conform(options) => conform::run(&options),
     };

@@ -36,7 +36,7 @@ fn all_boards(suite: &mut Suite) {
     size::steps::run(suite, true);
     effects::steps::run(suite);
     pick::steps(suite, &boards);
-    c::steps(suite, &boards);
+    c::steps(suite);
     device::steps::run(suite);
     renderers::steps(suite);
     prices(suite, &boards);

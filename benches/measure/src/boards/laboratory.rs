@@ -4,7 +4,7 @@ use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
 use std::path::PathBuf;
 use std::process::Command;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, bail};
 
 use super::board::Board;
 use super::counts::{self, Region};
@@ -139,23 +139,6 @@ fn on_the_host_with(folder: &str, name: &str, features: &[&str], progress: &Prog
     progress.run(build)?;
     let program = project::target().join("release").join(format!("{name}{EXE_SUFFIX}"));
     Ok(command::answer(&mut Command::new(program))?.lines().map(str::to_owned).collect())
-}
-
-/// Runs a program, in QEMU without the counter, and fails unless it prints what it prints on the host.
-/// `features` are options of cargo.
-pub(crate) fn compare_with_the_host(
-    program: &str,
-    features: &[&str],
-    board: &'static Board,
-    progress: &Progress,
-) -> Result<()> {
-    let expected = on_the_host_with(FIRMWARE, program, features, progress)?;
-    let emulator = Emulator::find(board, progress)?;
-    let toolchain = build(board, &[&["--release", "--bin", program], features].concat(), progress)?;
-    let printed = emulator.run_in(project::root(), &toolchain.artifacts(RELEASE).join(program))?;
-    let lines: Vec<_> = printed.lines().collect();
-    ensure!(!expected.is_empty() && lines == expected, "expected {expected:?}, found {lines:?}");
-    Ok(())
 }
 
 /// Builds firmware for a board. The programs are among the artifacts of the returned toolchain.

@@ -3,20 +3,14 @@
 use tools::suite::Suite;
 
 use super::drawn;
-use crate::boards::{Board, laboratory};
+use crate::boards::Board;
 use crate::record;
 
-/// The program whose light moves.
-const MOVING: &str = "moving";
-
 /// Adds the steps of each board. The picture is the host's, there is no soft float, and the counts
-/// are those on record. Frames with a moving light are the host's.
+/// are those on record.
 pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
     for &board in boards {
         let name = format!("frame: the picture, no soft float, and its counts on {}", board.name);
         suite.remarked(&name, |progress| record::check(&drawn(&[board], progress)?));
-        suite.step(&format!("frame: a light that moves on {}", board.name), |progress| {
-            laboratory::compare_with_the_host(MOVING, &[], board, progress)
-        });
     }
 }

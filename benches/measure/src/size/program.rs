@@ -82,30 +82,6 @@ impl Program {
         Ok(names)
     }
 
-    /// The places, file and line, that a panic of a program of a 32-bit processor can name: the
-    /// `core::panic::Location` among its constants.
-    pub(crate) fn places(file: &Path) -> Result<BTreeSet<(String, u32)>> {
-        let failed = || format!("cannot read the constants of {}", file.display());
-        let content = fs::read(file).with_context(failed)?;
-        let object = object::File::parse(&*content).with_context(failed)?;
-        let sections = object.sections().filter(|section| is_in_flash(section.flags()));
-        let sections = sections.map(|section| Ok((section.address(), section.data()?)));
-        let sections = sections.collect::<object::Result<Vec<_>>>().with_context(failed)?;
-        let text = |address: u32, length: u32| {
-            sections.iter().find_map(|(start, data)| {
-                let data = data.get(u64::from(address).checked_sub(*start)? as usize..)?;
-                str::from_utf8(data.get(..length as usize)?).ok().filter(|text| text.ends_with(".rs"))
-            })
-        };
-        let words = sections.iter().flat_map(|(_, data)| data.windows(12).step_by(4));
-        let words = words.map(|words| {
-            [0, 4, 8].map(|at| u32::from_le_bytes([words[at], words[at + 1], words[at + 2], words[at + 3]]))
-        });
-        Ok(words
-            .filter_map(|[address, length, line]| Some((text(address, length)?.to_owned(), line)))
-            .collect())
-    }
-
     /// Fails if the program contains soft-float functions, and names them.
     pub fn has_no_float(&self) -> Result<()> {
         let floats = self.names_of(is_float);

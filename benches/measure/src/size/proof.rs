@@ -1,7 +1,6 @@
 //! The proof that nothing panics: programs that call each public function of the core on unknown
 //! values, and that do not link if one of them can panic.
 
-use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
 use std::path::PathBuf;
@@ -63,42 +62,6 @@ const OF_FORMAT: [&str; 10] = [
     "FineFraction",
 ];
 
-/// Arguments of cargo that check the arithmetic of the kernel for overflow, and link the programs
-/// nevertheless: the compiler can prove much of it free of overflow, but not all.
-const CHECKED: [&str; 4] = [
-    "--features=culprits",
-    "--config=profile.size.package.luminaire.overflow-checks=true",
-    "--config=profile.size.package.luminaire-proof.overflow-checks=true",
-    "--config=profile.size.package.fixed.overflow-checks=true",
-];
-
-/// The start of paths in `core/src` of arithmetic that the compiler cannot prove free of overflow, each
-/// with the range that it does not know. The tests run with overflow checks, and search it.
-const UNPROVED: [(&str, &str); 22] = [
-    ("display/dither.rs", "a linear value is at most 1"),
-    ("display/ramp.rs", "a step is at most the last code"),
-    ("display/srgb.rs", "a code is at most the last code"),
-    ("falloff/integer.rs", "an exponent is from 1 to 1,024"),
-    ("falloff/table", "a table has 1 to 65,536 samples"),
-    ("haze/beam", "steps along a ray, and words of the fixed-point beam"),
-    ("light.rs", "the exponent of a finite float is at most 254"),
-    ("number/chord.rs", "a chord is at most the diameter"),
-    ("number/fine.rs", "a fine fraction is at most 1"),
-    ("number/fine_ray.rs", "a unit vector is at most 1"),
-    ("number/fixed", "the words of a compiled light and of unit vectors"),
-    ("number/float.rs", "the bits of a finite float have a successor"),
-    ("number/float/frame.rs", "a step is within the frame"),
-    ("number/fraction", "a fraction is at most 1, an index below the samples"),
-    ("number/gain.rs", "the words of a gain"),
-    ("number/product.rs", "the factors of a product"),
-    ("number/ramp.rs", "the words of a ramp"),
-    ("number/real.rs", "a logarithm is at most 32, a power at most 1"),
-    ("number/reciprocal.rs", "the digits of a normalised number"),
-    ("number/root.rs", "the digits of a normalised number"),
-    ("number/sphere.rs", "the words of a cone and a sphere"),
-    ("projector/", "a side is at most 4,096, shares add up to 1, a roll is at most 360 degrees"),
-];
-
 /// All public functions of the core: those called in each format, those called once, and the number
 /// of exempt ones.
 #[derive(Debug)]
@@ -149,29 +112,6 @@ impl Proof {
         all.extend(programs.iter().flat_map(|name| ["--bin", name]));
         let toolchain = laboratory::build(board, &[&all, format.features(), arguments].concat(), progress)?;
         Ok(programs.iter().map(|name| toolchain.artifacts(PROFILE).join(name)).collect())
-    }
-
-    /// Fails if arithmetic outside [`UNPROVED`] can overflow, in any format.
-    pub(crate) fn overflows(&self, board: &Board, progress: &Progress) -> Result<()> {
-        let mut places = BTreeSet::new();
-        for format in Format::ALL {
-            for file in self.link(board, format, programs(format), &CHECKED, progress)? {
-                places.extend(Program::places(&file)?);
-            }
-        }
-        // The standard library counts what is in memory, which cannot overflow.
-        let own = places.iter().filter(|(file, _)| !file.contains("library/core/src/"));
-        let found = own.filter_map(|(file, line)| {
-            let file = file.rsplit_once("core/src/").map_or(&**file, |(_, file)| file);
-            (!UNPROVED.iter().any(|(start, _)| file.starts_with(start))).then(|| format!("{file}:{line}"))
-        });
-        let found: Vec<_> = found.collect();
-        ensure!(
-            found.is_empty(),
-            "these can overflow, unless the compiler misses a range (then add a row to UNPROVED):\n{}",
-            found.join("\n")
-        );
-        Ok(())
     }
 
     fn of(configuration: &'static Configuration, functions: Vec<Function>) -> Result<Self> {

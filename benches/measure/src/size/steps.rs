@@ -6,7 +6,6 @@ use anyhow::{Result, ensure};
 use super::effects::{EMPTY, Effects, Format, UNUSED};
 use super::program::{Program, is_heap};
 use super::proof::{Configuration, MAIN, MORE, Proof, programs};
-use crate::boards::laboratory::{self, Laboratory};
 use crate::boards::{Board, board};
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -19,7 +18,7 @@ const BUDGET: u64 = 1920;
 const SPOT: &str = "spot_soft_lambert";
 
 /// Adds the steps. Without `full`, the proof is for one board, because what panics does so on every
-/// processor, and for one format, because the formats share their generic code; and no picture is drawn.
+/// processor, and for one format, because the formats share their generic code.
 pub fn run(suite: &mut Suite, full: bool) {
     for board in if full { &board::ALL[..] } else { &board::ALL[..1] } {
         let name = format!("effects: no function panics and none allocates on {}", board.name);
@@ -33,17 +32,6 @@ pub fn run(suite: &mut Suite, full: bool) {
         suite.remarked(&name, |progress| {
             Ok(vec![no_panic(configuration, smallest(), &Format::ALL, progress)?])
         });
-    }
-    if full {
-        suite.step("effects: no function panics where the arithmetic is checked for overflow", |progress| {
-            Proof::write(&MAIN, progress)?.overflows(smallest(), progress)
-        });
-    }
-    for board in if full { &board::ALL[..] } else { &[] } {
-        suite.step(
-            &format!("still: the picture of a constant light, and no soft float, on {}", board.name),
-            |progress| still(board, progress),
-        );
     }
     suite.step("effects: what is not used adds no byte and no instruction", unused);
     suite.step("effects: the soft spotlight keeps to its budget", budget);
@@ -74,15 +62,6 @@ fn no_panic(
         }
     }
     Ok(proof.to_string())
-}
-
-/// Checks that the picture is the host's and that the program contains no soft-float functions.
-fn still(board: &'static Board, progress: &Progress) -> Result<()> {
-    let laboratory = Laboratory::new(board, progress)?;
-    let host = laboratory::on_the_host("still", progress)?;
-    ensure!(!host.is_empty(), "the firmware has printed nothing on the host");
-    ensure!(laboratory.run("still")?.lines == host, "not the picture of the host");
-    Program::read(&laboratory.program("still"))?.has_no_float()
 }
 
 /// The programs that the two steps below compare.
