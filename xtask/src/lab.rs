@@ -9,7 +9,7 @@ use tools::command;
 use tools::progress::Progress;
 
 /// The commands of the laboratory, with a sentence for the help.
-pub(crate) const COMMANDS: [(&str, &str); 9] = [
+pub(crate) const COMMANDS: [(&str, &str); 10] = [
     ("board", "Build the firmware of a board with a display: rp2040"),
     ("conform", "Compare the results of every model, bit by bit, with the conformance vectors"),
     ("effects", "Write what each effect costs: instructions a pixel and bytes of flash"),
@@ -19,6 +19,7 @@ pub(crate) const COMMANDS: [(&str, &str); 9] = [
     ("pick", "Count the prices by which `luminaire pick` chooses an evaluation, in QEMU"),
     ("pictures", "Take the pictures of the demo for the documents again"),
     ("renderers", "Draw the pictures of renderers that are not the project's"),
+    ("rivals", "Time frames of the demo and of three.js without a GPU, in one run"),
 ];
 
 /// Runs a command of the laboratory, with its options.

@@ -10,5 +10,6 @@ pub mod frame;
 pub mod pick;
 pub mod prices;
 mod record;
+pub mod rivals;
 pub mod size;
 pub mod spotlights;

@@ -9,6 +9,7 @@ use measure::effects::EffectsOptions;
 use measure::frame::FrameOptions;
 use measure::pick::PickOptions;
 use measure::prices::MeasureOptions;
+use measure::rivals::RivalsOptions;
 
 /// The commands of the laboratory.
 #[derive(Debug, PartialEq, clap::Parser)]
@@ -32,6 +33,8 @@ pub(crate) enum Request {
     Effects(EffectsOptions),
     /// Count the prices by which `luminaire pick` chooses an evaluation, in QEMU
     Pick(PickOptions),
+    /// Time frames of the demo and of three.js without a GPU, in one run
+    Rivals(RivalsOptions),
     /// Write the price list of accuracy: errors, and costs on every target
     Measure(MeasureOptions),
     /// Compare the results of every model, bit by bit, with the conformance vectors on every target

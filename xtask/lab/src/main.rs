@@ -11,7 +11,7 @@ mod steps;
 use std::process::ExitCode;
 
 use clap::Parser;
-use measure::{boards, conform, device, effects, frame, pick, prices};
+use measure::{boards, conform, device, effects, frame, pick, prices, rivals};
 
 use arguments::Request;
 
@@ -26,6 +26,7 @@ fn main() -> ExitCode {
         Request::Frame(options) => frame::run(&options).map(done),
         Request::Effects(options) => effects::run(&options).map(done),
         Request::Pick(options) => pick::run(&options).map(done),
+        Request::Rivals(options) => rivals::run(&options).map(done),
         Request::Measure(options) => prices::run(&options).map(done),
         Request::Conform(options) => conform::run(&options),
     };
