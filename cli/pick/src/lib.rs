@@ -16,8 +16,8 @@
 //! The error bound is searched when `pick` is called: see [`Bound`]. The prices are counted under
 //! an emulator: see [`Price`]. Several lights can share a tolerance: see [`Scene`].
 //!
-//! Files, in the order in which they build on one another: `target`, `light`, `evaluation`,
-//! `search`, `price`, `request`, `survey`, `scene`, `measure`.
+//! Files, in the order in which they build on one another: `target`, `refusal`, `light`,
+//! `evaluation`, `search`, `price`, `request`, `survey`, `scene`, `measure`.
 #![forbid(unsafe_code)]
 
 mod evaluation;
@@ -25,6 +25,7 @@ mod light;
 #[doc(hidden)]
 pub mod measure;
 mod price;
+mod refusal;
 mod request;
 mod scene;
 mod search;
@@ -34,7 +35,8 @@ mod target;
 pub use evaluation::Evaluation;
 pub use light::{Attenuation, Edge, Light};
 pub use price::Price;
-pub use request::{Answer, Refusal, Request};
+pub use refusal::Refusal;
+pub use request::{Answer, Request};
 pub use scene::{Budget, Scene, SceneAnswer};
 pub use search::{Bound, MARGIN, Place};
 pub use survey::{Survey, Surveyed};

@@ -6,7 +6,7 @@ use luminaire_export::check_text;
 use luminaire_oracle as oracle;
 use serde::{Deserialize, Serialize};
 
-use crate::request::Refusal;
+use crate::refusal::Refusal;
 use crate::target::named;
 
 named! {

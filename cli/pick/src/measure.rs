@@ -5,7 +5,8 @@ use luminaire_oracle::SplitMix64;
 
 use crate::evaluation::Evaluation;
 use crate::light::{Attenuation, Edge, Light};
-use crate::request::{Answer, Refusal};
+use crate::refusal::Refusal;
+use crate::request::Answer;
 use crate::search::Search;
 use crate::target::{Display, Tolerance};
 

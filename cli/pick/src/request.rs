@@ -1,13 +1,11 @@
-//! A request, its answer and its refusal.
+//! A request and its answer.
 
-use std::fmt;
-
-use luminaire_export::ExportError;
 use serde::Serialize;
 
 use crate::evaluation::Evaluation;
 use crate::light::{Light, Shaped};
 use crate::price::Price;
+use crate::refusal::Refusal;
 use crate::search::{Bound, Search};
 use crate::target::{Chip, Display, Tolerance};
 
@@ -42,17 +40,6 @@ pub struct Answer {
     pub bound: Bound,
     /// Rust source of the constant `LIGHT`, the compiled light.
     pub code: String,
-}
-
-/// A parameter with a value that cannot be accepted, and the accepted values.
-#[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Refusal {
-    /// The parameter.
-    pub parameter: String,
-    /// The value of the parameter.
-    pub value: String,
-    /// The accepted values.
-    pub expected: String,
 }
 
 impl Request {
@@ -95,7 +82,7 @@ impl Request {
         }
         let offers = self.offers(light, f64::INFINITY)?;
         let Some(nearest) = offers.iter().min_by(|a, b| a.bound.value.total_cmp(&b.bound.value)) else {
-            return Err(Refusal::none_holds(light));
+            return Err(none_holds(light));
         };
         Err(Refusal::parameter(
             "tolerance",
@@ -158,6 +145,12 @@ impl Request {
     }
 }
 
+/// Returns the refusal of a light whose coordinates no evaluation can hold.
+fn none_holds(light: &Light) -> Refusal {
+    let farthest = Evaluation::ALL.iter().map(|evaluation| evaluation.farthest()).fold(0.0, f32::max);
+    Refusal::parameter("far", light.far.to_string(), format!("coordinates of at most {farthest}"))
+}
+
 fn code(light: &Light, cone: &Shaped, evaluation: Evaluation, source: &str) -> String {
     format!(
         "/// `{}`, evaluated by {evaluation}.\npub const LIGHT: {} = {};\n",
@@ -174,37 +167,3 @@ pub(crate) fn rounded_up(value: f64) -> String {
     let unit = 10_f64.powf(-decimals);
     format!("{:.*}", decimals as usize, (value / unit + 1e-6).ceil() * unit)
 }
-
-impl Refusal {
-    pub(crate) fn parameter(parameter: &str, value: String, expected: String) -> Self {
-        Self { parameter: parameter.to_owned(), value, expected }
-    }
-
-    fn none_holds(light: &Light) -> Self {
-        let farthest = Evaluation::ALL.iter().map(|evaluation| evaluation.farthest()).fold(0.0, f32::max);
-        Self::parameter("far", light.far.to_string(), format!("coordinates of at most {farthest}"))
-    }
-}
-
-impl From<luminaire::Error> for Refusal {
-    fn from(error: luminaire::Error) -> Self {
-        let text = error.to_string();
-        let (value, expected) = text.split_once(": expected ").unwrap_or((&text, ""));
-        let value = value.split_once(" = ").map_or(value, |(_, value)| value);
-        Self::parameter(&error.parameter.to_string(), value.to_owned(), expected.to_owned())
-    }
-}
-
-impl From<ExportError> for Refusal {
-    fn from(ExportError { parameter, value, expected }: ExportError) -> Self {
-        Self { parameter, value, expected }
-    }
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {}: expected {}", self.parameter, self.value, self.expected)
-    }
-}
-
-impl std::error::Error for Refusal {}

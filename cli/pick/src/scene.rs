@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::evaluation::Evaluation;
 use crate::light::Light;
-use crate::request::{Answer, Refusal, Request, rounded_up};
+use crate::refusal::Refusal;
+use crate::request::{Answer, Request, rounded_up};
 use crate::target::Tolerance;
 
 /// The lights of a scene. Any of these lights may light the same point.

@@ -7,7 +7,8 @@ use serde::Serialize;
 use crate::evaluation::Evaluation;
 use crate::light::Light;
 use crate::price::Price;
-use crate::request::{Refusal, Request};
+use crate::refusal::Refusal;
+use crate::request::Request;
 use crate::search::Bound;
 use crate::target::Chip;
 
