@@ -89,21 +89,24 @@ fn difference(page: &str) -> Result<&str> {
 /// The files that a diff touches, with their content after it is applied.
 fn patched(difference: &str) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
     let touched: Vec<_> = difference.lines().filter_map(|line| line.strip_prefix("+++ b/")).collect();
-    let folder = tempfile::tempdir()?;
+    let folder = project::target().join("contributing.example");
+    if folder.exists() {
+        fs::remove_dir_all(&folder)?;
+    }
     for path in &touched {
-        let (from, to) = (project::root().join(path), folder.path().join(path));
+        let (from, to) = (project::root().join(path), folder.join(path));
         fs::create_dir_all(to.parent().unwrap_or(&to))?;
         if from.exists() {
             fs::copy(from, to)?;
         }
     }
-    let patch = folder.path().join("example.diff");
+    let patch = folder.join("example.diff");
     fs::write(&patch, difference)?;
     let mut git = Command::new("git");
-    git.arg("apply").arg(&patch).current_dir(folder.path()).env("GIT_CEILING_DIRECTORIES", folder.path());
+    git.arg("apply").arg(&patch).current_dir(&folder).env("GIT_CEILING_DIRECTORIES", project::target());
     let ended = command::capture(git)?;
     ensure!(ended.success, "the example of CONTRIBUTING.md does not apply:\n{}", ended.output);
-    let read = |path: &&str| Ok((PathBuf::from(path), fs::read(folder.path().join(path))?));
+    let read = |path: &&str| Ok((PathBuf::from(path), fs::read(folder.join(path))?));
     touched.iter().map(read).collect()
 }
 

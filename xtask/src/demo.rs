@@ -4,7 +4,7 @@ use std::path;
 
 use anyhow::{Context, Result};
 
-use crate::arguments::{DemoOptions, Size};
+use crate::arguments::DemoOptions;
 use tools::command;
 use tools::demo::publish::publish;
 use tools::demo::site::{self, Build};
@@ -18,15 +18,16 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let progress = Progress::Live;
     if let Some(folder) = &options.build {
         let site = site::build(Build::Small, &progress)?;
-        let first = publish(&site, folder, options.address.as_deref())?;
-        println!("{}: {first}", folder.display());
+        let first = publish(&site, folder, options.address.as_deref(), &progress)?;
+        println!("{}: the first picture takes {} files", folder.display(), first.len());
         return Ok(());
     }
     let checking = options.check || options.screenshot.is_some();
     // Before the build, so that a taken port is reported at once.
     let listener = server::listen(options.port.unwrap_or(if checking { 0 } else { PORT }))?;
     let server = Server::start(listener, &site::build(Build::Whole, &progress)?)?;
-    let address = address(&server, options);
+    let view = options.view.as_ref().map(|view| format!("#{view}"));
+    let address = server.address() + &view.unwrap_or_default();
     if checking {
         let mut check = command::cargo("run");
         check.args(["--package", "browser", "--bin", "check", "--", &address]);
@@ -38,10 +39,4 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
         println!("The demo is at {address} (Ctrl+C ends it)");
         server.wait()
     }
-}
-
-fn address(server: &Server, options: &DemoOptions) -> String {
-    let query = options.size.map(|Size { width, height }| format!("?width={width}&height={height}"));
-    let view = options.view.as_ref().map(|view| format!("#{view}"));
-    server.address() + &query.unwrap_or_default() + &view.unwrap_or_default()
 }

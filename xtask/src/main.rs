@@ -6,6 +6,7 @@
 mod arguments;
 mod contributing;
 mod demo;
+mod features;
 mod lab;
 mod msrv;
 #[cfg(test)]
@@ -16,21 +17,26 @@ mod scripts;
 mod semver;
 mod test;
 
+use std::env;
 use std::process::ExitCode;
 
-use clap::Parser;
+use anyhow::Result;
 
 use arguments::Request;
 
 fn main() -> ExitCode {
-    let outcome = match Request::parse() {
-        Request::Demo(options) => demo::run(&options).map(|()| ExitCode::SUCCESS),
-        Request::Test(options) => Ok(test::run(options, false)),
-        Request::Full(options) => Ok(test::run(options, true)),
-        Request::Lab(words) => lab::run(&words),
-    };
-    outcome.unwrap_or_else(|error| {
+    run().unwrap_or_else(|error| {
         eprintln!("error: {error:#}");
         ExitCode::FAILURE
     })
+}
+
+fn run() -> Result<ExitCode> {
+    match arguments::parse(env::args_os().skip(1).collect())? {
+        Request::Help => print!("{}", arguments::HELP),
+        Request::Demo(options) => demo::run(&options)?,
+        Request::Test { is_full, only } => return Ok(test::run(only, is_full)),
+        Request::Laboratory(words) => return lab::run(&words),
+    }
+    Ok(ExitCode::SUCCESS)
 }

@@ -28,7 +28,7 @@ pub(crate) fn run(suite: &mut Suite) {
 fn types(progress: &Progress) -> Result<()> {
     let folder = project::target().join("types");
     for (package, bindings) in wasm::PAGE {
-        package.declare(&package.compile(progress)?, &folder.join(bindings))?;
+        package.bind(&package.compile(progress)?, &folder.join(bindings), progress)?;
     }
     let (root, page) = (project::root(), project::root().join(PAGE));
     let settings = json!({

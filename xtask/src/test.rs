@@ -1,10 +1,8 @@
 //! `cargo xtask test`, and `cargo xtask full`, which adds the long tests, all boards and all browsers.
 
-use std::iter;
 use std::process::{Command, ExitCode};
 
-use anyhow::{Context, Result};
-use serde_json::Value;
+use anyhow::Result;
 
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
@@ -13,30 +11,8 @@ use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
 use tools::{command, compilers, install, project};
 
-use crate::arguments::TestOptions;
-use crate::{contributing, lab, msrv, scripts, semver};
-
-/// The smallest processor that is supported: it has no floating point unit, no division and no
-/// atomics.
-const BARE: &str = "thumbv6m-none-eabi";
-
-/// The sets of luminaire's features that are supported on bare metal, as options of cargo.
-const FEATURES: [(&str, &[&str]); 5] = [
-    ("libm alone", &["--no-default-features", "--features", "libm"]),
-    ("micromath alone", &["--no-default-features", "--features", "micromath"]),
-    ("fixed alone", &["--no-default-features", "--features", "fixed"]),
-    ("its default features", &[]),
-    (
-        "every feature without std",
-        &[
-            "--no-default-features",
-            "--features",
-            "arithmetic,bytemuck,defmt,embedded-graphics-core04,fixed,glam034,libm,micromath,mint05,serde",
-        ],
-    ),
-];
-
-const STD: (&str, &[&str]) = ("std alone", &["--no-default-features", "--features", "std"]);
+use crate::features::{ALL, BARE_METAL, SETS, STD};
+use crate::{contributing, features, lab, msrv, scripts, semver};
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
 const TOOLS: [&str; 6] = ["browser", "lab", "luminaire-counter", "measure", "tools", "xtask"];
@@ -44,12 +20,10 @@ const TOOLS: [&str; 6] = ["browser", "lab", "luminaire-counter", "measure", "too
 /// How the names of steps begin that are of this program alone.
 const OWN: [&str; 6] = ["documentation", "features", "format", "host", "lint", "scripts"];
 
-const ALL_FEATURES: (&str, &[&str]) = ("all features", &["--all-features"]);
-
 /// Runs the tests; the last line on stdout counts them.
-pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
-    let mut suite = Suite::new(options.only.clone());
-    let is_own = options.only.as_ref().is_some_and(|text| OWN.iter().any(|own| text.starts_with(own)));
+pub(crate) fn run(only: Option<String>, full: bool) -> ExitCode {
+    let mut suite = Suite::new(only.clone());
+    let is_own = only.as_ref().is_some_and(|text| OWN.iter().any(|own| text.starts_with(own)));
     if !is_own {
         // First, because cargo builds one thing at a time in a folder, and the others have long steps.
         suite.require("the laboratory is built", lab::build);
@@ -60,7 +34,7 @@ pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
         }
         let mut steps = lab::program();
         steps.args(["steps", part]).args(full.then_some("--full"));
-        steps.args(options.only.iter().flat_map(|text| ["--only", text]));
+        steps.args(only.iter().flat_map(|text| ["--only", text]));
         suite.run_elsewhere(steps);
     };
     // Three groups for two processors, because linking the demo's modules keeps only one busy.
@@ -91,14 +65,14 @@ fn host(suite: &mut Suite, full: bool) {
     }
     // The feature sets whose square root and angles do not come from libm, and the default set. Clippy
     // checks all sets.
-    for (name, features) in if full { &FEATURES[1..4] } else { &[] } {
+    for (name, features) in if full { &SETS[1..4] } else { &[] } {
         suite.count(&format!("host: luminaire with {name}"), |progress| {
             // Without the long searches, which have run with all features at once.
             cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), false, progress)
         });
     }
     // Only this step tests the conversions to other crates, and their examples.
-    let (name, features) = ALL_FEATURES;
+    let (name, features) = ALL;
     suite.count(&format!("host: luminaire with {name}"), |progress| {
         cargo_test(&[&["--package", "luminaire"], features].concat(), false, progress)
     });
@@ -156,15 +130,14 @@ fn sources(suite: &mut Suite, full: bool) {
         progress.run(with(clippy, &["--", "-Dwarnings"]))
     });
     if full {
-        for (name, features) in FEATURES.iter().chain([&STD, &ALL_FEATURES]) {
+        for (name, features) in SETS.iter().chain([&STD, &ALL]) {
             suite.step(&format!("lint: luminaire with {name}"), |progress| {
                 let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib", "--tests"]);
                 progress.run(with(with(clippy, features), &["--", "-Dwarnings"]))
             });
         }
         suite.step("features: each, all pairs, all and none", |progress| {
-            let features = features_of_luminaire()?;
-            sets(&features).iter().try_for_each(|set| {
+            features::pairs(&features::names()?).iter().try_for_each(|set| {
                 let check =
                     with(command::cargo("check"), &["--package", "luminaire", "--no-default-features"]);
                 progress.run(with(check, &["--features", set]))
@@ -182,28 +155,6 @@ fn sources(suite: &mut Suite, full: bool) {
             progress.run(doc)
         });
     }
-}
-
-/// The features that luminaire's manifest names, without `default`, which only selects others.
-pub(crate) fn features_of_luminaire() -> Result<Vec<String>> {
-    let metadata =
-        command::answer(&mut with(command::cargo("metadata"), &["--no-deps", "--format-version", "1"]))?;
-    let metadata: Value = serde_json::from_str(&metadata).context("cargo metadata is no JSON")?;
-    let mut packages = metadata["packages"].as_array().into_iter().flatten();
-    let luminaire = packages.find(|package| package["name"] == "luminaire");
-    let features = luminaire.and_then(|package| package["features"].as_object());
-    let names = features.context("cargo metadata has no features of luminaire")?.keys();
-    Ok(names.filter(|name| *name != "default").cloned().collect())
-}
-
-/// Sets of features as options of cargo: none, each alone, each pair, and all.
-fn sets(features: &[String]) -> Vec<String> {
-    let alone = features.iter().cloned();
-    let pairs = features
-        .iter()
-        .enumerate()
-        .flat_map(|(i, first)| features[i + 1..].iter().map(move |second| format!("{first},{second}")));
-    iter::once(String::new()).chain(alone).chain(pairs).chain([features.join(",")]).collect()
 }
 
 fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tally> {
@@ -230,16 +181,16 @@ fn by_all_compilers(progress: &Progress) -> Result<Tally> {
 /// kernel.
 fn bare_metal(suite: &mut Suite) {
     let check = |progress: &Progress, package: &str, features: &[&str]| {
-        let toolchain = Toolchain::find(BARE, progress)?;
+        let toolchain = Toolchain::find(BARE_METAL, progress)?;
         let cargo = with(toolchain.cargo_check("core,alloc"), &["--lib", "--package", package]);
         progress.run(with(cargo, features))
     };
-    for (name, features) in &FEATURES {
-        suite.step(&format!("bare metal: luminaire with {name} for {BARE}"), |progress| {
+    for (name, features) in &SETS {
+        suite.step(&format!("bare metal: luminaire with {name} for {BARE_METAL}"), |progress| {
             check(progress, "luminaire", features)
         });
     }
-    suite.step(&format!("bare metal: luminaire-render for {BARE}"), |progress| {
+    suite.step(&format!("bare metal: luminaire-render for {BARE_METAL}"), |progress| {
         check(progress, "luminaire-render", &[])
     });
 }
@@ -247,22 +198,4 @@ fn bare_metal(suite: &mut Suite) {
 fn with(mut command: Command, arguments: &[&str]) -> Command {
     command.args(arguments);
     command
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sets_are_none_each_each_pair_and_all() {
-        let sets = sets(&["a", "b", "c"].map(str::to_owned));
-        assert_eq!(sets, ["", "a", "b", "c", "a,b", "a,c", "b,c", "a,b,c"]);
-    }
-
-    #[test]
-    fn bare_metal_is_promised_every_feature_but_std() {
-        let mut features = features_of_luminaire().unwrap();
-        features.retain(|feature| feature != "std");
-        assert_eq!(FEATURES.last().unwrap().1[2], features.join(","));
-    }
 }

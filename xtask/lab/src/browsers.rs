@@ -75,7 +75,7 @@ pub(crate) fn visit(suite: &mut Suite, full: bool) {
     if suite.is_selective() {
         suite.require("browser: the demo is built", |progress| site::build(build, progress));
     }
-    let served = suite.require("browser: the demo is served", |_| Served::new(build));
+    let served = suite.require("browser: the demo is served", |progress| Served::new(build, progress));
     for (engine, file) in steps {
         suite.count(&engine.step(file), |progress| {
             test(engine, file, full, served.as_ref().context(NOT_SERVED)?, progress)
@@ -97,16 +97,16 @@ struct Served {
 }
 
 impl Served {
-    fn new(build: Build) -> Result<Self> {
+    fn new(build: Build, progress: &Progress) -> Result<Self> {
         let demo = Server::start(server::listen(0)?, &site::folder())?;
         let host = tempfile::tempdir()?;
         let folder = host.path().join(PATH);
-        let first = publish(&site::folder(), &folder, Some(STANDS))?;
+        let first = publish(&site::folder(), &folder, Some(STANDS), progress)?;
         let plain = Server::start_plain(server::listen(0)?, host.path())?;
         let mut expected = expected::page()?;
         expected["hosted"] = json!({
             "address": format!("{}{PATH}", plain.address()), "folder": folder, "stands": STANDS,
-            "files": first.files, "gzip": first.gzip, "isSmall": build == Build::Small,
+            "files": first, "isSmall": build == Build::Small,
         });
         Ok(Self { demo, expected: write("page", &expected)?, _host: (plain, host) })
     }

@@ -4,7 +4,6 @@
 use std::fs;
 
 use anyhow::Result;
-use flate2::Crc;
 
 use browser::check::check;
 use tools::demo::site::{self, Build};
@@ -35,12 +34,8 @@ pub(crate) fn run() -> Result<()> {
 
 /// The fingerprint of the page: a checksum of its files and their names.
 fn fingerprint() -> Result<String> {
-    let mut crc = Crc::new();
-    for (file, content) in project::files(&project::root().join("wasm-demo/web"), &[])? {
-        crc.update(file.to_string_lossy().as_bytes());
-        crc.update(&content);
-    }
-    Ok(format!("{:08x}: the CRC-32 of wasm-demo/web, by `cargo xtask pictures`\n", crc.sum()))
+    let checksum = project::checksum(&project::files(&project::root().join("wasm-demo/web"), &[])?);
+    Ok(format!("{checksum:08x}: the CRC-32 of wasm-demo/web, by `cargo xtask pictures`\n"))
 }
 
 #[cfg(test)]

@@ -2,12 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::{env, fs, io, path};
 
 use anyhow::{Context, Result};
-
-use crate::command;
 
 /// The workspace's folder.
 pub fn root() -> &'static Path {
@@ -69,11 +66,17 @@ pub fn mirror(files: &BTreeMap<PathBuf, Vec<u8>>, folder: &Path, left_out: &[&st
     Ok(())
 }
 
-/// The tag of the last release, if there is one.
-pub fn last_release() -> Option<String> {
-    let mut describe = Command::new("git");
-    describe.args(["describe", "--tags", "--abbrev=0", "--match", "v*"]).current_dir(root());
-    command::answer(&mut describe).ok()
+/// The CRC-32 of files and their names.
+pub fn checksum(files: &BTreeMap<PathBuf, Vec<u8>>) -> u32 {
+    let names = files.keys().map(|path| path.to_string_lossy().into_owned().into_bytes());
+    let mut crc = u32::MAX;
+    for byte in names.zip(files.values()).flat_map(|(name, content)| [name, content.clone()].concat()) {
+        crc ^= u32::from(byte);
+        for _ in 0..8 {
+            crc = (crc >> 1) ^ (0xedb8_8320 & (crc & 1).wrapping_neg());
+        }
+    }
+    !crc
 }
 
 /// Displays a path, relative to the workspace if it is below it.

@@ -138,10 +138,11 @@ impl Suite {
     pub fn run_elsewhere(&mut self, mut program: Command) {
         let name = command::describe(&program);
         let mut run = || {
-            let report = tempfile::NamedTempFile::new()?;
-            program.arg(report.path()).current_dir(project::root());
+            let report = project::target().join("report.json");
+            program.arg(&report).current_dir(project::root());
             command::run_to_its_end(&mut program)?;
-            let text = std::fs::read_to_string(report.path())?;
+            let text = std::fs::read_to_string(&report)?;
+            std::fs::remove_file(&report)?;
             self.read(&serde_json::from_str(&text).context("it has not written its report")?)
         };
         if let Err(error) = run() {

@@ -1,6 +1,5 @@
 //! Compiling a package to WebAssembly, and its bindings to JavaScript.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
@@ -69,31 +68,17 @@ impl Package {
         Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))
     }
 
-    /// Writes the bindings and the bound module into `folder`. Returns the path of
-    /// the bound module.
+    /// Writes the bindings, their types and the bound module into `folder`. Returns the path of the
+    /// bound module.
     pub fn bind(&self, module: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
         let step = progress.begin("Binding", format_args!("{}.wasm to JavaScript", self.library));
-        self.generate(module, folder, false)?;
-        step.done();
-        Ok(folder.join(format!("{}_bg.wasm", self.bindings)))
-    }
-
-    /// Writes the types of the bindings into `folder`, for checks of the scripts that use them.
-    pub fn declare(&self, module: &Path, folder: &Path) -> Result<()> {
-        let bound = tempfile::tempdir()?;
-        self.generate(module, bound.path(), true)?;
-        fs::create_dir_all(folder)?;
-        let name = format!("{}.d.ts", self.bindings);
-        fs::copy(bound.path().join(&name), folder.join(&name))?;
-        Ok(())
-    }
-
-    fn generate(&self, module: &Path, folder: &Path, with_types: bool) -> Result<()> {
         let mut bindgen = Bindgen::new();
-        bindgen.input_path(module).out_name(self.bindings).typescript(with_types);
         // Pages that call `init()` without a path rely on bindings that know where their module is.
+        bindgen.input_path(module).out_name(self.bindings).typescript(true);
         let bound =
             bindgen.web(true).and_then(|bindgen| bindgen.omit_default_module_path(false).generate(folder));
-        bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))
+        bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
+        step.done();
+        Ok(folder.join(format!("{}_bg.wasm", self.bindings)))
     }
 }

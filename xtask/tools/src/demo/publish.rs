@@ -4,128 +4,98 @@
 //! browsers keep these files for ever. Scripts find other files beside themselves; what a text of HTML
 //! names is found from the page.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
+use std::collections::BTreeSet;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
-use flate2::write::GzEncoder;
-use flate2::{Compression, Crc};
 
 use super::site::PREVIEW;
-use crate::{command, project};
+use crate::progress::Progress;
+use crate::{install, project};
 
 /// The page. Its name is the address that visitors use, so it has no checksum.
 const PAGE: &str = "index.html";
 
-/// Prints the sum of the sizes of files, each compressed by brotli.
-const BROTLI: &str = "const { readFileSync } = require('fs'), { brotliCompressSync } = require('zlib'); \
-    console.log(process.argv.slice(1).reduce((sum, file) => sum + brotliCompressSync(readFileSync(file)).length, 0))";
+/// The files by their names, and their contents.
+type Files = Vec<(String, Vec<u8>)>;
 
-/// The files that a browser loads for the first picture.
-#[derive(Debug)]
-pub struct FirstPicture {
-    /// Their paths below the folder.
-    pub files: BTreeSet<String>,
-    /// The sum of their sizes in bytes.
-    pub plain: usize,
-    /// The sum of their sizes in bytes, each compressed by gzip.
-    pub gzip: usize,
-    /// The sum of their sizes in bytes, each compressed by brotli; `None` without Node.js, which
-    /// compresses them.
-    pub brotli: Option<usize>,
+/// Writes the demo of the folder `site` into the folder `to`, which must be absent or empty, with scripts
+/// and styles without comments and indentation: a quarter of the compressed page. `address` is where
+/// the demo will be, as in `https://example.org/demo/`; link previews need it. Returns the paths below `to` of the
+/// files that a browser loads for the first picture.
+pub fn publish(
+    site: &Path,
+    to: &Path,
+    address: Option<&str>,
+    progress: &Progress,
+) -> Result<BTreeSet<String>> {
+    let first = place(site, to, address)?;
+    let is_code = |path: &PathBuf| path.extension().is_some_and(|end| end == "js" || end == "css");
+    let code = project::files(to, &[])?.into_keys().filter(is_code).map(|path| to.join(path));
+    install::npm("esbuild", progress)?;
+    let mut minify = Command::new(install::npm_program("esbuild").context("npm has not installed esbuild")?);
+    minify.args(["--minify-whitespace", "--minify-syntax", "--allow-overwrite", "--log-level=error"]);
+    minify.arg(format!("--outdir={}", to.display())).arg(format!("--outbase={}", to.display())).args(code);
+    progress.run(minify)?;
+    Ok(first)
 }
 
-impl fmt::Display for FirstPicture {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kilobytes = |bytes: usize| bytes as f64 / 1000.0;
-        write!(
-            f,
-            "the first picture takes {} files of {:.1} kB: {:.1} kB by gzip",
-            self.files.len(),
-            kilobytes(self.plain),
-            kilobytes(self.gzip)
-        )?;
-        match self.brotli {
-            Some(bytes) => write!(f, ", {:.1} kB by brotli", kilobytes(bytes)),
-            None => write!(f, " (brotli not measured: no node)"),
-        }
-    }
-}
-
-/// Writes the demo of the folder `site` into the folder `to`, which must be absent or empty.
-/// `address` is where the demo will be, as in `https://example.org/demo/`; link previews need it.
-pub fn publish(site: &Path, to: &Path, address: Option<&str>) -> Result<FirstPicture> {
+/// Writes the files as they are, but for their addresses in the page.
+fn place(site: &Path, to: &Path, address: Option<&str>) -> Result<BTreeSet<String>> {
     let is_free = to.read_dir().map_or(!to.exists(), |mut entries| entries.next().is_none());
     ensure!(
         is_free,
         "folder = \"{}\": expected a folder that is absent or empty; name another or remove it first",
         to.display()
     );
-    let files = project::files(site, &[])?.into_iter().map(|(path, content)| {
-        let name = path.to_string_lossy().replace('\\', "/");
-        let content = if is_code(&name) { without_comments(&content) } else { content };
-        (name, content)
-    });
-    let mut files: Files = files.collect();
-    let mut crc = Crc::new();
-    for (name, content) in &files {
-        crc.update(name.as_bytes());
-        crc.update(content);
-    }
-    let folder = format!("{:08x}/", crc.sum());
+    let files = project::files(site, &[])?;
+    let folder = format!("{:08x}/", project::checksum(&files));
+    let files = files.into_iter().map(|(path, content)| (path.to_string_lossy().replace('\\', "/"), content));
+    // Types are for tests of the scripts alone.
+    let files: Files = files.filter(|(name, _)| !name.ends_with(".d.ts")).collect();
     let first = first(&files)?;
-    let names: Vec<_> = files.keys().cloned().collect();
-    for (name, content) in files.iter_mut().filter(|(name, _)| name.ends_with(".html")) {
-        let mut text = String::from_utf8_lossy(content).into_owned();
-        for other in &names {
-            let prefix = if other == PREVIEW { address.unwrap_or_default() } else { "" };
-            text = text.replace(&format!("\"{other}\""), &format!("\"{prefix}{folder}{other}\""));
-        }
-        *content =
-            if name == PAGE { with_links(&text, &folder, &first, address)? } else { text }.into_bytes();
-    }
     let placed = |name: &str| if name == PAGE { PAGE.to_owned() } else { format!("{folder}{name}") };
     for (name, content) in &files {
         let file = to.join(placed(name));
-        let folder = file.parent().unwrap_or(to);
-        fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
-        fs::write(&file, content).with_context(|| format!("cannot write {}", file.display()))?;
+        fs::create_dir_all(file.parent().unwrap_or(to))?;
+        let written = if name.ends_with(".html") {
+            let mut text = String::from_utf8_lossy(content).into_owned();
+            for (other, _) in &files {
+                let prefix = if other == PREVIEW { address.unwrap_or_default() } else { "" };
+                text = text.replace(&format!("\"{other}\""), &format!("\"{prefix}{folder}{other}\""));
+            }
+            let page = name == PAGE;
+            if page { with_links(&text, &folder, &first, address)? } else { text }.into_bytes()
+        } else {
+            content.clone()
+        };
+        fs::write(&file, written).with_context(|| format!("cannot write {}", file.display()))?;
     }
-    let contents = || first.iter().map(|name| &files[name]);
-    let written: BTreeSet<_> = first.iter().map(|name| placed(name)).collect();
-    let node = command::on_path(&["node"]);
-    Ok(FirstPicture {
-        plain: contents().map(Vec::len).sum(),
-        gzip: contents().map(|content| gzip(content)).sum::<Result<usize>>()?,
-        brotli: node.map(|node| brotli(&node, written.iter().map(|name| to.join(name)))).transpose()?,
-        files: written,
-    })
+    Ok(first.iter().map(|name| placed(name)).collect())
 }
-
-/// The files by their names, and their contents.
-type Files = BTreeMap<String, Vec<u8>>;
 
 /// The names of the files that the first picture needs: the page, what it names, and what these
 /// modules import.
 fn first(files: &Files) -> Result<BTreeSet<String>> {
-    ensure!(files.contains_key(PAGE), "the demo has no {PAGE}");
+    let text = |name: &str| {
+        let found = files.iter().find(|(other, _)| other == name);
+        found.map(|(_, content)| String::from_utf8_lossy(content)).context(format!("the demo has no {name}"))
+    };
     let mut first = BTreeSet::from([PAGE.to_owned()]);
     let mut left = vec![PAGE.to_owned()];
     while let Some(name) = left.pop() {
-        let text = String::from_utf8_lossy(&files[&name]);
+        if name != PAGE && !name.ends_with(".js") {
+            continue;
+        }
+        let text = text(&name)?;
         // An import begins with `./`; a module that is loaded later is named without it.
         let dot = if name == PAGE { "" } else { "./" };
         let folder = name.rfind('/').map_or("", |slash| &name[..=slash]);
-        for other in files.keys().filter(|other| *other != PREVIEW) {
+        for (other, _) in files.iter().filter(|(other, _)| other != PREVIEW) {
             let Some(path) = other.strip_prefix(folder) else { continue };
-            if (name == PAGE || name.ends_with(".js"))
-                && text.contains(&format!("\"{dot}{path}\""))
-                && first.insert(other.clone())
-            {
+            if text.contains(&format!("\"{dot}{path}\"")) && first.insert(other.clone()) {
                 left.push(other.clone());
             }
         }
@@ -145,43 +115,11 @@ fn with_links(page: &str, folder: &str, first: &BTreeSet<String>, address: Optio
     Ok(format!("{head}{links}</head>{body}"))
 }
 
-/// Whether a file is a script or a style sheet.
-fn is_code(name: &str) -> bool {
-    [".js", ".css"].iter().any(|extension| name.ends_with(extension))
-}
-
-/// The lines of a script or style sheet without indentation, and without the lines that are
-/// comments: a quarter of the compressed page. A line with code after its comment is kept whole.
-fn without_comments(content: &[u8]) -> Vec<u8> {
-    let text = String::from_utf8_lossy(content);
-    let (mut kept, mut is_comment) = (String::new(), false);
-    for line in text.lines().map(str::trim) {
-        let begins = !is_comment && line.starts_with("/*") && (line.ends_with("*/") || !line.contains("*/"));
-        if !is_comment && !begins && !line.is_empty() && !line.starts_with("//") {
-            kept.extend([line, "\n"]);
-        }
-        is_comment = (is_comment || begins) && !line.ends_with("*/");
-    }
-    kept.into_bytes()
-}
-
-/// The size of a file after compression by gzip.
-pub fn gzip(content: &[u8]) -> Result<usize> {
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-    encoder.write_all(content)?;
-    Ok(encoder.finish()?.len())
-}
-
-fn brotli(node: &Path, files: impl Iterator<Item = PathBuf>) -> Result<usize> {
-    let answer = command::answer(Command::new(node).args(["-e", BROTLI]).args(files))?;
-    answer.trim().parse().with_context(|| format!("node answers {answer:?} in place of a size"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const SITE: [(&str, &str); 8] = [
+    const SITE: [(&str, &str); 9] = [
         (
             "index.html",
             "<head><meta content=\"preview.png\"><link href=\"icon.svg\"><script src=\"main.js\"></head>",
@@ -193,70 +131,39 @@ mod tests {
         ("icon.svg", "<svg/>"),
         ("preview.png", "pixels"),
         ("pkg/glue.js", "new URL(\"module.wasm\", import.meta.url)"),
+        ("pkg/module.wasm", "wasm"),
     ];
-
-    /// Publishes the site, with another script, and returns the files, and those of the first picture.
-    fn published(script: &str, address: Option<&str>) -> (BTreeMap<String, String>, FirstPicture) {
-        let (site, to) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-        fs::create_dir(site.path().join("pkg")).unwrap();
-        for (name, content) in SITE.iter().chain(&[("pkg/module.wasm", "wasm"), ("words.js", script)]) {
-            fs::write(site.path().join(name), content).unwrap();
-        }
-        let first = publish(site.path(), to.path(), address).unwrap();
-        let files = project::files(to.path(), &[]).unwrap().into_iter();
-        let files = files.map(|(path, content)| {
-            (path.to_string_lossy().into_owned(), String::from_utf8(content).unwrap())
-        });
-        (files.collect(), first)
-    }
-
-    const WORDS: &str = "import init from \"./pkg/glue.js\";";
 
     #[test]
     fn all_but_the_page_is_in_a_folder_named_by_its_content() {
-        let (files, first) = published(WORDS, None);
-        let folder = files.keys().next().unwrap().split_once('/').unwrap().0.to_owned();
-        assert!(folder.len() == 8 && u32::from_str_radix(&folder, 16).is_ok(), "{folder}");
-        assert!(files.keys().all(|name| name == PAGE || name.starts_with(&folder)), "{files:?}");
-        assert_eq!(files.len(), SITE.len() + 1);
+        let (site, to) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        fs::create_dir(site.path().join("pkg")).unwrap();
+        for (name, content) in SITE {
+            fs::write(site.path().join(name), content).unwrap();
+        }
+        let first = place(site.path(), to.path(), Some("https://example.org/demo/")).unwrap();
+        let files = project::files(to.path(), &[]).unwrap();
+        let text = |name: &str| str::from_utf8(&files[Path::new(name)]).unwrap();
+        let folder = first.first().unwrap().split_once('/').unwrap().0;
+        assert!(folder.len() == 8 && u32::from_str_radix(folder, 16).is_ok(), "{folder}");
+        assert!(files.keys().all(|name| name == Path::new(PAGE) || name.starts_with(folder)), "{files:?}");
+        assert_eq!(files.len(), SITE.len());
         let needed =
             ["icon.svg", "main.js", "pkg/glue.js", "words.js"].map(|name| format!("{folder}/{name}"));
-        assert_eq!(first.files, needed.into_iter().chain([PAGE.to_owned()]).collect());
-        assert!(files[PAGE].contains(&format!("<script src=\"{folder}/main.js\">")), "{}", files[PAGE]);
-        assert!(files[PAGE].contains(&format!("modulepreload\" href=\"{folder}/words.js\"")));
-        assert!(!files[PAGE].contains("later."), "a module that is loaded later is preloaded");
-        assert_eq!(files[&format!("{folder}/part.html")], format!("<img src=\"{folder}/icon.svg\">"));
-        let (changed, _) = published(&format!("{WORDS};"), None);
-        assert!(!changed.keys().any(|name| name.starts_with(&folder)), "{changed:?}");
-    }
+        assert_eq!(first, needed.into_iter().chain([PAGE.to_owned()]).collect());
+        let page = text(PAGE);
+        for expected in [
+            format!("<script src=\"{folder}/main.js\">"),
+            format!("modulepreload\" href=\"{folder}/words.js\""),
+            format!("content=\"https://example.org/demo/{folder}/preview.png\""),
+            "og:url".to_owned(),
+        ] {
+            assert!(page.contains(&expected), "expected {expected}, found {page}");
+        }
+        assert!(!page.contains("later."), "a module that is loaded later is preloaded");
+        assert_eq!(text(&format!("{folder}/part.html")), format!("<img src=\"{folder}/icon.svg\">"));
 
-    #[test]
-    fn only_comments_are_left_out() {
-        let text = "/** A\n * b. */\n  /* c */\n// d\n  call(); // e\n\n  a = `//\n`;\n/* f */ g;\nh;\n";
-        assert_eq!(
-            String::from_utf8(without_comments(text.as_bytes())).unwrap(),
-            "call(); // e\na = `//\n`;\n/* f */ g;\nh;\n"
-        );
-    }
-
-    #[test]
-    fn an_address_makes_the_preview_absolute() {
-        let (files, _) = published(WORDS, Some("https://example.org/demo/"));
-        let folder = files.keys().next().unwrap().split_once('/').unwrap().0;
-        let page = &files[PAGE];
-        assert!(
-            page.contains(&format!("content=\"https://example.org/demo/{folder}/preview.png\"")),
-            "{page}"
-        );
-        assert!(page.contains("og:url") && page.contains(&format!("href=\"{folder}/icon.svg\"")), "{page}");
-    }
-
-    #[test]
-    fn a_folder_in_use_is_refused() {
-        let (site, to) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-        fs::write(site.path().join(PAGE), "<head></head>").unwrap();
-        publish(site.path(), to.path(), None).unwrap();
-        let refusal = publish(site.path(), to.path(), None).unwrap_err().to_string();
+        let refusal = place(site.path(), to.path(), None).unwrap_err().to_string();
         assert!(refusal.contains("absent or empty"), "{refusal}");
     }
 }
