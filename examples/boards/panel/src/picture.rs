@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use luminaire_stage::{Markers, Stage};
 
-use crate::{Panel, Row, open};
+use crate::display::{Panel, Row, open};
 
 /// The stage in a picture of `WIDTH` pixels, with two rows: one is drawn, the other is sent.
 pub(crate) struct Picture<const WIDTH: usize> {

@@ -6,7 +6,7 @@ use luminaire::{Fx16, Vec3, number::Length};
 
 use super::camera::{Window, steps};
 use super::measures::{BALL, BALL_RADIUS};
-use super::shadow::{Passage, Way, Wedge};
+use super::way::{Passage, Way, Wedge};
 
 pub(super) use lines::Lines;
 

@@ -5,8 +5,8 @@ use luminaire::{Fx16, Vec3, number::Length};
 use super::camera::{Sight, Window, steps};
 use super::measures::{COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE};
 use super::quadratic::Quadratic;
-use super::scene::{Material, Site, UP};
-use super::shadow::{Passage, Way, Wedge};
+use super::site::{Material, Site, UP};
+use super::way::{Passage, Way, Wedge};
 
 /// The pixels in which the column can be visible.
 const fn window<const WIDTH: usize>() -> Window {

@@ -18,15 +18,17 @@ mod scene;
 mod shadow;
 #[cfg(not(target_os = "none"))]
 mod shown;
+mod site;
 mod tally;
 #[cfg(test)]
 mod tests;
+mod way;
 
 use luminaire::number::Light16;
 
 use column::Side;
 use paint::{Ambient, Key};
-use scene::Site;
+use site::Site;
 
 pub use path::FRAMES;
 #[cfg(not(target_os = "none"))]

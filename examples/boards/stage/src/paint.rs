@@ -3,7 +3,7 @@
 use luminaire::number::Light16;
 use luminaire::{Fx16, display::Rgb565Ramp, falloff::Soft, light::QuickSpotLight};
 
-use super::scene::Site;
+use super::site::Site;
 
 /// The kind of the light: a soft spotlight in 16 bits, by the quick evaluation.
 pub(super) type Key = QuickSpotLight<Fx16, Soft>;

@@ -6,35 +6,8 @@ use super::ball::{self, Lines};
 use super::camera::{DEPTH_BITS, Sight, steps};
 use super::column::Side;
 use super::measures::{EYE, WALL};
+use super::site::{Material, Site, UP};
 
-/// The material of a surface. Its number is the index of its colours in the tables.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub(crate) enum Material {
-    #[default]
-    Wall,
-    LightTile,
-    DarkTile,
-    Ball,
-    Column,
-}
-
-impl Material {
-    /// Whether the surface is the wall or the floor.
-    #[inline(always)]
-    pub(crate) fn is_backdrop(self) -> bool {
-        !matches!(self, Self::Ball | Self::Column)
-    }
-}
-
-/// The surface point that a pixel shows.
-#[derive(Clone, Copy, Default, Debug)]
-pub(crate) struct Site {
-    pub(crate) point: Vec3<Length>,
-    pub(crate) normal: Vec3<Fx16>,
-    pub(crate) material: Material,
-}
-
-pub(super) const UP: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
 const TO_THE_FRONT: Vec3<Fx16> = Vec3::new(Fx16::ZERO, Fx16::ZERO, Fx16::ONE);
 
 /// Finds the surface points that the pixels of a row show.

@@ -10,7 +10,7 @@ use luminaire::{
 use super::camera::steps;
 use super::measures::LIGHT;
 use super::paint::{self, Key};
-use super::scene::Site;
+use super::site::Site;
 
 /// Numbers of pixels by the first condition that keeps the light from them, in the order in which
 /// the conditions are tested. `lit` counts the pixels that the light reaches.

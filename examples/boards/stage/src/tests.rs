@@ -14,8 +14,9 @@ use super::measures::{
     LIGHT, MATERIALS, WALL,
 };
 use super::paint::RAMPS;
-use super::scene::{Material, Site, look};
+use super::scene::look;
 use super::shadow::is_in_shadow;
+use super::site::{Material, Site};
 use super::{Stage, path};
 
 fn wide(metres: [f32; 3]) -> DVec3 {
