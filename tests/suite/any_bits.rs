@@ -16,6 +16,7 @@ use luminaire::{
     specular::{BlinnPhong, DifferenceForm, NoSpecular, Phong, SpecularLobe},
 };
 use support::arbitrary::{bits, vector};
+use support::assert_that;
 use support::format::Format;
 use support::sweep;
 
@@ -83,9 +84,7 @@ fn assert_lights<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
         assert_shades::<S, L, NoSpecular>(rng, &surface, &light, ());
         let points = [(); 40].map(|()| vector(rng, S::length_from_bits));
         let row = Row::new(surface.normal, |i| points[i]);
-        row.light(&[light], &mut [(); 40], |(), _, sum| {
-            assert!(sum != Rgb::default(), "{light:?}, expected sum != Rgb::default()")
-        });
+        row.light(&[light], &mut [(); 40], |(), _, sum| assert_that!(sum != Rgb::default(), light));
     }
 }
 
@@ -117,10 +116,7 @@ fn assert_shades<S: Raw, L: LightModel<S>, H: SpecularLobe>(
     for reflected in [material.reflect(surface, light), material.reflect_unskipped(surface, light)] {
         let exposed = exposure.expose(material.glow(ambient).plus::<S>(reflected));
         for channel in [compress_keep_hue::<S>(exposed).red, S::clip(exposed.green)] {
-            assert!(
-                (0.0..=1.0).contains(&channel.exact()),
-                "{material:?} {light:?} {surface:?}: {channel:?}, expected channel.exact() in 0.0..=1.0"
-            );
+            assert_that!((0.0..=1.0).contains(&channel.exact()), material, light, surface, channel);
         }
     }
 }
@@ -129,10 +125,7 @@ fn assert_falls<S: Raw>(rng: &mut Rng, falloff: AnyFalloff, curve: CompiledAnyFa
     let falloff = CompiledCone::<S, AnyFalloff>::from_parts(S::any_ramp(rng), falloff, curve);
     for _ in 0..50 {
         let intensity = falloff.at(S::versine_from_bits(number(rng))).exact();
-        assert!(
-            (0.0..=1.0).contains(&intensity),
-            "{falloff:?}: {intensity}, expected intensity in 0.0..=1.0"
-        );
+        assert_that!((0.0..=1.0).contains(&intensity), falloff, intensity);
     }
     assert_spot::<S, AnyFalloff, InverseSquare>(rng, falloff, ());
 }
@@ -229,10 +222,7 @@ fn assert_any_bits_zoom<S: Raw>() {
         assert_shines(rng, zoomed);
         for _ in 0..20 {
             let intensity = zoomed.falloff_at(vector(rng, S::length_from_bits)).exact();
-            assert!(
-                (0.0..=1.0).contains(&intensity),
-                "{full:?} {part:?}: {intensity}, expected intensity in 0.0..=1.0"
-            );
+            assert_that!((0.0..=1.0).contains(&intensity), full, part, intensity);
         }
     }
 }
@@ -293,23 +283,17 @@ fn float_bits(rng: &mut Rng) -> u32 {
 /// Asserts that the figures of a falloff, and of cones made with it, are in range.
 fn assert_figures<P: Falloff + PartialEq>(rng: &mut Rng, falloff: P) {
     for figure in [falloff.beam_versine(), falloff.field_versine(), falloff.integral(rng.f32())] {
-        assert!((0.0..=1.0).contains(&figure), "{falloff:?}: {figure}, expected figure in 0.0..=1.0");
+        assert_that!((0.0..=1.0).contains(&figure), falloff, figure);
     }
     for hotspot in [0.0, 0.99 * rng.f32()] {
         let steepness = falloff.steepness(hotspot);
-        assert!(
-            steepness >= 0.0 && steepness.is_finite(),
-            "{falloff:?} {hotspot}: {steepness}, expected steepness >= 0.0 and steepness.is_finite()"
-        );
+        assert_that!(steepness >= 0.0 && steepness.is_finite(), falloff, hotspot, steepness);
     }
     let cone = Cone::from_outer(falloff, Angle::degrees(1.0 + 179.0 * rng.f32())).expect("a sound angle");
     for flux in [cone.lumens(1000.0), cone.candela(1000.0)] {
-        assert!(flux > 0.0 && flux.is_finite(), "{cone:?}: {flux}, expected flux > 0.0 and flux.is_finite()");
+        assert_that!(flux > 0.0 && flux.is_finite(), cone, flux);
     }
-    assert!(
-        Cone::narrowest::<Fx16>(falloff).to_degrees().is_finite(),
-        "{falloff:?}, expected Cone::narrowest::<Fx16>(falloff).to_degrees().is_finite()"
-    );
+    assert_that!(Cone::narrowest::<Fx16>(falloff).to_degrees().is_finite(), falloff);
 }
 
 #[test]
@@ -317,14 +301,11 @@ fn any_bits_make_a_profile_with_figures() {
     let mut rng = Rng::with_seed(0x0b17_5eed);
     for _ in 0..3000 * sweep::effort() {
         let quadratic = Quadratic::from_bits(float_bits(&mut rng));
-        assert!(
-            (0.0..=2.0).contains(&quadratic.edge_slope()),
-            "{quadratic:?}, expected quadratic.edge_slope() in 0.0..=2.0"
-        );
+        assert_that!((0.0..=2.0).contains(&quadratic.edge_slope()), quadratic);
         assert_figures(&mut rng, quadratic);
         let cubic = Cubic::from_bits([float_bits(&mut rng), float_bits(&mut rng)]);
         for slope in [cubic.edge_slope(), cubic.middle_slope()] {
-            assert!((0.0..=4.0).contains(&slope), "{cubic:?}, expected slope in 0.0..=4.0");
+            assert_that!((0.0..=4.0).contains(&slope), cubic);
         }
         assert_figures(&mut rng, cubic);
     }

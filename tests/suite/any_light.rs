@@ -16,6 +16,7 @@ use luminaire::{
     projector::{Fixture, Gobo, Projection},
     specular::{NoSpecular, Phong, SpecularLobe},
 };
+use support::assert_that;
 use support::{arbitrary::vector, falloffs, format::Format, sweep};
 
 const COUNT: usize = 32;
@@ -253,10 +254,7 @@ fn any_profile_is_what_it_was() {
                 (typed.expect("held").at(versine), chosen.expect("held").at(versine))
             };
             let (typed, chosen) = at(versine);
-            assert!(
-                (typed - chosen).abs() <= most,
-                "{falloff:?} at {versine}: {typed}, {chosen}, expected (typed - chosen).abs() <= most"
-            );
+            assert_that!((typed - chosen).abs() <= most, falloff, versine, typed, chosen);
         }
     }
     fn assert_same<P: Falloff + Into<AnyFalloff>>(falloff: P) {

@@ -6,6 +6,7 @@ use luminaire::{
     Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, Scalar, SpotLight, Vec3, falloff::Soft,
     number::Quick,
 };
+use support::assert_that;
 use support::{arbitrary::vector, format::Format, oracle::DVec3, sweep, views::exact};
 
 fn spot(rng: &mut Rng) -> SpotLight<Soft> {
@@ -30,11 +31,11 @@ fn errors_of_axis<S: Format>() -> [f64; 2] {
             (light.aimed_along(direction), S::exact_point(direction))
         };
         let Some(aimed) = aimed else {
-            assert!(exact == DVec3::ZERO, "{exact}, expected exact == DVec3::ZERO");
+            assert_that!(exact == DVec3::ZERO, exact);
             continue;
         };
         let axis = S::exact_direction(aimed.axis());
-        assert!(axis.dot(exact) > 0.0, "{axis} {exact}, expected axis.dot(exact) > 0.0");
+        assert_that!(axis.dot(exact) > 0.0, axis, exact);
         let found = [axis.cross(exact.normalize()).length(), (axis.length() - 1.0).abs()];
         errors = [0, 1].map(|k| errors[k].max(found[k]));
     }
@@ -50,10 +51,7 @@ fn an_axis_keeps_its_stated_error() {
     ] {
         println!("{name}: {turn:.2e}, {length:.2e}");
         for (error, bound) in [(turn, bound[0]), (length, bound[1])] {
-            assert!(
-                (bound / 2.0..=bound).contains(&error),
-                "{name}: {turn:e}, {length:e}, expected error in bound / 2.0..=bound"
-            );
+            assert_that!((bound / 2.0..=bound).contains(&error), name, turn, length);
         }
     }
 }
@@ -84,7 +82,7 @@ fn a_normal_is_the_nearest_unit_vector() {
     let errors = [error_of_normals::<Fx16>(), error_of_normals::<Fx32>(), error_of_normals::<f32>()];
     println!("{errors:.3?}");
     for (error, bound) in errors.into_iter().zip([0.501, 24.0, 1.0]) {
-        assert!((bound / 2.0..=bound).contains(&error), "{errors:?}, expected error in bound / 2.0..=bound");
+        assert_that!((bound / 2.0..=bound).contains(&error), errors);
     }
     fn zeros<S: Format>() {
         assert_eq!(S::normalize(Vec3::default()), Vec3::default());
@@ -133,7 +131,7 @@ fn assert_changes<S: Format>(
         assert!((of(changed) - of(compiled)).abs() < 0.5, "{changed:?}, not {compiled:?}");
         lit += i32::from(of(compiled) > 1.0);
     }
-    assert!(lit > 400, "{lit}, expected lit > 400");
+    assert_that!(lit > 400, lit);
 }
 
 /// Calls [`assert_changes`] with a function that compiles.
@@ -184,13 +182,10 @@ fn assert_total<S: Format>() {
         assert_eq!(full.with_specular_color(black).color(), full.color());
 
         let brightest = full.irradiance(site.point, site.normal);
-        assert!(
-            full.dimmed(part).irradiance(site.point, site.normal) <= brightest,
-            "{part:?}, expected full.dimmed(part).irradiance(site.point, site.normal) <= brightest"
-        );
+        assert_that!(full.dimmed(part).irradiance(site.point, site.normal) <= brightest, part);
         for light in [full.aimed_at(point), full.aimed_along(direction)].into_iter().flatten() {
             let light = S::exact_light(light.moved_to(point).irradiance(site.point, site.normal));
-            assert!(light >= 0.0, "{light}, expected light >= 0.0");
+            assert_that!(light >= 0.0, light);
         }
     }
 }
@@ -207,7 +202,7 @@ fn assert_quick_total<S: Format + Quick>() {
         assert_eq!(quick.aimed_along(Vec3::default()), None);
         for light in [quick.aimed_at(point), quick.aimed_along(direction)].into_iter().flatten() {
             let light = S::exact_light(light.moved_to(point).irradiance(site.point, site.normal));
-            assert!(light >= 0.0, "{light}, expected light >= 0.0");
+            assert_that!(light >= 0.0, light);
         }
     }
 }

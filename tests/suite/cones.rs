@@ -6,6 +6,7 @@ use luminaire::{
     error::{Expected, Parameter},
     falloff::{Cubic, Falloff, Hard, Knot, Linear, Power, Quadratic, Smooth, Soft, Step, Table},
 };
+use support::assert_that;
 use support::with_every_shape;
 use support::{
     falloffs::Shape,
@@ -119,7 +120,7 @@ fn inner_at_outer_is_a_step() {
 fn assert_refused<T: core::fmt::Debug>(result: Result<T, Error>, parameter: Parameter, remedy: &str) {
     let error = result.expect_err(remedy);
     assert_eq!(error.parameter, parameter, "{error}");
-    assert!(error.to_string().contains(remedy), "{error}, expected error.to_string().contains(remedy)");
+    assert_that!(error.to_string().contains(remedy), error);
 }
 
 #[test]
@@ -228,10 +229,7 @@ fn a_table_of_angles_gives_its_values_back() {
     for (i, &expected) in measured.iter().enumerate() {
         let half = HalfAngle::degrees(10.0 * i as f32);
         let found = falloff.at(falloff.versine(Angle::from(half).versine())).to_f32();
-        assert!(
-            (found - expected).abs() < 2e-3,
-            "{found} at {half:?}, expected (found - expected).abs() < 2e-3"
-        );
+        assert_that!((found - expected).abs() < 2e-3, found, half);
     }
 }
 

@@ -5,6 +5,7 @@ use luminaire::{
     Fx16, Fx32, Rgb, Scalar,
     display::{Rgb565, decode_srgb, encode_srgb_dithered, encode_srgb_dithered_each},
 };
+use support::assert_that;
 use support::{format::Format, oracle};
 
 /// The last codes of eight, six and five bits.
@@ -153,11 +154,7 @@ fn assert_keeps_the_light(name: &str, seen: &[Seen; 3], bias: f64) {
             "{name} to {last} codes: {:.6} of a step, bias {mean:.1e}, a pixel {:.4}",
             seen.off, seen.pixel
         );
-        assert!(
-            (1.0 / 128.0 - 1e-4..=0.0081).contains(&seen.off),
-            "{name} {last}: {}, expected seen.off in 1.0 / 128.0 - 1e-4..=0.0081",
-            seen.off
-        );
+        assert_that!((1.0 / 128.0 - 1e-4..=0.0081).contains(&seen.off), name, last, seen.off);
         assert!((0.98..=1.0).contains(&seen.pixel), "{name} {last}: a pixel is off by {}", seen.pixel);
         assert!(mean.abs() <= bias, "{name} {last}: a bias of {mean:.1e} of a step");
         assert!(seen.open < seen.values * 64 / 20, "{name} {last}: {} pixels are left open", seen.open);
@@ -315,10 +312,7 @@ fn parts_of_a_cell_keep_the_light_too() {
             }
         }
         println!("{size} x {size}: {:.2} of 128", worst * 128.0);
-        assert!(
-            (0.98 * bound..=bound + 1e-6).contains(&worst),
-            "{size} x {size}: {worst}, expected worst in 0.98 * bound..=bound + 1e-6"
-        );
+        assert_that!((0.98 * bound..=bound + 1e-6).contains(&worst), size, worst);
     }
 }
 
@@ -334,5 +328,5 @@ fn parts_by_the_encoded_value_would_be_too_bright() {
         worst = worst.max(exact.fract() - part);
     }
     println!("by the encoded value: {worst:.4} of a step");
-    assert!((0.048..=0.0495).contains(&worst), "{worst}, expected worst in 0.048..=0.0495");
+    assert_that!((0.048..=0.0495).contains(&worst), worst);
 }

@@ -14,6 +14,7 @@ use luminaire::{
         RealPower, Soft,
     },
 };
+use support::assert_that;
 use support::{
     falloffs,
     format::Format,
@@ -294,11 +295,7 @@ fn assert_distances<S: Format>() {
         let codes = worst::<S>(&shape, half_degrees, 4_000, far);
         // In fixed point there is hardly any error, because an offset of that length uses all bits.
         assert_held::<S>("longest ways", &shape, half_degrees, if is_float { 0.1 } else { 1e-5 }, codes);
-        assert!(
-            (0.99 * longest..1.01 * longest).contains(&seen),
-            "{} {seen}, expected seen in 0.99 * longest..1.01 * longest",
-            S::NAME
-        );
+        assert_that!((0.99 * longest..1.01 * longest).contains(&seen), S::NAME, seen);
     }
 }
 
@@ -320,10 +317,7 @@ fn distances_beyond_the_domain_are_dark() {
     }
     let [shortest, longest] = Domain::of::<f32>().distances.map(|distance| distance as f32);
     for inside in [shortest, longest] {
-        assert!(
-            brightest_at::<f32>(at(0.0), at(inside)) > 0.0,
-            "{inside}, expected brightest_at::<f32>(at(0.0), at(inside)) > 0.0"
-        );
+        assert_that!(brightest_at::<f32>(at(0.0), at(inside)) > 0.0, inside);
     }
     for outside in [0.98 * shortest, 1e-30, 1.03 * longest, 1e30, f32::MAX] {
         assert_eq!(brightest_at::<f32>(at(0.0), at(outside)), 0.0, "{outside}");
@@ -409,11 +403,7 @@ fn assert_least_exponent<S: Format>() {
     let outer = cone.outer_versine();
     let strip = 1.0 - 1.0 / 510.0_f32;
     for u in [0.0, 0.1, 0.9, strip * strip] {
-        assert!(
-            falloff.at(falloff.versine(u * outer)).exact() > 1.0 - 0.5 / 255.0,
-            "{} {u}, expected falloff.at(falloff.versine(u * outer)).exact() > 1.0 - 0.5 / 255.0",
-            S::NAME
-        );
+        assert_that!(falloff.at(falloff.versine(u * outer)).exact() > 1.0 - 0.5 / 255.0, S::NAME, u);
     }
     assert_eq!(falloff.at(falloff.versine(outer)), S::ZERO);
 }
@@ -504,7 +494,7 @@ fn assert_far<S: Format>(light: Vec3<f32>, axis: Vec3<f32>, half_degrees: f32, p
     let way = f32::exact_point(point) - f32::exact_point(light);
     let versine = oracle::versine_between(way, f32::exact_direction(axis));
     let exact = oracle::falloff(oracle::soft, versine, oracle::versine(half_degrees.into()));
-    assert!((exact - truth).abs() < 1e-4, "{exact}, expected (exact - truth).abs() < 1e-4");
+    assert_that!((exact - truth).abs() < 1e-4, exact);
     assert!(255.0 * (found - exact).abs() < 0.5, "{}: {found} against {exact}", S::NAME);
 }
 

@@ -9,6 +9,7 @@ use luminaire::{
     projector::{CompiledGobo, Gobo, ProjectedPoint, Projection},
 };
 use luminaire_render::scenes::gobos;
+use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
     bounds::{self, REFUSE},
@@ -93,7 +94,7 @@ fn transmissions_keep_their_rows() {
             broken.extend(bounds::check(&format!("{} in {format}", row.name), measured, bound).err());
         }
     }
-    assert!(broken.is_empty(), "{}, expected broken.is_empty()", broken.join("\n"));
+    assert_that!(broken.is_empty(), broken.join("\n"));
 }
 
 /// The conversion of a sum of weighted bytes to the format is exact at both ends, never falls, and
@@ -227,10 +228,7 @@ fn a_quarter_of_a_turn_turns_the_pattern() {
                 let apart = by_square.at(point).exact() - by_pattern.at(point).exact();
                 // A position may differ by a step in each direction, and a fraction may be rounded
                 // the other way.
-                assert!(
-                    apart.abs() < 2.0 * (8.0 / 65_536.0 + 1.0 / 4_096.0),
-                    "{apart}, expected apart.abs() < 2.0 * (8.0 / 65_536.0 + 1.0 / 4_096.0)"
-                );
+                assert_that!(apart.abs() < 2.0 * (8.0 / 65_536.0 + 1.0 / 4_096.0), apart);
             }
         }
     }

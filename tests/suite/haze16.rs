@@ -8,6 +8,7 @@ use luminaire::{
     haze::{BeamScattering16, Haze},
     number::Light16,
 };
+use support::assert_that;
 use support::{
     haze16::{BOUNDS, HALF_ANGLES, Lights},
     oracle::{self, DVec3, climb::Search},
@@ -41,10 +42,7 @@ fn rays_keep_their_bound() {
             Lights::new(Soft, oracle::soft, half).largest(search),
             Lights::new(Hard, oracle::hard, half).largest(search),
         ];
-        assert!(
-            errors[0] <= soft && errors[1] <= hard,
-            "{half}: {errors:?}, expected errors[0] <= soft and errors[1] <= hard"
-        );
+        assert_that!(errors[0] <= soft && errors[1] <= hard, half, errors);
     }
 }
 
@@ -63,7 +61,7 @@ fn a_scene_of_any_size_looks_the_same() {
             seen(&beam(80.0, 3.0 * scale, 0.125 * scale), eye, surface)
         };
         let here = at(1.0);
-        assert!(here > 8.0, "{here}, expected here > 8.0");
+        assert_that!(here > 8.0, here);
         for scale in [16.0, 256.0, 4_096.0, 16_384.0] {
             let there = at(scale);
             assert!((there - here).abs() < 0.6, "{scale}: {there}, not {here}");
@@ -79,16 +77,14 @@ fn the_body_of_the_light_hides_and_is_dark() {
         let seen = |eye: [f32; 3], surface: [f32; 3]| {
             seen(&beam, eye.map(|c| c * radius), surface.map(|c| c * radius))
         };
-        let same = |one: f32, other: f32| {
-            assert!((one - other).abs() < 1.0, "{one}, {other}, expected (one - other).abs() < 1.0")
-        };
+        let same = |one: f32, other: f32| assert_that!((one - other).abs() < 1.0, one, other);
         for height in [0.6, 0.9] {
             // A line of sight across the body, at this height below its centre.
             let edge = f32::sqrt(1.0 - height * height);
             let at = |x: f32| [x, -height, 0.0];
             let before = seen(at(3.0), at(edge));
             let after = seen(at(-edge), at(-3.0));
-            assert!(before > 10.0, "{before}, expected before > 10.0");
+            assert_that!(before > 10.0, before);
             same(before, after);
             same(seen(at(3.0), at(0.1)), before);
             same(seen(at(3.0), at(-0.1)), before);
@@ -100,7 +96,7 @@ fn the_body_of_the_light_hides_and_is_dark() {
             // Before and beyond the body nothing is hidden.
             let farther = seen(at(3.0), at(2.0));
             same(farther, seen(at(-2.0), at(-3.0)));
-            assert!(farther < before - 10.0, "{farther}, {before}, expected farther < before - 10.0");
+            assert_that!(farther < before - 10.0, farther, before);
         }
         // Straight up from below, at the axis.
         let below = |y: f32| [0.0, -y, 0.0];
@@ -118,7 +114,7 @@ fn lines_past_the_light_may_be_long() {
     let beam = beam(80.0, height, height / 4.0);
     let at = |x: f32| seen(&beam, [-x, -height, 0.0], [x, -height, 0.0]);
     let near = at(1.0);
-    assert!(near > 50.0, "{near}, expected near > 50.0");
+    assert_that!(near > 50.0, near);
     for x in [64.0, 1_024.0, 8_192.0, 32_000.0] {
         assert!((at(x) - near).abs() < 0.6, "{x}: {}, not {near}", at(x));
     }
@@ -140,11 +136,8 @@ fn exact_directions_look_like_those_beside_them() {
         ([0.0, 1.0, 0.0], [0.5, -1.0, -1.0]),
     ] {
         let (exactly, nearly) = (seen(&beam, eye, surface), seen(&beam, beside(eye), beside(surface)));
-        assert!(exactly > 4.0, "{eye:?} {surface:?}: {exactly}, expected exactly > 4.0");
-        assert!(
-            (exactly / nearly - 1.0).abs() < 0.06,
-            "{eye:?} {surface:?}: {exactly}, {nearly}, expected (exactly / nearly - 1.0).abs() < 0.06"
-        );
+        assert_that!(exactly > 4.0, eye, surface, exactly);
+        assert_that!((exactly / nearly - 1.0).abs() < 0.06, eye, surface, exactly, nearly);
     }
 }
 
@@ -170,10 +163,10 @@ fn parts_add_up_to_the_whole() {
             assert!((back - whole).abs() < 0.6, "{half}: {back}, not {whole}: {from:?} {to:?}");
             let parts = seen(&beam, from, between) + seen(&beam, between, to);
             let message = || format!("{half}: {parts}, not {whole}: {from:?} {between:?} {to:?}");
-            assert!((parts - whole).abs() < 0.6, "{}, expected (parts - whole).abs() < 0.6", message());
+            assert_that!((parts - whole).abs() < 0.6, message());
             lit += i32::from(whole > 0.5);
         }
-        assert!(lit > 40, "{half}: {lit}, expected lit > 40");
+        assert_that!(lit > 40, half, lit);
     }
 }
 

@@ -9,6 +9,7 @@ use luminaire::{
     haze::{BeamScattering, Haze, RayBundle, ViewRay},
     light::CompiledCone,
 };
+use support::assert_that;
 use support::{
     arbitrary::bits,
     bounds,
@@ -178,12 +179,7 @@ fn along_the_axis_there_is_light() {
         beam.in_scattering(&ViewRay { eye: Vec3::new(1.0, height, -2.0), direction, length })
     };
     let up = Vec3::new(0.0, 1.0, 0.0);
-    let assert_near = |light: f32, expected: f32| {
-        assert!(
-            (light / expected - 1.0).abs() < 1e-5,
-            "{light}, expected (light / expected - 1.0).abs() < 1e-5"
-        )
-    };
+    let assert_near = |light: f32, expected: f32| assert_that!((light / expected - 1.0).abs() < 1e-5, light);
     // From distance a to distance b of the light the integral is 1/a - 1/b.
     assert_near(light(2.0, down, f32::INFINITY), 0.5);
     assert_near(light(2.0, down, 2.0), 0.25);

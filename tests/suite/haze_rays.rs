@@ -9,6 +9,7 @@ use luminaire::{
     falloff::{Falloff, Hard, Soft, Step, Table},
     haze::{BeamScattering, Haze, ViewRay},
 };
+use support::assert_that;
 use support::{
     in_scattering::Beam,
     oracle::{self, DVec3},
@@ -260,11 +261,7 @@ fn an_eye_on_the_light_sees_away_from_it() {
     assert_eq!(light(0.5, down), 0.0);
     assert_eq!(light(-0.5, Vec3::new(0.0, 1.0, 0.0)), 0.0);
     // A quarter of the integral of `1 / d^2` from 0.5 on.
-    assert!(
-        (light(-0.5, down) - 0.5).abs() < 1e-6,
-        "{}, expected (light(-0.5, down) - 0.5).abs() < 1e-6",
-        light(-0.5, down)
-    );
+    assert_that!((light(-0.5, down) - 0.5).abs() < 1e-6, light(-0.5, down));
     // The smallest light hides the haze behind it, too.
     let haze = Haze::new(1.0).and_then(|haze| haze.with_source_radius(1e-3)).expect("sound");
     let beam = spot.compile::<f32>().expect("held").in_haze(&haze);

@@ -13,6 +13,7 @@ use luminaire::{
     import::{self, Difference, Imported, OpenGlLight},
     light::CompiledSpotLight,
 };
+use support::assert_that;
 use support::{
     bounds,
     format::Format,
@@ -161,7 +162,7 @@ fn a_difference_is_what_a_dense_search_finds() {
         let stated = [(difference.angle, 1e-8), (difference.distance, 1e-7)];
         for (found, (stated, rounding)) in found.into_iter().zip(stated) {
             let stated = f64::from(stated);
-            assert!(difference.most() <= 1.0, "{}, expected difference.most() <= 1.0", original.name);
+            assert_that!(difference.most() <= 1.0, original.name);
             let holds = stated >= found - rounding && stated <= 1.02 * found + rounding;
             assert!(holds, "{}: {found:.5e} is stated as {stated:.5e}", original.name);
         }
@@ -188,11 +189,8 @@ fn no_import_is_off_by_half_a_step_over_the_angle() {
         println!(
             "{system:10} {lights:3} lights: angle {angle:.2e}, place {place:.2e}, distance {distance:.2e}"
         );
-        assert!(
-            angle.max(place) <= 1.0 / 510.0,
-            "{system}: {angle} {place}, expected angle.max(place) <= 1.0 / 510.0"
-        );
-        assert!(distance <= 1.0, "{system}: {distance}, expected distance <= 1.0");
+        assert_that!(angle.max(place) <= 1.0 / 510.0, system, angle, place);
+        assert_that!(distance <= 1.0, system, distance);
     }
 }
 
@@ -315,10 +313,7 @@ fn gltf_as_recommended_is_the_reference_code() {
             })
             .fold(0.0, f64::max);
         // The error of f32 versines, magnified by the ramp.
-        assert!(
-            worst <= 3.0 * 2.0 * 8e-7 * versine(outer) * scale,
-            "{inner} {outer}: {worst:.1e}, expected worst <= 3.0 * 2.0 * 8e-7 * versine(outer) * scale"
-        );
+        assert_that!(worst <= 3.0 * 2.0 * 8e-7 * versine(outer) * scale, inner, outer, worst);
     }
 }
 
@@ -333,7 +328,7 @@ fn a_cutoff_of_half_a_turn_is_a_point_light() {
     for (x, expected) in [(2.0, 0.5), (-8.0, 0.2)] {
         let normal = Vec3::new(-x / f32::abs(x), 0.0, 0.0);
         let light = lit.irradiance(Vec3::new(x, 0.0, 0.0), normal);
-        assert!((light - expected).abs() < 1e-6, "{light}, expected (light - expected).abs() < 1e-6");
+        assert_that!((light - expected).abs() < 1e-6, light);
     }
 }
 

@@ -4,6 +4,7 @@ use luminaire::{
     attenuation::AnyAttenuation,
     import::{self, Imported, OpenGlLight},
 };
+use support::assert_that;
 use support::imports::{self, ORIGIN};
 
 use crate::import::{distance_difference, fall, on_axis};
@@ -71,10 +72,7 @@ fn a_polynomial_without_a_constant_stops_growing() {
         for distance in [0.0, 0.000_9, 0.001_1, 2.0] {
             let exact = 1.0 / (distance * (f64::from(linear) + distance * f64::from(quadratic)));
             let found = fall(&light.light, distance);
-            assert!(
-                (found / exact.min(stopped) - 1.0).abs() < 1e-6,
-                "{found} at {distance}, expected (found / exact.min(stopped) - 1.0).abs() < 1e-6"
-            );
+            assert_that!((found / exact.min(stopped) - 1.0).abs() < 1e-6, found, distance);
         }
     }
     let (inverse_square, _) = imports::opengl(30.0, 1.0, [0.0, 0.0, 2.0]);
@@ -107,7 +105,7 @@ fn the_difference_of_a_very_bright_light_is_that_of_its_cap() {
     for (decay, intensity) in [(1.5, 1e8), (1.5, 1e9), (3.0, 1e8), (0.5, 1e9), (8.0, 1e7)] {
         let light = import::Three { angle: 0.6, penumbra: 0.3, distance: 8.0, decay, intensity };
         let Imported { light, difference } = light.import(ORIGIN, imports::DOWN).expect("sound");
-        assert!(light.intensity() <= 1e9, "{}, expected light.intensity() <= 1e9", light.intensity());
+        assert_that!(light.intensity() <= 1e9, light.intensity());
         let (_, original) = imports::three(0.6, 0.3, 8.0, decay);
         let dimmed = light.with_intensity(light.intensity() / intensity).expect("sound");
         let (found, stated) = (

@@ -10,6 +10,7 @@ use luminaire::{
     import::{Difference, Direct3d, Gltf, Godot, Imported, OpenGl, OpenGlLight, Penumbra, Ramp, Three},
     light::{CompiledPointLight, CompiledSpotLight},
 };
+use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
     format::Format,
@@ -146,10 +147,7 @@ fn exponents_out_of_range() {
 
 fn assert_light<S: Format>(light: S::Irradiance, unskipped: S::Irradiance, what: &impl core::fmt::Debug) {
     let value = S::exact_light(light);
-    assert!(
-        value >= 0.0 && value.is_finite(),
-        "{what:?}: {value}, expected value >= 0.0 and value.is_finite()"
-    );
+    assert_that!(value >= 0.0 && value.is_finite(), what, value);
     assert_eq!(light, unskipped, "{what:?}");
 }
 
@@ -157,10 +155,7 @@ fn assert_spot<S: Format, P: Falloff, A: Attenuation>(rng: &mut Rng, light: &Com
     for _ in 0..20 {
         let (point, normal) = (vector(rng, S::length_from_bits), vector(rng, S::scalar_from_bits));
         let falloff = light.falloff_at(point).exact();
-        assert!(
-            (0.0..=1.0).contains(&falloff),
-            "{light:?} {point:?}: {falloff}, expected falloff in 0.0..=1.0"
-        );
+        assert_that!((0.0..=1.0).contains(&falloff), light, point, falloff);
         assert_light::<S>(light.irradiance(point, normal), light.irradiance_unskipped(point, normal), light);
     }
 }
@@ -267,10 +262,7 @@ fn every_parameter_has_an_answer() {
         for (imported, accepted) in imports.into_iter().zip(&mut accepted) {
             let Ok(Imported { light, difference }) = imported else { continue };
             let Difference { angle, place, distance } = difference;
-            assert!(
-                (0.0..=1.0 / 510.0).contains(&place),
-                "{light:?} {difference:?}, expected place in 0.0..=1.0 / 510.0"
-            );
+            assert_that!((0.0..=1.0 / 510.0).contains(&place), light, difference);
             assert!(
                 (0.0..=1.0).contains(&angle) && (0.0..=1.0).contains(&distance),
                 "{light:?} {difference:?}, expected angle in 0.0..=1.0 and distance in 0.0..=1.0"
@@ -296,12 +288,7 @@ fn defaults_are_sound() {
         luminaire::falloff::AnyFalloff,
         luminaire::attenuation::AnyAttenuation,
     >| light.cone();
-    let near = |angle: Angle, degrees: f32| {
-        assert!(
-            (angle.to_degrees() - degrees).abs() < 1e-3,
-            "{angle:?}, expected (angle.to_degrees() - degrees).abs() < 1e-3"
-        )
-    };
+    let near = |angle: Angle, degrees: f32| assert_that!((angle.to_degrees() - degrees).abs() < 1e-3, angle);
     near(cone(Gltf::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);
     near(cone(Three::default().import(ORIGIN, down).expect("sound").light).outer(), 120.0);
     near(cone(Godot::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);

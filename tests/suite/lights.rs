@@ -14,6 +14,7 @@ use luminaire::{
     number::Gain,
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
 };
+use support::assert_that;
 use support::{arbitrary::vector, format::Format, sweep};
 
 fn any_surface<S: Format>(rng: &mut Rng) -> SurfacePoint<S> {
@@ -35,17 +36,11 @@ fn assert_answer<S: Format, H: SpecularLobe>(
     assert_eq!(skipped, whole, "{material:?} {light:?} {surface:?}");
     for channel in [whole.red, whole.green, whole.blue] {
         let value = S::exact_light(channel);
-        assert!(
-            value >= 0.0 && value.is_finite(),
-            "{material:?} {light:?} {surface:?}: {value}, expected value >= 0.0 and value.is_finite()"
-        );
+        assert_that!(value >= 0.0 && value.is_finite(), material, light, surface, value);
     }
     for fitted in [clip::<S>(whole), compress_keep_hue::<S>(whole)] {
         for channel in [fitted.red, fitted.green, fitted.blue] {
-            assert!(
-                (0.0..=1.0).contains(&channel.exact()),
-                "{whole:?}: {channel:?}, expected channel.exact() in 0.0..=1.0"
-            );
+            assert_that!((0.0..=1.0).contains(&channel.exact()), whole, channel);
         }
     }
 }
@@ -171,11 +166,7 @@ fn assert_falls<S: Format, A: Attenuation>(model: A, range: f32, starts: f64, st
     let mut previous = f64::INFINITY;
     for quanta in (1..last + last / 8).step_by(7) {
         let light = at(quanta);
-        assert!(
-            light <= previous + steps * f64::from(S::STEP),
-            "{model:?} {}: {quanta}, expected light <= previous + steps * (S::STEP)",
-            S::NAME
-        );
+        assert_that!(light <= previous + steps * f64::from(S::STEP), model, S::NAME, quanta);
         if quanta >= last {
             assert_eq!(light, 0.0, "{model:?} {}: {quanta}", S::NAME);
         }
@@ -218,22 +209,10 @@ fn assert_gains<S: Format>() {
         if (-8..8).contains(&exponent) {
             let value = f64::from(value);
             let near = |found: f64, exact: f64| (found - exact).abs() <= 7e-5 * exact + f64::from(S::STEP);
-            assert!(
-                near(as_light(a.plus(b)), value * 1.37),
-                "{value}, expected near(as_light(a.plus(b)), value * 1.37)"
-            );
-            assert!(
-                near(as_light(a.by(b)), value * value * 0.37),
-                "{value}, expected near(as_light(a.by(b)), value * value * 0.37)"
-            );
-            assert!(
-                near(as_light(a.inverse_capped()), (1.0 / value).min(1.0)),
-                "{value}, expected near(as_light(a.inverse_capped()), (1.0 / value).min(1.0))"
-            );
-            assert!(
-                near(a.fraction().exact(), value.min(1.0)),
-                "{value}, expected near(a.fraction().exact(), value.min(1.0))"
-            );
+            assert_that!(near(as_light(a.plus(b)), value * 1.37), value);
+            assert_that!(near(as_light(a.by(b)), value * value * 0.37), value);
+            assert_that!(near(as_light(a.inverse_capped()), (1.0 / value).min(1.0)), value);
+            assert_that!(near(a.fraction().exact(), value.min(1.0)), value);
         }
         let light = value.clamp(0.001, 1.0);
         let light = S::from_f32(light).expose(S::gain(100.0));
@@ -274,7 +253,7 @@ fn no_light_is_made_next_to_its_source() {
     for exponent in 0..=149 {
         let point = Vec3::new(0.0, 0.5_f32.powi(exponent), 0.0);
         let light = source.irradiance_unskipped(point, Vec3::new(0.0, -1.0, 0.0));
-        assert!(light <= 1.0, "{light} at 2^-{exponent}, expected light <= 1.0");
+        assert_that!(light <= 1.0, light, exponent);
         // From 2^-64 on the squared distance is no normal number, and the point counts as on the
         // light.
         assert_eq!(light > 0.0, exponent < 64, "{light} at 2^-{exponent}");
@@ -290,10 +269,7 @@ fn gains_never_overflow() {
             let power = (0..64).fold(S::gain(gain), |power, _| power.by(power));
             let sum = power.plus(S::gain(1.0)).plus(power);
             let light = S::exact_light(S::ONE.expose(sum));
-            assert!(
-                light >= 0.0 && light.is_finite(),
-                "{gain}: {light}, expected light >= 0.0 and light.is_finite()"
-            );
+            assert_that!(light >= 0.0 && light.is_finite(), gain, light);
         }
     }
     powers::<f32>();

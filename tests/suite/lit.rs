@@ -14,6 +14,7 @@ use luminaire::{
     light::SurfacePoint,
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
 };
+use support::assert_that;
 use support::{
     bounds,
     format::Format,
@@ -30,7 +31,7 @@ fn assert_row(table: &[Row], model: &str, measured: [f64; 3]) {
     for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
         broken.extend(bounds::check(&format!("{model} {format}"), measured, bound).err());
     }
-    assert!(broken.is_empty(), "{}, expected broken.is_empty()", broken.join("\n"));
+    assert_that!(broken.is_empty(), broken.join("\n"));
 }
 
 /// A random direction less than an angle off an axis.

@@ -12,6 +12,7 @@ use luminaire::{
     falloff::{Linear, Soft},
     number::{Arithmetic, Fraction, Gain, Light16, Light32, Offset, Ray, Share},
 };
+use support::assert_that;
 use support::{
     bounds,
     format::Format,
@@ -36,7 +37,7 @@ fn assert_row(operation: &str, measured: [f64; 3]) {
     for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
         broken.extend(bounds::check(&format!("{operation} {format}"), measured, bound).err());
     }
-    assert!(broken.is_empty(), "{}, expected broken.is_empty()", broken.join("\n"));
+    assert_that!(broken.is_empty(), broken.join("\n"));
 }
 
 macro_rules! assert_in_every_format {

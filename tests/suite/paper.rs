@@ -4,6 +4,7 @@ use luminaire::{
     Angle, Cone, HalfAngle,
     falloff::{Falloff, Hard, IntegerPower, Power, Soft, SoftOrHard},
 };
+use support::assert_that;
 use support::oracle;
 
 fn assert_degrees(what: &str, angle: Angle, expected: f32, within: f32) {
@@ -38,10 +39,7 @@ fn a_cosine_power_of_the_papers_field_angle_has_exponent_268() {
     for degrees in [4.9_f64, 6.475, 7.5, 9.0] {
         let versine = compiled.versine(oracle::versine(degrees) as f32);
         let exact = degrees.to_radians().cos().powi(268);
-        assert!(
-            (f64::from(compiled.at(versine)) - exact).abs() < 1e-5,
-            "{degrees}, expected ((compiled.at(versine)) - exact).abs() < 1e-5"
-        );
+        assert_that!((f64::from(compiled.at(versine)) - exact).abs() < 1e-5, degrees);
     }
 }
 
@@ -87,14 +85,8 @@ fn beam_and_field_are_where_the_intensity_says() {
                 let half = HalfAngle::from(angle).to_degrees();
                 oracle::falloff(oracle, oracle::versine(half.into()), outer)
             };
-            assert!(
-                (intensity(cone.beam()) - 0.5).abs() < 1e-6,
-                "{edge:?} {degrees}, expected (intensity(cone.beam()) - 0.5).abs() < 1e-6"
-            );
-            assert!(
-                (intensity(cone.field()) - 0.1).abs() < 1e-6,
-                "{edge:?} {degrees}, expected (intensity(cone.field()) - 0.1).abs() < 1e-6"
-            );
+            assert_that!((intensity(cone.beam()) - 0.5).abs() < 1e-6, edge, degrees);
+            assert_that!((intensity(cone.field()) - 0.1).abs() < 1e-6, edge, degrees);
         }
     }
 }

@@ -9,6 +9,7 @@ use luminaire::{
     falloff::{Power, Soft, Step},
     projector::{CompiledProjection, ProjectedPoint, Projection},
 };
+use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
     bounds::{self, REFUSE},
@@ -80,7 +81,7 @@ fn places_keep_their_rows() {
             broken.extend(bounds::check(&name("depth"), depth[index], row.depth[index]).err());
         }
     }
-    assert!(broken.is_empty(), "{}, expected broken.is_empty()", broken.join("\n"));
+    assert_that!(broken.is_empty(), broken.join("\n"));
 }
 
 /// The directions right and up on the squares of lights that point along the axes of the world, and
@@ -116,12 +117,9 @@ fn roundings_do_not_turn_a_square_that_points_straight_down() {
         for y in [-1.0, 1.0] {
             let (off, straight) = (square([x, y, z]), square([0.0, y, 0.0]));
             let apart = f64::from(off.right().dot(straight.right()));
-            assert!(
-                apart > 1.0_f64.to_radians().cos(),
-                "{x} {y} {z}: {off:?}, expected apart > 1.0_f64.to_radians().cos()"
-            );
+            assert_that!(apart > 1.0_f64.to_radians().cos(), x, y, z, off);
             let lean = f64::from(off.right().dot(off.axis()));
-            assert!(lean.abs() < 1e-6, "{x} {y} {z}: {off:?}, expected lean.abs() < 1e-6");
+            assert_that!(lean.abs() < 1e-6, x, y, z, off);
         }
     }
 }
@@ -181,14 +179,8 @@ fn quarters_of_a_turn_are_exact() {
                 let (before, after) = (from.place(point), to.place(point));
                 // A row counted from the top becomes a column counted from the left, and a column
                 // becomes a row counted from the bottom, which is rounded in the other direction.
-                assert!(
-                    (after.column - before.row).abs() <= 1,
-                    "{before:?} {after:?}, expected (after.column - before.row).abs() <= 1"
-                );
-                assert!(
-                    (after.row - (65_535 - before.column)).abs() <= 1,
-                    "{before:?} {after:?}, expected (after.row - (65_535 - before.column)).abs() <= 1"
-                );
+                assert_that!((after.column - before.row).abs() <= 1, before, after);
+                assert_that!((after.row - (65_535 - before.column)).abs() <= 1, before, after);
                 assert_eq!(before.depth, after.depth);
             }
         }
@@ -274,10 +266,7 @@ fn every_bit_pattern_has_a_place() {
                 let place = real.place(point);
                 assert_sound(place);
                 let depth = S::exact_length(place.depth);
-                assert!(
-                    (0.0..f64::INFINITY).contains(&depth),
-                    "{point:?} {place:?}, expected depth in 0.0..f64::INFINITY"
-                );
+                assert_that!((0.0..f64::INFINITY).contains(&depth), point, place);
             }
         }
     }
@@ -294,7 +283,7 @@ fn what_has_no_place_is_off_the_square() {
         let compiled = Projection::of(&light).and_then(|square| square.compile::<S>()).expect("held");
         for &[x, y, z] in points {
             let place = compiled.place(Vec3::new(x, y, z).map(S::length));
-            assert!(!place.is_inside(), "{x} {y} {z}: {place:?}, expected !place.is_inside()");
+            assert_that!(!place.is_inside(), x, y, z, place);
             assert_eq!(place.depth, S::Length::default());
         }
     }
@@ -315,7 +304,7 @@ fn a_square_is_that_of_the_cutoff() {
     let cone = Cone::<Power<8>>::opengl(sweep::half(30.0)).expect("sound");
     let spot = SpotLight::new(Vec3::default(), Vec3::new(0.0, -1.0, 0.0), cone).expect("sound");
     let tangent = Projection::of(&spot).expect("not too wide").tangent();
-    assert!((tangent - 0.577_350).abs() < 1e-6, "{tangent}, expected (tangent - 0.577_350).abs() < 1e-6");
+    assert_that!((tangent - 0.577_350).abs() < 1e-6, tangent);
 }
 
 #[test]

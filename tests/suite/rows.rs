@@ -8,6 +8,7 @@ use luminaire::{
     light::{CompiledSpotLight, Row, SurfacePoint},
     specular::BlinnPhong,
 };
+use support::assert_that;
 use support::{
     format::Format,
     oracle::DVec3,
@@ -64,10 +65,7 @@ fn assert_no_lit_sphere_is_skipped<S: Format>() {
             let center = sweep::single(S::exact_point(point) + size * outward).map(S::length);
             let reach = radius::<S>((S::exact_point(center) - S::exact_point(point)).length());
             lit += 1;
-            assert!(
-                light.can_reach(center, reach),
-                "{light:?} {center:?} {reach:?} {point:?}, expected light.can_reach(center, reach)"
-            );
+            assert_that!(light.can_reach(center, reach), light, center, reach, point);
         }
     }
 }
@@ -106,7 +104,7 @@ fn spheres_clear_of_the_cone_are_skipped() {
     let gaps = [gap::<Fx16>(), gap::<Fx32>(), gap::<f32>()];
     println!("{gaps:.5?}");
     for (gap, bound) in gaps.into_iter().zip([0.12, 0.12, 3e-4]) {
-        assert!((bound / 10.0..=bound).contains(&gap), "{gaps:.5?}, expected gap in bound / 10.0..=bound");
+        assert_that!((bound / 10.0..=bound).contains(&gap), gaps);
     }
 }
 
@@ -161,7 +159,7 @@ fn rows_have_the_light_of_their_points() {
     let shares = [share_in_vain::<Fx16>(), share_in_vain::<Fx32>(), share_in_vain::<f32>()];
     println!("{shares:.3?}");
     for share in shares {
-        assert!((0.1..=0.25).contains(&share), "{shares:.3?}, expected share in 0.1..=0.25");
+        assert_that!((0.1..=0.25).contains(&share), shares);
     }
 }
 
@@ -217,7 +215,7 @@ fn assert_vertices<S: Format>() {
         assert_eq!(color, clip::<S>(sum), "{vertex:?}");
         lit += u32::from(color != glow);
     }
-    assert!((40..400).contains(&lit), "{lit}, expected lit in 40..400");
+    assert_that!((40..400).contains(&lit), lit);
 }
 
 #[test]

@@ -7,6 +7,7 @@ use luminaire::{
     attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, SmoothRange},
     falloff::{Falloff, Formula, Step},
 };
+use support::assert_that;
 use support::with_every_shape;
 use support::{
     bounds,
@@ -89,11 +90,7 @@ fn the_f64_form_of_a_falloff_is_its_formula() {
         for i in 0..=1_000 {
             let t = f64::from(i) / 1_000.0;
             let (found, expected) = ((shape.oracle)(t), shape.falloff.formula().exact(t));
-            assert!(
-                (found - expected).abs() < 1e-15,
-                "{} at {t}: {found}, {expected}, expected (found - expected).abs() < 1e-15",
-                shape.name
-            );
+            assert_that!((found - expected).abs() < 1e-15, shape.name, t, found, expected);
         }
     }
     with_every_shape!(assert_formula);
@@ -248,10 +245,7 @@ fn point_lights_keep_their_flux() {
     for distance in [0.5_f32, 1.0, 7.0] {
         let area = 4.0 * std::f64::consts::PI * f64::from(distance).powi(2);
         let found = lit.irradiance(Vec3::new(distance, 0.0, 0.0), Vec3::new(-1.0, 0.0, 0.0));
-        assert!(
-            relative(found, 1.0 / area) < 1e-6,
-            "at {distance}: {found}, expected relative(found, 1.0 / area) < 1e-6"
-        );
+        assert_that!(relative(found, 1.0 / area) < 1e-6, distance, found);
     }
 }
 

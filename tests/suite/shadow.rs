@@ -8,6 +8,7 @@ use luminaire::{
     falloff::Step,
     projector::{CompiledProjection, ProjectedPoint, Projection, Shadow},
 };
+use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
     format::Format,
@@ -51,7 +52,7 @@ fn error<S: Format>() -> f64 {
 fn visibilities_keep_their_row() {
     for (format, error) in [("f32", error::<f32>()), ("fx32", error::<Fx32>()), ("fx16", error::<Fx16>())] {
         println!("{format}: {error:.5}");
-        assert!(ERROR.contains(&error), "{format}: {error}, expected ERROR.contains(&error)");
+        assert_that!(ERROR.contains(&error), format, error);
     }
     for steps in 0..=16_384 {
         let exact = f64::from(steps) / 16_384.0;
@@ -143,10 +144,7 @@ fn assert_any_bits<S: Format>() {
             let place = ProjectedPoint { column, row, depth: S::length_from_bits(bits(&mut rng)) };
             let point = vector(&mut rng, S::length_from_bits);
             for visibility in [shadow.at(&place), shadow.visibility(point)] {
-                assert!(
-                    (0.0..=1.0).contains(&visibility.exact()),
-                    "{shadow:?} at {place:?}, {point:?}, expected visibility.exact() in 0.0..=1.0"
-                );
+                assert_that!((0.0..=1.0).contains(&visibility.exact()), shadow, place, point);
             }
         }
     }

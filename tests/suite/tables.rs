@@ -9,6 +9,7 @@ use luminaire::{
     error::{Expected, Parameter},
     falloff::{Falloff, Knot, Table},
 };
+use support::assert_that;
 use support::{format::Format, oracle, sweep};
 
 /// A file of LM-63 as it is published, in candela every 2.5 degrees from the axis to 90:
@@ -87,7 +88,7 @@ fn a_published_file_comes_back_in_every_format() {
             })
             .fold(0.0, f64::max);
         println!("{}: {:.2} linear codes", S::NAME, 255.0 * worst);
-        assert!(worst <= most, "{}: {worst:.1e}, expected worst <= most", S::NAME);
+        assert_that!(worst <= most, S::NAME, worst);
         assert_eq!(falloff.at(falloff.versine(0.0)), S::ONE);
         assert_eq!(falloff.at(falloff.versine(1.0)), S::ZERO);
     }
@@ -196,11 +197,7 @@ fn the_largest_table_keeps_to_its_line() {
         for i in 0..1_000_u32 {
             let versine = falloff.versine((outer * f64::from(i) / 1_000.0) as f32);
             let (found, u) = (falloff.at(versine).exact(), S::exact_versine(&falloff, versine) / outer);
-            assert!(
-                (found - (1.0 - u)).abs() <= 6.0 * f64::from(S::STEP),
-                "{}: {found} at {u}, expected (found - (1.0 - u)).abs() <= 6.0 * (S::STEP)",
-                S::NAME
-            );
+            assert_that!((found - (1.0 - u)).abs() <= 6.0 * f64::from(S::STEP), S::NAME, found, u);
         }
     }
     let samples: Vec<_> = (0..=u16::MAX).rev().collect();
@@ -235,7 +232,7 @@ fn every_bit_pattern_of_a_knot_has_an_answer() {
         };
         for i in 0..=64_u8 {
             let found = falloff.at(falloff.versine(f32::from(i) / 128.0)).exact();
-            assert!((0.0..=1.0).contains(&found), "{table:?}: {found}, expected found in 0.0..=1.0");
+            assert_that!((0.0..=1.0).contains(&found), table, found);
         }
         let _ = (table.samples(), falloff.at(falloff.versine(f32::NAN)));
     }

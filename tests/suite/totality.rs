@@ -14,6 +14,7 @@ use luminaire::{
     number::{Offset, Quick, Ray, Share},
     specular::NoSpecular,
 };
+use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
     falloffs::{AnyShape, STRICT},
@@ -44,25 +45,16 @@ fn assert_total<S: Format>(shape: &AnyShape) {
             let point = vector(&mut rng, S::length_from_bits);
             let normal = vector(&mut rng, S::scalar_from_bits);
             let intensity = compiled.falloff_at(point).exact();
-            assert!(
-                (0.0..=1.0).contains(&intensity),
-                "{spot:?} {point:?}: {intensity}, expected intensity in 0.0..=1.0"
-            );
+            assert_that!((0.0..=1.0).contains(&intensity), spot, point, intensity);
             for light in [compiled.irradiance(point, normal), compiled.irradiance_unskipped(point, normal)] {
                 let light = S::exact_light(light);
-                assert!(
-                    light >= 0.0 && light.is_finite(),
-                    "{spot:?} {point:?} {normal:?}: {light}, expected light >= 0.0 and light.is_finite()"
-                );
+                assert_that!(light >= 0.0 && light.is_finite(), spot, point, normal, light);
                 let sum = S::add_light(S::Irradiance::default(), compiled.irradiance(point, normal));
                 assert!(S::exact_light(S::filter(sum, S::ONE)).is_finite());
             }
             assert_eq!(falloff.at(falloff.versine(f32::NAN)), S::ZERO);
             let intensity = falloff.at(S::versine_from_bits(bits(&mut rng))).exact();
-            assert!(
-                (0.0..=1.0).contains(&intensity),
-                "{cone:?}: {intensity}, expected intensity in 0.0..=1.0"
-            );
+            assert_that!((0.0..=1.0).contains(&intensity), cone, intensity);
         }
         // A point at the light has no direction and stays dark.
         let here = spot.position().map(S::length);
@@ -86,10 +78,7 @@ fn assert_quick_is_total<S: Format + Quick>(shape: &AnyShape) {
             let unskipped = compiled.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false);
             for light in [compiled.irradiance(point, normal), unskipped.diffuse] {
                 let light = S::exact_light(light);
-                assert!(
-                    light >= 0.0 && light.is_finite(),
-                    "{compiled:?} {point:?} {normal:?}: {light}, expected light >= 0.0 and light.is_finite()"
-                );
+                assert_that!(light >= 0.0 && light.is_finite(), compiled, point, normal, light);
             }
         }
         let up = vector(&mut rng, S::scalar_from_bits);
@@ -119,10 +108,7 @@ fn a_quick_light_does_not_shine_backwards() {
                     assert_eq!(light.irradiance(point, normal), S::Irradiance::default(), "{axis:?}");
                     let lit = spot.axis().map(|c| S::length(c * distance));
                     let normal = spot.axis().map(|c| S::from_f32(-c));
-                    assert!(
-                        S::exact_light(light.irradiance(lit, normal)) > 0.99,
-                        "{distance}, expected S::exact_light(light.irradiance(lit, normal)) > 0.99"
-                    );
+                    assert_that!(S::exact_light(light.irradiance(lit, normal)) > 0.99, distance);
                 }
             }
         }
@@ -192,10 +178,7 @@ fn assert_laws<S: Format>() {
         let part = S::from_f32(rng.f32());
         assert_eq!((S::ONE.times(part), part.times(S::ONE)), (part, part));
         if S::NAME != "f32" {
-            assert!(
-                (S::ZERO..=S::ONE).contains(&a.times(b)),
-                "{a:?} {b:?}, expected a.times(b) in S::ZERO..=S::ONE"
-            );
+            assert_that!((S::ZERO..=S::ONE).contains(&a.times(b)), a, b);
         }
         assert_eq!(format!("{:?}", a.times(b)).contains("NaN"), (a.exact() * b.exact()).is_nan());
     }

@@ -5,6 +5,7 @@ use luminaire::{
     error::{Expected, Parameter},
     falloff::{Cubic, Falloff, FittedFalloff},
 };
+use support::assert_that;
 use support::{
     cubics,
     format::Format,
@@ -42,11 +43,7 @@ fn assert_both_within<S: Format, P: Falloff>(cone: &Cone<P>, beam: f32, field: f
     for (asked, intensity) in [(beam, 0.5), (field, 0.1)] {
         let versine = oracle::versine(f64::from(asked) / 2.0) as f32;
         let found = falloff.at(falloff.versine(versine)).exact();
-        assert!(
-            (found - intensity).abs() < within,
-            "{} {cone:?}: {found} at {asked}, expected (found - intensity).abs() < within",
-            S::NAME
-        );
+        assert_that!((found - intensity).abs() < within, S::NAME, cone, found, asked);
     }
 }
 
@@ -63,10 +60,7 @@ fn the_papers_fresnel_has_both_its_angles() {
     assert_both::<Fx32, _>(&cone, 7.0, 15.0);
     assert_both::<Fx16, _>(&cone, 7.0, 15.0);
     let (least, most) = Cone::edge_slopes(degrees(7.0), degrees(15.0)).expect("reachable");
-    assert!(
-        (least - 0.89).abs() < 0.01 && (most - 2.27).abs() < 0.01,
-        "{least} to {most}, expected (least - 0.89).abs() < 0.01 and (most - 2.27).abs() < 0.01"
-    );
+    assert_that!((least - 0.89).abs() < 0.01 && (most - 2.27).abs() < 0.01, least, most);
 }
 
 /// Every ratio from 1.01 to the largest, with narrow and with wide beams, gives a cone with both
@@ -119,15 +113,9 @@ fn the_ends_of_the_ratios_are_soft_hard_and_a_step() {
         let near_hard =
             Cone::from_beam_and_field(degrees(10.0), degrees(f32::from_bits(hard.to_bits() + 200 - ulps)));
         let near_hard = near_hard.expect("sound");
-        assert!(
-            near_hard.inner().to_degrees() >= 0.0,
-            "{near_hard:?}, expected near_hard.inner().to_degrees() >= 0.0"
-        );
+        assert_that!(near_hard.inner().to_degrees() >= 0.0, near_hard);
         let FittedFalloff::Quadratic(quadratic) = near_hard.falloff() else { panic!("{near_hard:?}") };
-        assert!(
-            (1.99..=2.0).contains(&quadratic.edge_slope()),
-            "{quadratic:?}, expected quadratic.edge_slope() in 1.99..=2.0"
-        );
+        assert_that!((1.99..=2.0).contains(&quadratic.edge_slope()), quadratic);
     }
     let step = Cone::from_beam_and_field(degrees(10.0), degrees(10.0)).expect("a step");
     assert_eq!(step.inner(), step.outer());
@@ -161,11 +149,8 @@ fn the_feasible_region_is_the_documented_one() {
     let (farthest, most) =
         all.clone().map(|(a, (_, most))| (a, most)).fold((0.0, 0.0), |x, y| if y.1 > x.1 { y } else { x });
     let least = all.map(|(_, (least, _))| least).fold(f64::INFINITY, f64::min);
-    assert!(
-        (most - 5.437).abs() < 2e-3 && (farthest - 1.34).abs() < 0.02,
-        "{most} at {farthest}, expected (most - 5.437).abs() < 2e-3 and (farthest - 1.34).abs() < 0.02"
-    );
-    assert!((least - 1.1585).abs() < 5e-4, "{least}, expected (least - 1.1585).abs() < 5e-4");
+    assert_that!((most - 5.437).abs() < 2e-3 && (farthest - 1.34).abs() < 0.02, most, farthest);
+    assert_that!((least - 1.1585).abs() < 5e-4, least);
 }
 
 /// The kernel's interval of edge slopes is the one that the search finds.
@@ -219,18 +204,14 @@ fn of_two_cubics_the_one_without_a_ring_is_taken() {
             let [a, b, c] = cone.falloff().coefficients().map(f64::from);
             assert_eq!(a + b + c, 1.0);
             let taken = cubics::Cubic { a, b, c };
-            assert!(taken.smallest_slope() > -1e-5, "{taken:?}, expected taken.smallest_slope() > -1e-5");
+            assert_that!(taken.smallest_slope() > -1e-5, taken);
             let cubics: Vec<_> =
                 cubics::of_edge_slope(a, 1_500).map(|cubic| (cubic, cubic.ratio())).collect();
             let crossings = cubics.windows(2).filter(|pair| (pair[0].1 > ratio) != (pair[1].1 > ratio));
             let sharing: Vec<_> = crossings.map(|pair| pair[0].0.smallest_slope()).collect();
             let best = sharing.iter().copied().fold(0.0, f64::max);
             shared += usize::from(sharing.iter().any(|slope| best - slope > 0.05));
-            assert!(
-                taken.smallest_slope() > best - 0.02,
-                "{ratio} {edge}: {} of {best}, expected taken.smallest_slope() > best - 0.02",
-                taken.smallest_slope()
-            );
+            assert_that!(taken.smallest_slope() > best - 0.02, ratio, edge, taken.smallest_slope(), best);
         }
     }
     assert!(shared > 5, "only {shared} cases had two cubics");
@@ -247,10 +228,7 @@ fn an_unreachable_pair_names_the_nearest() {
         assert_eq!(least, beam);
         for shown in [least, most * 0.999_99] {
             let cone = Cone::from_beam_and_field(degrees(beam), degrees(shown)).expect("a named angle");
-            assert!(
-                cone.outer().to_degrees() <= 180.0,
-                "{beam} {shown}: {cone:?}, expected cone.outer().to_degrees() <= 180.0"
-            );
+            assert_that!(cone.outer().to_degrees() <= 180.0, beam, shown, cone);
         }
         assert!(Cone::from_beam_and_field(degrees(beam), degrees(most * 1.000_1)).is_err());
     }
@@ -267,7 +245,7 @@ fn an_unreachable_ratio_of_a_cubic_names_the_nearest() {
     for (beam, field) in [(7.0, 7.1), (40.0, 40.0), (7.0, 18.0)] {
         let refused = Cone::edge_slopes(degrees(beam), degrees(field)).expect_err("out of reach");
         let Expected::AngleBetween(least, most) = refused.accepted else { panic!("{refused}") };
-        assert!(beam < least && least < most, "{refused}, expected beam < least and least < most");
+        assert_that!(beam < least && least < most, refused);
         for (end, beyond) in [(least, 0.999_99), (most, 1.000_01)] {
             let within = Cone::edge_slopes(degrees(beam), degrees(end * (2.0 - beyond)));
             assert!(within.is_ok(), "{beam} {end}: {within:?}");

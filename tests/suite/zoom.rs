@@ -7,6 +7,7 @@ use luminaire::{
     falloff::{Falloff, Soft, Step},
     number::Quick,
 };
+use support::assert_that;
 use support::{
     format::Format,
     oracle::{
@@ -155,7 +156,7 @@ fn a_zoomed_light_has_the_exact_falloff_between() {
         (worst::<Fx32>(5.0, error::<Fx32>), 3.5e-6),
         (worst::<f32>(0.1, error::<f32>), 6e-6),
     ] {
-        assert!((bound / 3.0..=bound).contains(&error), "{error:e}, expected error in bound / 3.0..=bound");
+        assert_that!((bound / 3.0..=bound).contains(&error), error);
     }
 }
 
@@ -164,7 +165,7 @@ fn a_zoomed_quick_light_keeps_its_stated_error() {
     for (error, bound) in
         [(worst::<Fx16>(1.0, quick_error::<Fx16>), 1.0), (worst::<f32>(1.0, quick_error::<f32>), 1.0)]
     {
-        assert!((bound / 3.0..=bound).contains(&error), "{error:e}, expected error in bound / 3.0..=bound");
+        assert_that!((bound / 3.0..=bound).contains(&error), error);
     }
 }
 
@@ -231,10 +232,7 @@ fn assert_skips<S: Format, P: Falloff>(falloff: P) {
             lit += i32::from(light > S::Irradiance::default());
         }
     }
-    assert!(
-        rims > 20_000 && (rims / 4..rims * 9 / 10).contains(&lit),
-        "{lit} of {rims}, expected rims > 20_000 and lit in rims / 4..rims * 9 / 10"
-    );
+    assert_that!(rims > 20_000 && (rims / 4..rims * 9 / 10).contains(&lit), lit, rims);
 }
 
 #[test]
@@ -262,10 +260,7 @@ fn a_zoom_is_nearly_linear_in_the_angle() {
     for (widest, stated) in [(40.0, 0.08), (60.0, 0.27), (90.0, 0.9), (120.0, 2.2), (180.0, 7.6)] {
         let [least, most] = lack(widest);
         println!("{widest} degrees: {least:e} to {most}");
-        assert!(
-            least > -1e-4 && (stated / 1.5..=stated).contains(&most),
-            "{widest}: {least} to {most}, expected least > -1e-4 and most in stated / 1.5..=stated"
-        );
+        assert_that!(least > -1e-4 && (stated / 1.5..=stated).contains(&most), widest, least, most);
     }
 }
 
@@ -283,5 +278,5 @@ fn a_cone_between_has_the_versine_between() {
         worst = worst.max((f64::from(found) / exact - 1.0).abs());
     }
     println!("{worst:.2e}");
-    assert!((2e-7..=4e-7).contains(&worst), "{worst:e}, expected worst in 2e-7..=4e-7");
+    assert_that!((2e-7..=4e-7).contains(&worst), worst);
 }

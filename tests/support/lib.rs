@@ -29,3 +29,24 @@ pub mod views;
 pub mod worst;
 
 pub use luminaire_oracle as oracle;
+
+use std::{fmt::Debug, ops::RangeBounds};
+
+/// Asserts a condition about values. The message has the condition, and each value by its name.
+#[macro_export]
+macro_rules! assert_that {
+    ($condition:expr $(, $found:expr)* $(,)?) => {
+        assert!(
+            $condition,
+            "expected {}{}",
+            stringify!($condition),
+            [String::new() $(, format!("\nfound {} = {:?}", stringify!($found), $found))*].concat()
+        )
+    };
+}
+
+/// Asserts that a value is in a range. The message says of what, what was found and what was expected.
+#[track_caller]
+pub fn assert_in<T: PartialOrd + Debug>(what: &dyn Debug, found: T, range: impl RangeBounds<T> + Debug) {
+    assert!(range.contains(&found), "{what:?}: found {found:?}, expected {range:?}");
+}

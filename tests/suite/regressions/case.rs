@@ -2,6 +2,7 @@
 
 use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, falloff::Falloff};
 use std::ops::RangeInclusive;
+use support::assert_that;
 use support::{bounds, format::Format, oracle, sweep};
 
 /// A cone between two half angles in degrees, and the row of the table of bounds that its falloff
@@ -46,7 +47,7 @@ impl<P: Falloff> Case<P> {
                 continue;
             }
             let error = (falloff.at(versine).exact() - exact.falloff(stored)).abs();
-            assert!(error <= bound, "{} at {stored:e}: {error:.2e}, expected error <= bound", S::NAME);
+            assert_that!(error <= bound, S::NAME, stored, error);
         }
         Some(S::NAME)
     }

@@ -6,6 +6,7 @@ use luminaire::{
     Fx16, Fx32, PointLight, Vec3,
     attenuation::{Attenuation, Polynomial, SmoothRange},
 };
+use support::assert_that;
 use support::{format::Format, oracle, prices};
 
 /// Holds a distance model to its row of the table of prices in one format, from 0.05 to 12 units
@@ -18,7 +19,7 @@ fn assert_held<S: Format, A: Attenuation>(row: &str, bound: f64, model: A, oracl
         let distance = f32::from(sixty_fourths) / 64.0;
         let point = Vec3::new(0.0, -distance, 0.0).map(S::length);
         let error = (S::exact_light(light.irradiance(point, up)) - oracle.at(distance.into())).abs();
-        assert!(error <= bound, "{row} {} at {distance}: {error:.2e}, expected error <= bound", S::NAME);
+        assert_that!(error <= bound, row, S::NAME, distance, error);
     }
 }
 

@@ -7,6 +7,7 @@ use luminaire::{
 };
 use micromath::F32;
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
+use support::assert_that;
 use support::{format::Format, oracle};
 
 /// The sharp spotlight of the GameCube's library at the cosine of an angle off axis:
@@ -29,10 +30,7 @@ fn aurora_forgets_a_division_of_the_sharp_spotlight() {
         [0.0_f32, 10.0, 20.0, 29.0, 30.0].map(|degrees| (degrees, degrees.to_radians().cos()))
     {
         let hard = oracle::falloff(oracle::hard, oracle::versine(degrees.into()), oracle::versine(30.0));
-        assert!(
-            (f64::from(sharp(divided, cutoff, cosine)) - hard).abs() < 2e-5,
-            "{degrees}, expected ((sharp(divided, cutoff, cosine)) - hard).abs() < 2e-5"
-        );
+        assert_that!((f64::from(sharp(divided, cutoff, cosine)) - hard).abs() < 2e-5, degrees);
     }
     assert_eq!(Case::open("hard", Hard, oracle::hard, 30.0).held_by(), ALL);
 }

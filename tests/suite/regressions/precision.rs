@@ -6,6 +6,7 @@ use luminaire::{
     Cone, Fx16, Fx32, HalfAngle,
     falloff::{Linear, Smooth, Soft},
 };
+use support::assert_that;
 use support::{
     bounds::{self, REFUSE},
     format::Format,
@@ -67,7 +68,7 @@ fn held_by(half_degrees: f32) -> Vec<&'static str> {
         let error = versine_form::<S>(half_degrees);
         assert_eq!(error.is_none(), bound == REFUSE);
         let error = error?;
-        assert!(error <= bound, "{}: {error:.2e}, expected error <= bound", S::NAME);
+        assert_that!(error <= bound, S::NAME, error);
         Some(S::NAME)
     }
     [held::<f32>(half_degrees), held::<Fx32>(half_degrees), held::<Fx16>(half_degrees)]
