@@ -12,6 +12,10 @@ use support::{
     oracle::{self, half_degrees},
 };
 
+#[path = "../../examples/feasible-region.rs"]
+#[allow(dead_code, reason = "the example prints the picture")]
+mod region;
+
 /// The full angle in degrees whose half has this versine.
 fn full(versine: f64) -> f64 {
     2.0 * half_degrees(versine)
@@ -153,23 +157,6 @@ fn the_feasible_region_is_the_documented_one() {
     assert_that!((least - 1.1585).abs() < 5e-4, least);
 }
 
-/// The kernel's interval of edge slopes is the one that the search finds.
-#[test]
-fn edge_slopes_are_what_the_search_finds() {
-    let table: Vec<_> = (0..=400)
-        .filter_map(|i| Some((f64::from(i) / 100.0, cubics::ratios(f64::from(i) / 100.0, 2_000)?)))
-        .collect();
-    for ratio in [1.18, 1.25, 1.4, 1.62, 2.0, 2.6, 3.0, 4.0, 4.587, 5.2, 5.4] {
-        let found =
-            || table.iter().filter(|(_, (least, most))| *least <= ratio && ratio <= *most).map(|&(a, _)| a);
-        let (first, last) = (found().fold(4.0, f64::min), found().fold(0.0, f64::max));
-        let (least, most) =
-            Cone::edge_slopes(degrees(7.0), degrees(field_of(7.0, ratio))).expect("reachable");
-        assert!((f64::from(least) - first).abs() < 0.015, "{ratio}: from {least}, searched {first}");
-        assert!((f64::from(most) - last).abs() < 0.015, "{ratio}: to {most}, searched {last}");
-    }
-}
-
 /// For each edge slope the kernel reaches the ratios that the search finds, up to both ends.
 #[test]
 fn the_ratios_of_an_edge_slope_are_what_the_search_finds() {
@@ -278,7 +265,7 @@ fn the_documented_picture_is_up_to_date() {
     let picture = include_str!("../../docs/feasible-region.svg");
     assert_eq!(
         picture,
-        support::region::svg(),
+        region::svg(),
         "cargo run -p suite --example feasible-region > docs/feasible-region.svg"
     );
 }

@@ -4,7 +4,6 @@
 
 pub mod arbitrary;
 pub mod beams;
-pub mod beams_picture;
 pub mod bounds;
 pub mod critical;
 pub mod cubics;
@@ -20,7 +19,6 @@ pub mod limits;
 pub mod operations;
 pub mod originals;
 pub mod prices;
-pub mod region;
 pub mod shadows;
 pub mod shapes;
 pub mod squares;
