@@ -3,7 +3,6 @@
 //!
 //! A plain `cargo test` leaves them out. `cargo test --test slow NAME::` runs the tests of one module.
 
-mod bright;
 mod exhaustive;
 mod half_a_code;
 mod haze;
