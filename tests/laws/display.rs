@@ -1,42 +1,11 @@
-//! From light to the display: codes rise with the light, and fitting to full scale changes no light
-//! that fits.
+//! From light to the display: fitting to full scale changes no light that fits.
 
 use super::format::Format;
 use super::words::Words;
 use luminaire::{
     Rgb,
-    display::{Exposure, Rgb565, clip, compress_keep_hue, encode_srgb, encode_srgb_dithered},
+    display::{Exposure, clip, compress_keep_hue},
 };
-
-/// For scalars of any bits, the larger of two never has the smaller code.
-pub fn codes_never_fall<S: Format>(words: &[u32]) {
-    let words = &mut Words::tame(words);
-    let (a, b) = (S::scalar_from_bits(words.wide()), S::scalar_from_bits(words.wide()));
-    let (less, more) = if a < b { (a, b) } else { (b, a) };
-    // Comparisons with NaN are false.
-    if less <= more {
-        assert!(
-            encode_srgb(less) <= encode_srgb(more),
-            "{less:?} {more:?}, expected encode_srgb(less) <= encode_srgb(more)"
-        );
-        let gray = |value: S| Rgb565::from_linear(Rgb::new(value, value, value)).to_codes();
-        let (low, high) = (gray(less), gray(more));
-        assert!(low.red <= high.red && low.green <= high.green && low.blue == low.red, "{less:?} {more:?}");
-        let (x, y) = (words.wide() as u32, words.wide() as u32);
-        let dithered = |value: S| {
-            let gray = Rgb::new(value, value, value);
-            let pixel = Rgb565::from_linear_dithered(gray, x, y);
-            assert_eq!(pixel, Rgb565::from_linear_dithered_fast(gray, x, y), "{value:?} at {x} {y}");
-            let pixel = pixel.to_codes();
-            [encode_srgb_dithered(value, x, y), pixel.red, pixel.green]
-        };
-        let (low, high) = (dithered(less), dithered(more));
-        assert!(
-            (0..3).all(|which| low[which] <= high[which]),
-            "{less:?} gives {low:?} and {more:?} gives {high:?} at {x} {y}, expected no less"
-        );
-    }
-}
 
 /// Light within full scale is changed neither by clipping, nor by compressing, nor by an exposure
 /// of 1. Beyond full scale, clipping limits each channel to 1, and compressing divides all channels

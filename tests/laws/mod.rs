@@ -45,6 +45,5 @@ in_every_format! {
     symmetry::turned_scenes_are_the_same,
     linearity::twice_is_twice,
     linearity::order_does_not_matter,
-    display::codes_never_fall,
     display::fitting_keeps_what_fits,
 }

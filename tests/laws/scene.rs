@@ -28,37 +28,18 @@ pub fn attenuation(words: &mut Words<'_>) -> Option<AnyAttenuation> {
 
 /// Evaluates an expression with one of all specular lobes. Each lobe has its own type.
 macro_rules! with_any_highlight {
-    ($words:expr, $highlight:ident => $answer:expr) => {{
+    ($words:expr, $highlight:ident => $answer:expr) => {
+        with_any_highlight!(@of $words, $highlight => $answer,
+            0 NoSpecular, 1 Phong, 2 BlinnPhong, 3 DualConeLobe, 4 DifferenceForm::<_, 3>(BlinnPhong))
+    };
+    (@of $words:expr, $highlight:ident => $answer:expr, $($index:literal $lobe:expr),*) => {{
         use luminaire::specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong};
-        match $words.choice(7) {
-            0 => {
-                let $highlight = NoSpecular;
+        match $words.choice(5) {
+            $($index => {
+                let $highlight = $lobe;
                 $answer
-            }
-            1 => {
-                let $highlight = Phong;
-                $answer
-            }
-            2 => {
-                let $highlight = BlinnPhong;
-                $answer
-            }
-            3 => {
-                let $highlight = DualConeLobe;
-                $answer
-            }
-            4 => {
-                let $highlight = DifferenceForm::<_, 2>(Phong);
-                $answer
-            }
-            5 => {
-                let $highlight = DifferenceForm::<_, 3>(BlinnPhong);
-                $answer
-            }
-            _ => {
-                let $highlight = DifferenceForm::<_, 4>(DualConeLobe);
-                $answer
-            }
+            })*
+            _ => unreachable!("there are five lobes"),
         }
     }};
 }

@@ -5,9 +5,9 @@ use super::format::Format;
 use super::scene::{self, with_any_highlight};
 use super::words::Words;
 use luminaire::{
-    AmbientLight, Cone, DirectionalLight, Material, PointLight, Rgb,
+    AmbientLight, DirectionalLight, Material, PointLight, Rgb,
     display::{Exposure, Rgb565, clip, compress_keep_hue, encode_srgb},
-    falloff::{Falloff, Soft},
+    falloff::{AnyFalloff, Soft},
     light::{LightModel, SurfacePoint},
     specular::SpecularLobe,
 };
@@ -19,12 +19,7 @@ pub fn spotlights_answer<S: Format>(words: &[u32]) {
 
 fn spotlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let falloff = scene::falloff(words)?;
-
     let cone = scene::cone(words, falloff)?;
-    spotlight_in::<S, _>(words, cone)
-}
-
-fn spotlight_in<S: Format, P: Falloff>(words: &mut Words<'_>, cone: Cone<P>) -> Option<()> {
     let place = words.place();
     let spot = scene::spot(words, cone, place)?;
     let light = spot.compile::<S>().ok()?;
@@ -46,7 +41,7 @@ pub fn distances_answer<S: Format>(words: &[u32]) {
 
 fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let place = words.place();
-    let spot = scene::cone(words, Soft).and_then(|cone| scene::spot(words, cone, place));
+    let spot = scene::cone(words, AnyFalloff::from(Soft)).and_then(|cone| scene::spot(words, cone, place));
     let position = words.numbers(-8.0, 8.0);
     let model = scene::attenuation(words)?;
 
@@ -62,8 +57,8 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// Any specular lobe gives sound light under a spotlight and a directional light. The sum with
-/// ambient and emitted light stays sound up to the display.
+/// Any specular lobe gives sound light under a directional light: a lobe sees nothing else of a light.
+/// The sum with ambient and emitted light stays sound up to the display.
 pub fn highlights_answer<S: Format>(words: &[u32]) {
     let _: Option<()> = highlight::<S>(&mut Words::new(words));
 }
@@ -78,10 +73,6 @@ fn highlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let mut sum = Rgb::default();
         if let Ok(sun) = sun {
             sum = assert_reflects(material, &sun.compile::<S>(), &surface);
-        }
-        let spot = scene::cone(words, Soft).and_then(|cone| scene::spot(words, cone, place));
-        if let Some(light) = spot.and_then(|spot| spot.compile::<S>().ok()) {
-            sum = sum.plus::<S>(assert_reflects(material, &light, &surface));
         }
         let ambient = AmbientLight::new(scene::color(words)).and_then(|a| a.with_intensity(words.number(0.0, 2.0)));
         if let Ok(ambient) = ambient {

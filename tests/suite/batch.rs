@@ -2,14 +2,10 @@
 
 use fastrand::Rng;
 use luminaire::{
-    DirectionalLight, Fx16, Fx32, PointLight, Rgb, Scalar, Vec3,
-    attenuation::{
-        AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
-        Polynomial, SmoothRange,
-    },
-    dynamic::{AnyLight, CompiledAnyLight},
-    falloff::{Falloff, Soft},
-    light::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
+    Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, Scalar, Vec3,
+    attenuation::{AnyAttenuation, InverseSquare},
+    dynamic::AnyLight,
+    falloff::{AnyFalloff, Soft},
     number::Quick,
 };
 use support::{
@@ -80,79 +76,52 @@ fn before<S: Format>(rng: &mut Rng, count: usize) -> Vec<S::Irradiance> {
     (0..count).map(|_| S::from_f32(rng.f32()).expose(S::gain(4.0))).collect()
 }
 
-/// A light, evaluated one point at a time and for many points at once.
-trait Light<S: Scalar> {
-    fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
-    fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]);
-    fn add(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>);
-    fn tint(&self) -> Rgb<S>;
+/// A column of each component.
+type Columns<'a, T> = Vec3<&'a [T]>;
+
+/// The calls of a light: for one point, for many points, and to add to the sums of many points.
+struct Calls<'a, S: Scalar> {
+    one: &'a dyn Fn(Vec3<S::Length>, Vec3<S>) -> S::Irradiance,
+    each: &'a dyn Fn(Columns<'_, S::Length>, Columns<'_, S>, &mut [S::Irradiance]),
+    add: &'a dyn Fn(Columns<'_, S::Length>, Columns<'_, S>, Rgb<&mut [S::Irradiance]>),
+    tint: Rgb<S>,
 }
 
-macro_rules! light {
-    (single) => {
-        fn one(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-            self.irradiance(point, normal)
-        }
-
-        light!();
+/// [`assert_batch`] of a light.
+macro_rules! assert_light {
+    ($light:expr, $($arguments:expr),*) => {
+        assert_light!($light; |light, point, normal| light.irradiance(point, normal); $($arguments),*)
     };
-    () => {
-        fn each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]) {
-            self.irradiance_each(points, normals, lights);
-        }
-
-        fn add(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
-            self.add_each(points, normals, sums);
-        }
-
-        fn tint(&self) -> Rgb<S> {
-            self.color()
-        }
-    };
-}
-
-impl<S: Scalar, P: Falloff, A: Attenuation> Light<S> for CompiledSpotLight<S, P, A> {
-    light!(single);
-}
-
-impl<S: Quick, P: Falloff, A: Attenuation> Light<S> for QuickSpotLight<S, P, A> {
-    light!(single);
-}
-
-impl<S: Scalar, A: Attenuation> Light<S> for CompiledPointLight<S, A> {
-    light!(single);
-}
-
-impl<S: Scalar> Light<S> for CompiledAnyLight<S> {
-    light!(single);
-}
-
-impl<S: Scalar> Light<S> for CompiledDirectionalLight<S> {
-    fn one(&self, _: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.irradiance(normal)
-    }
-
-    light!();
+    ($light:expr; |$bound:ident, $point:pat_param, $normal:ident| $one:expr; $($arguments:expr),*) => {{
+        let $bound = $light;
+        let calls = Calls {
+            one: &|$point, $normal| $one,
+            each: &|points, normals, lights| $bound.irradiance_each(points, normals, lights),
+            add: &|points, normals, sums| $bound.add_each(points, normals, sums),
+            tint: $bound.color(),
+        };
+        assert_batch(&calls, $($arguments),*)
+    }};
 }
 
 /// Returns how many of the points were lit.
-fn assert_batch<S: Format>(source: &impl Light<S>, sites: &Sites<S>, length: usize, rng: &mut Rng) -> usize {
+fn assert_batch<S: Format>(source: &Calls<'_, S>, sites: &Sites<S>, length: usize, rng: &mut Rng) -> usize {
     let (points, normals) = (slices(&sites.points, length), slices(&sites.normals, length));
     let stale = before::<S>(rng, length);
     let mut lights = stale.clone();
-    source.each(points, normals, &mut lights);
+    (source.each)(points, normals, &mut lights);
     let mut sums = Rgb::new((), (), ()).map(|()| stale.clone());
-    source.add(points, normals, Rgb::new(&mut sums.red, &mut sums.green, &mut sums.blue));
+    (source.add)(points, normals, Rgb::new(&mut sums.red, &mut sums.green, &mut sums.blue));
     let mut lit = 0;
     for i in 0..length {
         let (point, normal) = (row(&sites.points, i), row(&sites.normals, i));
-        let light = source.one(point, normal);
+        let light = (source.one)(point, normal);
         assert_eq!(
             light_bits::<S>(lights[i]),
             light_bits::<S>(light),
             "{i} of {length}: {point:?} {normal:?}"
         );
-        let sum = Rgb::new(stale[i], stale[i], stale[i]).plus::<S>(Rgb::lit(light, source.tint()));
+        let sum = Rgb::new(stale[i], stale[i], stale[i]).plus::<S>(Rgb::lit(light, source.tint));
         let found = Rgb::new(sums.red[i], sums.green[i], sums.blue[i]);
         assert_eq!(
             found.map(light_bits::<S>),
@@ -164,92 +133,71 @@ fn assert_batch<S: Format>(source: &impl Light<S>, sites: &Sites<S>, length: usi
     lit
 }
 
-fn assert_spots<S: Format>() {
-    AnyShape::all().iter().for_each(assert_spot::<S>);
-}
-
-fn assert_spot<S: Format>(shape: &AnyShape) {
-    let mut rng = Rng::with_seed(4096);
-    let (mut lit, mut all) = (0, 0);
-    for half_degrees in [4.0, 20.0, 60.0, 90.0] {
-        let spot = sweep::spot(&mut rng, shape.at(half_degrees))
-            .with_intensity(100.0)
-            .and_then(|spot| spot.with_color(Rgb::new(1.0, 0.7, 0.2)))
-            .expect("a sound light");
-        let compiled = spot.compile::<S>().expect("held");
-        for length in LENGTHS.chain([LONG; 20]) {
-            let sites = Sites::about(&mut rng, spot.position(), spot.axis(), half_degrees, length);
-            lit += assert_batch(&compiled, &sites, length, &mut rng);
-            all += length;
+/// Spotlights of every shape.
+fn assert_shapes<S: Format>() {
+    for shape in AnyShape::all() {
+        let mut rng = Rng::with_seed(4096);
+        let (mut lit, mut all) = (0, 0);
+        for half_degrees in [4.0, 20.0, 60.0, 90.0] {
+            let spot = sweep::spot(&mut rng, shape.at(half_degrees))
+                .with_intensity(100.0)
+                .and_then(|spot| spot.with_color(Rgb::new(1.0, 0.7, 0.2)))
+                .expect("a sound light")
+                .with_attenuation(AnyAttenuation::from(InverseSquare));
+            let compiled = spot.compile::<S>().expect("held");
+            for length in LENGTHS.chain([LONG; 20]) {
+                let sites = Sites::about(&mut rng, spot.position(), spot.axis(), half_degrees, length);
+                lit += assert_light!(compiled, &sites, length, &mut rng);
+                all += length;
+            }
         }
+        assert!(lit > all / 20 && lit < all / 2, "{}: {lit} of {all} points are lit", shape.name);
     }
-    assert!(lit > all / 20 && lit < all / 2, "{}: {lit} of {all} points are lit", shape.name);
 }
 
-#[test]
-fn spots_light_a_batch_as_they_light_a_point_in_f32() {
-    assert_spots::<f32>();
-}
-
-#[test]
-fn spots_light_a_batch_as_they_light_a_point_in_fx32() {
-    assert_spots::<Fx32>();
-}
-
-#[test]
-fn spots_light_a_batch_as_they_light_a_point_in_fx16() {
-    assert_spots::<Fx16>();
-}
-
-/// Point lights and spotlights with one attenuation.
-fn assert_model<S: Format>(model: AnyAttenuation) {
+/// Lights of every kind with every attenuation.
+fn assert_attenuations<S: Format>() {
     let mut rng = Rng::with_seed(17);
-    let cone = luminaire::Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone");
+    let cone = Cone::from_outer(AnyFalloff::from(Soft), sweep::half(40.0)).expect("a sound cone");
+    let attenuations = (0..AnyAttenuation::COUNT).map(|index| AnyAttenuation::drawn(index, || 0.5));
+    let attenuations: Vec<_> = attenuations.map(|drawn| drawn.expect("sound")).collect();
     for length in LENGTHS.chain([LONG; 20]) {
         let spot = sweep::spot(&mut rng, cone).with_intensity(100.0).expect("a sound light");
         let sites = Sites::about(&mut rng, spot.position(), spot.axis(), 40.0, length);
-        let point = PointLight::new(spot.position())
-            .and_then(|point| point.with_intensity(100.0))
-            .expect("a sound light");
-        assert_batch(&spot.with_attenuation(model).compile::<S>().expect("held"), &sites, length, &mut rng);
-        assert_batch(&point.with_attenuation(model).compile::<S>().expect("held"), &sites, length, &mut rng);
-    }
-}
-
-#[test]
-fn every_distance_model_lights_a_batch_as_it_lights_a_point() {
-    fn assert_models<S: Format>() {
-        assert_model::<S>(NoAttenuation.into());
-        assert_model::<S>(InverseSquare.into());
-        assert_model::<S>(Polynomial::new(1.0, 0.1, 0.01).expect("sound").into());
-        assert_model::<S>(SmoothRange::new(20.0).expect("sound").into());
-        assert_model::<S>(GltfRange::new(InverseSquare, Some(20.0)).expect("sound").into());
-        assert_model::<S>(FilamentRange::new(InverseSquare, Some(20.0)).expect("sound").into());
-        assert_model::<S>(CutAt::new(InverseSquare, Some(20.0)).expect("sound").into());
-    }
-    assert_models::<f32>();
-    assert_models::<Fx32>();
-    assert_models::<Fx16>();
-}
-
-#[test]
-fn other_lights_light_a_batch_as_they_light_a_point() {
-    fn assert_others<S: Format>() {
-        let mut rng = Rng::with_seed(23);
-        for length in [0, 1, 63, 64, 65, LONG] {
-            let spot = sweep::spot(&mut rng, shape_cone()).with_intensity(100.0).expect("a sound light");
-            let sites = Sites::about(&mut rng, spot.position(), spot.axis(), 40.0, length);
-            let directional = DirectionalLight::new(spot.axis()).expect("a sound light");
-            assert_batch(&directional.compile::<S>(), &sites, length, &mut rng);
-            let point = PointLight::new(spot.position()).expect("a sound light");
-            for light in [AnyLight::from(spot), point.into(), directional.into()] {
-                assert_batch(&light.compile::<S>().expect("held"), &sites, length, &mut rng);
+        let point = PointLight::new(spot.position()).and_then(|point| point.with_intensity(100.0));
+        let sun = DirectionalLight::new(spot.axis()).expect("a sound light");
+        let compiled = sun.compile::<S>();
+        assert_light!(compiled; |light, _, normal| light.irradiance(normal); &sites, length, &mut rng);
+        for &attenuation in &attenuations {
+            let spot = spot.with_attenuation(attenuation);
+            let point = point.expect("a sound light").with_attenuation(attenuation);
+            assert_light!(spot.compile::<S>().expect("held"), &sites, length, &mut rng);
+            assert_light!(point.compile::<S>().expect("held"), &sites, length, &mut rng);
+            if length % 9 == 1 {
+                for light in [AnyLight::from(spot), point.into(), sun.into()] {
+                    assert_light!(light.compile::<S>().expect("held"), &sites, length, &mut rng);
+                }
             }
         }
     }
-    assert_others::<f32>();
-    assert_others::<Fx32>();
-    assert_others::<Fx16>();
+}
+
+#[test]
+fn many_points_are_lit_as_each_in_f32() {
+    assert_shapes::<f32>();
+    assert_attenuations::<f32>();
+}
+
+#[test]
+fn many_points_are_lit_as_each_in_fx32() {
+    assert_shapes::<Fx32>();
+    assert_attenuations::<Fx32>();
+}
+
+#[test]
+fn many_points_are_lit_as_each_in_fx16() {
+    assert_shapes::<Fx16>();
+    assert_attenuations::<Fx16>();
 }
 
 #[test]
@@ -257,9 +205,9 @@ fn a_quick_light_lights_a_batch_as_it_lights_a_point() {
     fn assert_quick<S: Format + Quick>() {
         let mut rng = Rng::with_seed(23);
         for length in [0, 1, 63, 64, 65, LONG] {
-            let spot = sweep::spot(&mut rng, shape_cone()).with_intensity(100.0).expect("a sound light");
+            let spot = sweep::spot(&mut rng, soft_cone()).with_intensity(100.0).expect("a sound light");
             let sites = Sites::about(&mut rng, spot.position(), spot.axis(), 40.0, length);
-            assert_batch(&spot.compile_quick::<S>().expect("held"), &sites, length, &mut rng);
+            assert_light!(spot.compile_quick::<S>().expect("held"), &sites, length, &mut rng);
         }
     }
     assert_quick::<f32>();
@@ -272,7 +220,7 @@ fn a_quick_light_lights_a_batch_as_it_lights_a_point() {
 fn the_shortest_slice_counts() {
     fn assert_shortest<S: Format>() {
         let mut rng = Rng::with_seed(8);
-        let spot = sweep::spot(&mut rng, shape_cone()).with_intensity(100.0).expect("a sound light");
+        let spot = sweep::spot(&mut rng, soft_cone()).with_intensity(100.0).expect("a sound light");
         let compiled = spot.compile::<S>().expect("held");
         let sites = Sites::<S>::about(&mut rng, spot.position(), spot.axis(), 40.0, LONG);
         let stale = before::<S>(&mut rng, LONG);
@@ -316,8 +264,8 @@ fn the_shortest_slice_counts() {
     assert_shortest::<Fx16>();
 }
 
-fn shape_cone() -> luminaire::Cone<Soft> {
-    luminaire::Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone")
+fn soft_cone() -> Cone<Soft> {
+    Cone::from_outer(Soft, sweep::half(40.0)).expect("a sound cone")
 }
 
 fn assert_falloff<S: Format>(shape: &AnyShape) {

@@ -68,7 +68,6 @@ hold! {
     turned_scenes_are_the_same,
     twice_is_twice,
     order_does_not_matter,
-    codes_never_fall,
     fitting_keeps_what_fits,
     beams_that_are_not_met_are_dark,
 }

@@ -144,7 +144,10 @@ pub fn sound<T>(sample: Result<T, luminaire::Error>) -> T {
 }
 
 /// The results of a generic function for every shape: each falloff of the list, a power with an odd
-/// exponent, the soft edge with a hotspot and with a cutoff, and OpenGL's spotlight.
+/// exponent, the soft edge with a hotspot and with a cutoff, and OpenGL's spotlight. A falloff is
+/// chosen at run time, but for the powers whose exponent is a type: these round differently. That
+/// the other types have the bits of the choice is a test of its own
+/// (`any_light::any_falloff_is_what_it_was`), so each formula is compiled once a format.
 #[macro_export]
 macro_rules! with_every_shape {
     ($function:ident :: <$format:ty>) => {
@@ -169,12 +172,12 @@ macro_rules! shapes {
         use $crate::{falloffs::{Shape, sound}, oracle};
         [
             $(
-                $crate::shapes!(@call $function Shape::<$type>::plain($name, sound($sample), $truth)),
+                $crate::shapes!(@call $function Shape::plain($name, AnyFalloff::$variant(sound($sample)), $truth)),
                 $($crate::shapes!(@call $function Shape::<$constant>::plain($its_name, $value, $its_truth)),)?
             )*
             $crate::shapes!(@call $function Shape::plain("power-15", Power::<15>, oracle::power_15)),
-            $crate::shapes!(@call $function Shape::hotspot("soft-hotspot", Soft, oracle::soft)),
-            $crate::shapes!(@call $function Shape::with_cutoff("soft-cutoff", Soft, oracle::soft)),
+            $crate::shapes!(@call $function Shape::hotspot("soft-hotspot", AnyFalloff::from(Soft), oracle::soft)),
+            $crate::shapes!(@call $function Shape::with_cutoff("soft-cutoff", AnyFalloff::from(Soft), oracle::soft)),
             $crate::shapes!(@call $function Shape::<Power<15>>::opengl("opengl-15", oracle::power_15)),
         ]
     }};

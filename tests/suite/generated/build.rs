@@ -3,7 +3,6 @@
 mod lights;
 
 use std::error::Error;
-use std::fmt::Debug;
 use std::path::Path;
 use std::{env, fs};
 
@@ -13,7 +12,7 @@ use luminaire::codegen::{Source, as_source};
 struct Listing(String);
 
 impl lights::Visit for Listing {
-    fn value<T: Source + Debug>(&mut self, name: String, value: T) {
+    fn value<T: Source>(&mut self, name: String, value: T) {
         self.0 += &format!("({name:?}, &const {} as &dyn Constant),\n", as_source(&value));
     }
 }

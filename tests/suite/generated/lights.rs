@@ -1,8 +1,6 @@
 //! Samples of everything that compiles to a format, in every format. The build script writes them,
 //! and the test compares them.
 
-use std::fmt::Debug;
-
 use luminaire::codegen::{Named, SourceScalar};
 use luminaire::number::Quick;
 use luminaire::{
@@ -20,7 +18,7 @@ use luminaire::{attenuation::*, falloff::*, models::*, specular::*};
 /// A visitor of the values.
 pub(crate) trait Visit {
     /// Takes a compiled value, and a name by which to find it.
-    fn value<T: Source + Debug>(&mut self, name: String, value: T);
+    fn value<T: Source>(&mut self, name: String, value: T);
 }
 
 /// Positions and directions, with components of both signs and of very different sizes.
