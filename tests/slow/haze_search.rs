@@ -33,15 +33,6 @@ use support::{
     views::{distances, exactly},
 };
 
-/// Rays from one eye.
-const RAYS: usize = 32;
-
-/// Eyes that look at one beam.
-const EYES: usize = 32;
-
-/// Places of a ray at which the filter of `in_scattering_through` is called.
-const PLACES: usize = 4;
-
 /// Works on numbered items on all processors, with random numbers that depend on the item alone.
 fn in_parallel(items: u64, work: impl Fn(&mut Rng, u64) + Sync) {
     let next = AtomicU64::new(0);
@@ -60,94 +51,6 @@ fn in_parallel(items: u64, work: impl Fn(&mut Rng, u64) + Sync) {
 fn haze(rng: &mut Rng) -> Haze {
     let haze = Haze::new(0.5).expect("a sound density");
     haze.with_source_radius(1e-3 * 100.0_f32.powf(rng.f32())).expect("a sound radius")
-}
-
-/// Half angles from narrow to 90 degrees, evenly spread over the logarithm of the angle, or of what
-/// is left to 90 degrees.
-fn any_half(rng: &mut Rng) -> HalfAngle {
-    let angle = 0.05 * 1_800.0_f32.powf(rng.f32());
-    HalfAngle::degrees(match rng.u8(..8) {
-        0 => 90.0,
-        1 => 90.05 - angle,
-        _ => angle,
-    })
-}
-
-/// Every form of air light of rays from some eyes is exactly zero where the beam cannot meet the
-/// ray. Returns how many rays are lit.
-fn lit<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>>(
-    rng: &mut Rng,
-    falloff: P,
-    attenuation: A,
-) -> u64 {
-    let half = any_half(rng);
-    let mut cone = Cone::from_outer(falloff, half).expect("a sound angle");
-    if rng.bool() {
-        let inner = HalfAngle::degrees(half.to_degrees() * 0.9 * rng.f32());
-        let hotspot = cone.with_inner(inner).expect("a sound angle");
-        // Around a hotspot the edge may be steeper than the format holds.
-        cone = if hotspot.compile::<f32>().is_ok() { hotspot } else { cone };
-    }
-    let spot = sweep::spot(rng, cone).with_attenuation(attenuation);
-    let haze = haze(rng);
-    let typed = spot.compile::<f32>().expect("held").in_haze(&haze);
-    let any = AnyLight::from(spot).compile::<f32>().expect("held").in_haze(&haze).expect("a spotlight");
-    let frame = Frame::new(rng, spot.position(), spot.axis(), half.to_radians().into());
-    let mut lit = 0;
-    for _ in 0..EYES {
-        let rays: ViewRays<RAYS> = frame.rays(rng);
-        let [mut each, mut through_each] = [[f32::NAN; RAYS]; 2];
-        any.in_scattering_each(&rays, &mut each);
-        let mut clear = |_: &Vec3<[f32; PLACES]>, _: &mut [f32; PLACES]| ();
-        any.in_scattering_through_each(&rays, &mut clear, &mut through_each);
-        for i in 0..RAYS {
-            let ray = rays.at(i);
-            let forms = [
-                each[i],
-                through_each[i],
-                any.in_scattering(&ray),
-                typed.in_scattering(&ray),
-                any.in_scattering_through(&ray, PLACES as u32, |_| 1.0),
-                typed.in_scattering_through(&ray, PLACES as u32, |_| 1.0),
-            ];
-            if forms != [0.0; 6] {
-                let ViewRay { eye, direction, length } = ray;
-                let bundle = RayBundle { eye, direction, versine: 0.0, length };
-                assert!(
-                    any.can_meet(&bundle) && typed.can_meet(&bundle),
-                    "{forms:?} of {spot:?} along {ray:?}"
-                );
-                lit += 1;
-            }
-        }
-    }
-    lit
-}
-
-#[test]
-fn a_ray_that_cannot_meet_the_beam_is_exactly_dark() {
-    let rays: u64 = if is_full() { 100_000_000 } else { 1_000_000 };
-    let (start, total) = (Instant::now(), AtomicU64::new(0));
-    in_parallel(rays / (RAYS * EYES) as u64, |rng, number| {
-        let range = 0.1 * 1e4_f32.powf(rng.f32());
-        let window = FilamentRange::new(InverseSquare, Some(range)).expect("a sound range");
-        let cut = CutAt::new(InverseSquare, Some(range)).expect("a sound range");
-        let polynomial = Polynomial::new(0.5, 0.25, 0.125).expect("sound coefficients");
-        let lit = match number % 8 {
-            0 => lit(rng, Soft, InverseSquare),
-            1 => lit(rng, Hard, InverseSquare),
-            2 => lit(rng, Step, InverseSquare),
-            3 => lit(rng, Step, cut),
-            4 => lit(rng, Step, window),
-            5 => lit(rng, Hard, window),
-            6 => lit(rng, Hard, polynomial),
-            _ => lit(rng, Step, NoAttenuation),
-        };
-        total.fetch_add(lit, Ordering::Relaxed);
-    });
-    let share = total.into_inner() as f64 / rays as f64;
-    println!("{rays} rays in {:.1} s, {:.1} % lit", start.elapsed().as_secs_f64(), 100.0 * share);
-    assert!((0.2..0.35).contains(&share), "{share:.3} of all rays are lit");
 }
 
 /// The largest error over many rays of the soft edge, relative to what is seen there or to what a

@@ -92,30 +92,6 @@ fn fx16_holds_what_it_states() {
     with_every_shape!(assert_narrowest::<Fx16>);
 }
 
-/// The steepness a falloff states is the largest slope of its reference over the angle, with and
-/// without a hotspot.
-fn assert_steepness<P: Falloff>(shape: &Shape<P>) {
-    if shape.exactly_at(1.0).jumps_near(shape.exactly_at(1.0).limit, 1.0) {
-        return;
-    }
-    for hotspot in [0.0, 0.1, 0.25, 0.5, 0.9] {
-        // An outer half angle of one radian in the small-angle sense: versines are squares.
-        let cone = oracle::Cone { inner: hotspot, ..oracle::Cone::new(shape.oracle, 1.0) };
-        let at = |x: f64| cone.falloff(x * x);
-        let slope = |x: f64| (at(x - 1e-7) - at(x + 1e-7)) / 2e-7;
-        let largest = (1..199_999).map(|i| slope(f64::from(i) / 200_000.0)).fold(0.0, f64::max);
-        let stated = f64::from(shape.falloff.steepness(hotspot as f32));
-        let near =
-            if shape.name == "table" { largest..=1.1 * largest } else { 0.998 * largest..=1.002 * largest };
-        assert!(near.contains(&stated), "{} at {hotspot}: {largest} is stated as {stated}", shape.name);
-    }
-}
-
-#[test]
-fn steepness_is_the_largest_slope() {
-    with_every_shape!(assert_steepness);
-}
-
 /// A jump is at the specified angle, within 1/510 of its half angle, in the narrowest cone that a
 /// format holds.
 #[test]
@@ -140,31 +116,4 @@ fn a_step_is_in_its_place() {
         }
     }
     assert_place::<Fx16>();
-}
-
-/// The cosine form, for contrast: with the same f32 inputs `1 - l.s` has lost a beam that the
-/// difference keeps.
-#[test]
-fn the_cosine_form_loses_what_the_versine_form_keeps() {
-    let half_degrees = 0.1;
-    let cone = Cone::from_outer(Soft, HalfAngle::degrees(half_degrees)).expect("a sound cone");
-    let outer = oracle::versine(half_degrees.into());
-    let mut rng = Rng::with_seed(7);
-    let (mut cosine_form, mut versine_form) = (0.0_f64, 0.0_f64);
-    for _ in 0..2_000 {
-        let spot = sweep::spot(&mut rng, cone);
-        let (position, axis) = (f32::exact_point(spot.position()), f32::exact_direction(spot.axis()));
-        let distance = sweep::distance(&mut rng);
-        let site = sweep::site::<f32>(&mut rng, position, axis.normalize(), half_degrees.into(), distance);
-        let exact = oracle::SpotLight::new(position, axis, oracle::Cone::new(oracle::soft, outer))
-            .falloff(f32::exact_point(site.point));
-        let way = site.point.zip(spot.position(), |p, l| p - l);
-        let cosine = way.dot(spot.axis()) / way.dot(way).sqrt();
-        let faulty = oracle::falloff(oracle::soft, f64::from(1.0 - cosine), outer);
-        cosine_form = cosine_form.max(oracle::counted((faulty - exact).abs()));
-        let kept = spot.compile::<f32>().expect("held").falloff_at(site.point);
-        versine_form = versine_form.max(oracle::counted((f64::from(kept) - exact).abs()));
-    }
-    assert!((0.05..=1.0).contains(&cosine_form), "{cosine_form:.2e}");
-    assert!((1e-5..1e-4).contains(&versine_form), "{versine_form:.2e}");
 }

@@ -7,57 +7,10 @@ use luminaire::{
     falloff::{Cubic, Falloff, Hard, Knot, Linear, Power, Quadratic, Smooth, Soft, Step, Table},
 };
 use support::assert_that;
-use support::with_every_shape;
-use support::{
-    falloffs::Shape,
-    format::Format,
-    oracle::{self, half_degrees},
-};
+use support::format::Format;
 
 fn assert_near(what: &str, found: f32, expected: f64, within: f64) {
     assert!((f64::from(found) / expected - 1.0).abs() < within, "{what} is {found}, not {expected}");
-}
-
-/// Beam and field angle are the last angles with at least a half and a tenth of the intensity, with
-/// and without hotspot and cutoff.
-fn assert_angles<P: Falloff>(shape: &Shape<P>) {
-    for degrees in [0.1, 3.0, 20.0, 70.0, 90.0] {
-        let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
-        for (angle, intensity) in [(cone.beam(), 0.5), (cone.field(), 0.1)] {
-            let (mut light, mut dark) = (0.0, exact.limit);
-            for _ in 0..60 {
-                let middle = (light + dark) / 2.0;
-                if exact.falloff(middle) >= intensity { light = middle } else { dark = middle }
-            }
-            let what = format!("{} of {degrees} at {intensity}", shape.name);
-            assert_near(&what, angle.to_degrees(), 2.0 * half_degrees(light), 1e-5);
-        }
-        assert_near(shape.name, cone.outer().to_degrees(), 2.0 * half_degrees(exact.limit), 1e-5);
-        assert!(cone.inner() <= cone.beam() && cone.beam() <= cone.field() && cone.field() <= cone.outer());
-    }
-}
-
-#[test]
-fn angles_are_where_the_intensity_says() {
-    with_every_shape!(assert_angles);
-}
-
-/// Flux is 2 pi times the integral of the intensity over the versine: by the midpoint rule, in f64.
-fn assert_flux<P: Falloff>(shape: &Shape<P>) {
-    for degrees in [0.1, 20.0, 90.0] {
-        let (cone, exact) = (shape.at(degrees), shape.exactly_at(degrees));
-        let steps = 200_000;
-        let width = exact.limit / f64::from(steps);
-        let sum: f64 = (0..steps).map(|i| exact.falloff((f64::from(i) + 0.5) * width)).sum();
-        let lumens = 1_000.0 * std::f64::consts::TAU * sum * width;
-        assert_near(shape.name, cone.lumens(1_000.0), lumens, 2e-5);
-        assert_near(shape.name, cone.candela(cone.lumens(1_000.0)), 1_000.0, 1e-6);
-    }
-}
-
-#[test]
-fn flux_is_the_integral_of_the_intensity() {
-    with_every_shape!(assert_flux);
 }
 
 /// The shares of the paper's falloffs: a third and two thirds of a full cone.
@@ -217,22 +170,6 @@ fn tables_out_of_range_are_refused() {
     assert_refused(wide, Parameter::OuterAngle, "at most 180 degrees");
 }
 
-/// A table from data every ten degrees has these values at these angles, and values between them in
-/// between.
-#[test]
-fn a_table_of_angles_gives_its_values_back() {
-    let measured = [1.0, 0.97, 0.88, 0.71, 0.46, 0.22, 0.08, 0.02, 0.0, 0.0];
-    let mut samples = [Knot::default(); 256];
-    let outer = Angle::degrees(180.0);
-    let (table, _) = Table::from_angles(&measured, outer, &mut samples).expect("sound data");
-    let falloff = Cone::from_outer(table, outer).expect("sound").compile::<Fx16>().expect("held");
-    for (i, &expected) in measured.iter().enumerate() {
-        let half = HalfAngle::degrees(10.0 * i as f32);
-        let found = falloff.at(falloff.versine(Angle::from(half).versine())).to_f32();
-        assert_that!((found - expected).abs() < 2e-3, found, half);
-    }
-}
-
 /// A table may end above zero, but the edge is dark.
 #[test]
 fn a_table_is_dark_from_its_edge_on() {
@@ -244,25 +181,6 @@ fn a_table_is_dark_from_its_edge_on() {
     assert_eq!(falloff.at(falloff.versine(outer)), Fx32::ZERO);
     assert!(falloff.at(falloff.versine(outer.next_down())).to_f32() > 0.6);
     assert_eq!(cone.beam(), cone.outer());
-}
-
-/// The angles of other systems, as the documentation of the crate lists them. Each line is a
-/// fixture of 15 degrees from edge to edge.
-#[test]
-fn the_systems_angles_are_one() {
-    let full = Angle::degrees(15.0);
-    let same = |angle: Angle| assert_near("full angle", angle.to_degrees(), 15.0, 1e-6);
-    // Data sheets and GDTF.
-    same(full);
-    // Direct3D 9: Phi.
-    same(Angle::radians(0.261_799_4));
-    // OpenGL: GL_SPOT_CUTOFF.
-    same(HalfAngle::degrees(7.5).into());
-    // glTF: outerConeAngle; three.js: angle.
-    same(HalfAngle::radians(0.130_899_7).into());
-    let outer = |angle: Angle| Cone::from_outer(Soft, angle).expect("sound").outer_versine();
-    assert_near("outer versine", outer(HalfAngle::degrees(7.5).into()), oracle::versine(7.5), 1e-6);
-    assert_eq!(outer(full), outer(HalfAngle::from(full).into()));
 }
 
 /// A cutoff within the hotspot leaves a step, of which both angles are the cutoff.

@@ -187,18 +187,6 @@ fn f32_keeps_the_light_of_a_cell() {
     assert_keeps_the_light("f32", &show(spread(40_000).map(|light| light as f32)), 2e-4);
 }
 
-/// In f32 a pixel shows the same code as in fixed point, unless it is within a rounding of a
-/// threshold. None of these values is.
-#[test]
-fn f32_shows_the_codes_of_fixed_point() {
-    for steps in (0..=1 << 24).step_by(1_009) {
-        let (float, fixed) = (steps as f32 / (1 << 24) as f32, Fx32::from_bits(steps << 6));
-        for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
-            assert_eq!(codes(float, x, y), codes(fixed, x, y), "{steps} at {x} {y}");
-        }
-    }
-}
-
 /// The number of pixels of a cell that do not show a given code.
 fn others<S: Scalar>(value: S, which: usize, code: u16) -> usize {
     (0..64).filter(|i| codes(value, i % 8, i / 8)[which] != code).count()
@@ -282,51 +270,4 @@ fn values_beyond_the_display_are_clipped() {
             assert_eq!(codes(value, x, y), expected);
         }
     }
-}
-
-/// Only the position within a cell counts, up to the largest coordinates.
-#[test]
-fn cells_repeat() {
-    for (x, y) in (0..64).map(|i| (i % 8, i / 8)) {
-        let here = codes(0.2_f32, x, y);
-        for (far_x, far_y) in [(x + 8, y), (x, y + 80), (u32::MAX - 7 + x, u32::MAX - 7 + y)] {
-            assert_eq!(codes(0.2_f32, far_x, far_y), here);
-        }
-    }
-}
-
-/// The matrix spreads the pixels evenly: a block of 4 x 4 pixels is off by at most 7/128 and one of
-/// 2 x 2 by 31/128. With so few pixels the best possible is 4/128 and 16/128.
-#[test]
-fn parts_of_a_cell_keep_the_light_too() {
-    let lights = lights(31);
-    for (size, bound) in [(4_u32, 7.0 / 128.0), (2, 31.0 / 128.0)] {
-        let mut worst = 0.0_f64;
-        for step in 0..=1000 {
-            let part = f64::from(step) / 1000.0;
-            let value = (lights[12] + part * (lights[13] - lights[12])) as f32;
-            for (left, top) in (0..64 / size / size).map(|i| (i % (8 / size), i / (8 / size))) {
-                let pixels = (0..size * size).map(|i| (left * size + i % size, top * size + i / size));
-                let upper = pixels.filter(|&(x, y)| codes(value, x, y)[2] == 13).count();
-                worst = worst.max((upper as f64 / f64::from(size * size) - part).abs());
-            }
-        }
-        println!("{size} x {size}: {:.2} of 128", worst * 128.0);
-        assert_that!((0.98 * bound..=bound + 1e-6).contains(&worst), size, worst);
-    }
-}
-
-/// Why the share is computed in linear light: computed from the encoded value, it would make a cell
-/// too bright, by up to a twentieth of a step.
-#[test]
-fn parts_by_the_encoded_value_would_be_too_bright() {
-    let lights = lights(31);
-    let mut worst = 0.0_f64;
-    for light in spread(100_000) {
-        let exact = oracle::srgb_code(light) / 255.0 * 31.0;
-        let (_, part) = place(&lights, light);
-        worst = worst.max(exact.fract() - part);
-    }
-    println!("by the encoded value: {worst:.4} of a step");
-    assert_that!((0.048..=0.0495).contains(&worst), worst);
 }

@@ -6,9 +6,8 @@ use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, Scalar, SpotLight, Vec3,
     error::{Expected, Parameter},
     falloff::{Soft, Step},
-    projector::{CompiledGobo, Gobo, ProjectedPoint, Projection},
+    projector::{Gobo, ProjectedPoint, Projection},
 };
-use luminaire_render::scenes::gobos;
 use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
@@ -20,9 +19,6 @@ use support::{
     sweep,
 };
 
-const WINDOW: [u8; 16 * 16] = gobos::window();
-const STAR: [u8; 32 * 32] = gobos::star();
-const BREAKUP: [u8; 64 * 64] = gobos::breakup();
 /// The largest sum of weighted bytes: all weights, times 255.
 const ALL: u32 = 255 << 24;
 
@@ -141,21 +137,6 @@ fn an_even_pane_has_one_transmission() {
     assert_even::<Fx16>();
 }
 
-/// The interpolation is computed in integers, so formats differ only by their rounding of the sum.
-#[test]
-fn a_place_has_one_transmission_in_every_format() {
-    let mut rng = Rng::with_seed(3);
-    let gobo = Gobo::of(&BREAKUP);
-    for _ in 0..100_000 {
-        let [column, row] = [0; 2].map(|_| rng.i32(-70_000..135_000));
-        let found: Fx32 = gobo.transmission(&at(column, row));
-        let close: Fx16 = gobo.transmission(&at(column, row));
-        let float: f32 = gobo.transmission(&at(column, row));
-        assert!((close.exact() - found.exact()).abs() <= 0.76 * f64::from(Fx16::STEP));
-        assert!((float.exact() - found.exact()).abs() <= 1.5 * f64::from(f32::EPSILON));
-    }
-}
-
 /// Outside the projection, and in the outer half of a border texel, the value of the border texel
 /// continues.
 #[test]
@@ -249,29 +230,6 @@ fn a_pattern_stands_upright_on_a_wall() {
     assert_eq!(corners.map(|(x, y)| gobo.at(Vec3::new(x, y, -1.0))), [1.0, 0.0, 0.0, 0.0]);
 }
 
-/// The renderer's patterns pass a part of the light, and are opaque outside the cone.
-#[test]
-fn patterns_lie_within_the_cone() {
-    for (name, gobo, share) in [
-        ("window", Gobo::of(&WINDOW), 0.2..0.3),
-        ("star", Gobo::of(&STAR), 0.2..0.4),
-        ("breakup", Gobo::of(&BREAKUP), 0.2..0.4),
-    ] {
-        let (side, transmissions) = (gobo.side(), gobo.transmissions());
-        let sum: f64 = transmissions.iter().map(|&t| f64::from(t) / 255.0).sum();
-        let passed = sum / (side * side) as f64;
-        println!("{name} passes {passed:.3}");
-        assert!(share.contains(&passed), "{name} passes {passed}");
-        for (index, &transmission) in transmissions.iter().enumerate() {
-            let [x, y] = [index % side, index / side].map(|i| (i as f64 + 0.5) / side as f64 * 2.0 - 1.0);
-            assert!(transmission == 0 || x * x + y * y < 1.0, "{name}: {index} is outside of the cone");
-        }
-        // Window and star are symmetric; the breakup is not.
-        let mirrored = transmissions.chunks(side).all(|row| row.iter().eq(row.iter().rev()));
-        assert_eq!(mirrored, name != "breakup", "{name}");
-    }
-}
-
 #[test]
 fn what_is_no_gobo() {
     let message = |refused: Result<Gobo<'_>, Error>| refused.expect_err("no gobo").to_string();
@@ -284,15 +242,4 @@ fn what_is_no_gobo() {
     let gobo = Gobo::new(4_096, &widest).expect("the limit itself is accepted");
     let found: Fx32 = gobo.transmission(&at(65_535, 65_535));
     assert_eq!(found, Fx32::weighted_byte(9 << 24));
-}
-
-/// Both constructors give the same gobo, whose getters return what was set.
-#[test]
-fn a_gobo_keeps_what_it_is_given() {
-    let gobo = Gobo::of(&STAR);
-    assert_eq!((gobo.side(), gobo.transmissions()), (32, STAR.as_slice()));
-    assert_eq!(Gobo::new(32, &STAR), Ok(gobo));
-    let square = projection::<Fx16>(&mut Rng::with_seed(1), 20.0).1.compile::<Fx16>().expect("held");
-    assert_eq!(CompiledGobo::from_parts(square, gobo), gobo.on(square));
-    assert_eq!((gobo.on(square).gobo(), *gobo.on(square).projection()), (gobo, square));
 }

@@ -346,21 +346,3 @@ fn rays_just_outside_the_beam_are_rejected() {
         }
     }
 }
-
-#[test]
-fn clear_air_meets_nothing() {
-    let mut rng = Rng::with_seed(3);
-    for _ in 0..100 {
-        let spot = spot(&mut rng);
-        let (bundle, _) = bundle(&mut rng, &oracle(&spot));
-        assert!(!in_haze(&spot, 0.0).can_meet(&bundle));
-    }
-}
-
-#[test]
-fn haze_keeps_what_it_is_given() {
-    let thin = haze(0.125);
-    assert_eq!((thin.density(), thin.source_radius()), (0.125, 0.01));
-    let around = thin.with_source_radius(0.5).expect("a sound radius");
-    assert_eq!((around.density(), around.source_radius()), (0.125, 0.5));
-}

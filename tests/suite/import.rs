@@ -7,11 +7,10 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Fx16, Fx32, Scalar, SpotLight, Vec3,
+    Fx16, Fx32, SpotLight, Vec3,
     attenuation::{AnyAttenuation, Attenuation},
     falloff::{AnyFalloff, Falloff},
     import::{self, Difference, Imported, OpenGlLight},
-    light::CompiledSpotLight,
 };
 use support::assert_that;
 use support::{
@@ -107,23 +106,6 @@ fn what_the_kernel_has_is_exact() {
         let distance = distance_difference(&light, &original, ends);
         // Coefficients are rounded to f32 when they are scaled.
         assert!(distance < 2e-7, "{}: {distance:.1e} over the distance", original.name);
-    }
-}
-
-/// Godot's falloff begins at the axis.
-#[test]
-fn a_light_from_godot_has_no_hotspot() {
-    let (Imported { light, .. }, _) = imports::godot(45.0, 2.0, 8.0, 1.0);
-    assert!(!light.cone().has_hotspot());
-}
-
-/// An original that divides by zero between two equal angles has a step there.
-#[test]
-fn equal_angles_are_a_step() {
-    for (Imported { light, .. }, original) in imports::exact() {
-        if original.inner == original.outer {
-            assert!(matches!(light.cone().falloff(), AnyFalloff::Step(_)), "{}", original.name);
-        }
     }
 }
 
@@ -330,61 +312,4 @@ fn a_cutoff_of_half_a_turn_is_a_point_light() {
         let light = lit.irradiance(Vec3::new(x, 0.0, 0.0), normal);
         assert_that!((light - expected).abs() < 1e-6, light);
     }
-}
-
-/// A light with a falloff chosen by an importer equals the light with that falloff as a type.
-#[test]
-fn a_matched_profile_changes_no_bit() {
-    fn assert_same<S: Scalar, P: Falloff>(
-        chosen: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>,
-        falloff: P,
-        x: f32,
-    ) {
-        let point = Vec3::new(x, -1.0, 0.0).map(S::length);
-        assert_eq!(
-            chosen.with_falloff(falloff).falloff_at(point),
-            chosen.falloff_at(point),
-            "{falloff:?} at {x}"
-        );
-    }
-    let mut seen = Vec::new();
-    let hard = imports::godot(45.0, 0.5, 5.0, 1.0);
-    for (Imported { light, .. }, _) in imports::exact().into_iter().chain(imports::near()).chain([hard]) {
-        let Ok(chosen) = light.compile::<Fx32>() else { continue };
-        let falloff = light.cone().falloff();
-        let kind = std::mem::discriminant(&falloff);
-        if seen.contains(&kind) {
-            continue;
-        }
-        seen.push(kind);
-        for x in (0..300_u16).map(|i| f32::from(i) / 100.0) {
-            match falloff {
-                AnyFalloff::Step(typed) => assert_same(&chosen, typed, x),
-                AnyFalloff::Linear(typed) => assert_same(&chosen, typed, x),
-                AnyFalloff::Soft(typed) => assert_same(&chosen, typed, x),
-                AnyFalloff::Hard(typed) => assert_same(&chosen, typed, x),
-                AnyFalloff::Smooth(typed) => assert_same(&chosen, typed, x),
-                AnyFalloff::Power(typed) => assert_same(&chosen, typed, x),
-                AnyFalloff::InvertedPower(typed) => assert_same(&chosen, typed, x),
-                AnyFalloff::RealPower(typed) => assert_same(&chosen, typed, x),
-                AnyFalloff::InvertedRealPower(typed) => assert_same(&chosen, typed, x),
-                _ => panic!("no import makes {falloff:?}"),
-            }
-        }
-    }
-    assert_eq!(seen.len(), 9, "every kind of falloff is imported by one of the lights");
-}
-
-/// The defaults are those of `glLight`: a point light without attenuation.
-#[test]
-fn the_default_of_opengl_is_its_own() {
-    let default = import::OpenGl {
-        spot_cutoff: 180.0,
-        spot_exponent: 0.0,
-        constant_attenuation: 1.0,
-        linear_attenuation: 0.0,
-        quadratic_attenuation: 0.0,
-        intensity: 1.0,
-    };
-    assert_eq!(import::OpenGl::default(), default);
 }

@@ -3,10 +3,10 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Angle, Error, Fx16, Fx32, Vec3,
+    Angle, Error, Fx16, Fx32,
     attenuation::Attenuation,
     error::{Expected, Parameter},
-    falloff::{Falloff, IntegerPower, InvertedIntegerPower, InvertedRealPower, RealPower},
+    falloff::Falloff,
     import::{Difference, Direct3d, Gltf, Godot, Imported, OpenGl, OpenGlLight, Penumbra, Ramp, Three},
     light::{CompiledPointLight, CompiledSpotLight},
 };
@@ -131,18 +131,6 @@ fn penumbras_are_refused_by_their_names() {
     assert_refused(light(10.0, 181.0), message);
     assert_refused(light(20.0, 10.0), "umbra = 20: expected 0 to 10 degrees (full angle)");
     assert_refused(light(f32::NAN, 10.0), "umbra = NaN: expected 0 to 10 degrees (full angle)");
-}
-
-#[test]
-fn exponents_out_of_range() {
-    let message = "exponent = 1025: expected a whole number from 1 to 1024";
-    assert_refused(IntegerPower::new(1_025), message);
-    assert_refused(InvertedIntegerPower::new(0), "exponent = 0: expected a whole number from 1 to 1024");
-    for exponent in [0.0, -1.0, 1_024.1, f32::NAN] {
-        let message = format!("exponent = {exponent}: expected more than 0 and at most 1024");
-        assert_refused(RealPower::new(exponent), &message);
-        assert_refused(InvertedRealPower::new(exponent), &message);
-    }
 }
 
 fn assert_light<S: Format>(light: S::Irradiance, unskipped: S::Irradiance, what: &impl core::fmt::Debug) {
@@ -276,20 +264,4 @@ fn every_parameter_has_an_answer() {
     }
     println!("accepted: {accepted:?}");
     assert!(accepted.iter().all(|&accepted| accepted > 10), "{accepted:?} accepted, expected over 10 each");
-}
-
-/// The default parameters of every importer are those of its system, and give sound lights.
-#[test]
-fn defaults_are_sound() {
-    let down = Vec3::new(0.0, -1.0, 0.0);
-    let imported = OpenGl::default().import(ORIGIN, down).expect("sound");
-    assert!(matches!(imported.light, OpenGlLight::Point(_)));
-    let cone = |light: luminaire::SpotLight<
-        luminaire::falloff::AnyFalloff,
-        luminaire::attenuation::AnyAttenuation,
-    >| light.cone();
-    let near = |angle: Angle, degrees: f32| assert_that!((angle.to_degrees() - degrees).abs() < 1e-3, angle);
-    near(cone(Gltf::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);
-    near(cone(Three::default().import(ORIGIN, down).expect("sound").light).outer(), 120.0);
-    near(cone(Godot::default().import(ORIGIN, down).expect("sound").light).outer(), 90.0);
 }

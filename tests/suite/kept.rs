@@ -146,14 +146,3 @@ fn profiles_keep_what_they_are_given() {
     assert_eq!(falloff.with_falloff(Hard), hard.compile::<Fx16>().expect("held"));
     assert_eq!(Exposure::factor(4.0).expect("sound"), Exposure::stops(2).expect("sound"));
 }
-
-#[test]
-fn components_stay_in_their_places() {
-    let (v, w) = (Vec3::new(1, 2, 3), Vec3::new(10, 20, 30));
-    assert_eq!((v.x, v.y, v.z), (1, 2, 3));
-    assert_eq!((v.map(|c| -c), v.zip(w, |a, b| a + b)), (Vec3::new(-1, -2, -3), Vec3::new(11, 22, 33)));
-    assert_eq!(Vec3::new(1.0, 2.0, 3.0).dot(Vec3::new(10.0, 20.0, 30.0)), 140.0);
-    let (a, b) = (Rgb::new(1, 2, 3), Rgb::new(10, 20, 30));
-    assert_eq!((a.red, a.green, a.blue), (1, 2, 3));
-    assert_eq!((a.map(|c| -c), a.zip(b, |a, b| a + b)), (Rgb::new(-1, -2, -3), Rgb::new(11, 22, 33)));
-}

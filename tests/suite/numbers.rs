@@ -1,11 +1,7 @@
 //! The types of the fixed-point numbers, which wrap types of the crate `fixed`.
 
 use fixed::types::{I2F14, I2F30, I16F16, U18F14};
-use luminaire::{
-    Angle, Cone, Fx16, Fx32, Length, Vec3,
-    falloff::{Hard, Soft},
-    number::Light16,
-};
+use luminaire::{Fx16, Fx32, Length, Vec3, number::Light16};
 
 #[test]
 fn numbers_convert_to_fixed_and_back_with_their_bits() {
@@ -50,28 +46,4 @@ fn points_and_normals_are_constants_of_nearest_numbers() {
     assert_eq!(<[_; 3]>::from(NORMAL), [Fx16::from_bits(9_830), Fx16::ZERO, Fx16::MIN]);
     assert_eq!(Fx32::point([1.0, 2.0, 3.0]), Vec3::from([1, 2, 3].map(Length::from_int)));
     assert_eq!(Fx32::normal([1.0, 0.0, -1.0]).z.to_bits(), -1 << 30);
-}
-
-/// The compiler's error messages show the crate's own type names.
-#[test]
-fn names_of_numbers_have_no_typenum_in_them() {
-    for name in [std::any::type_name::<Fx16>(), std::any::type_name::<Vec3<Length>>()] {
-        assert!(name.starts_with("luminaire::") && !name.contains("typenum"), "{name}");
-    }
-}
-
-#[test]
-fn a_vector_has_a_length_and_a_unit_vector() {
-    let way = Vec3::from([3.0, 0.0, -4.0]);
-    assert_eq!((way.length(), way.unit()), (5.0, Vec3::new(0.6, 0.0, -0.8)));
-    assert!((way.reciprocal_length() - 0.2).abs() < 1e-7);
-    assert_eq!((Vec3::default().length(), Vec3::default().unit()), (0.0, Vec3::new(0.0, 0.0, 0.0)));
-}
-
-#[test]
-fn soft_and_hard_cones_are_designed_from_the_field_angle() {
-    let field = Angle::degrees(15.0);
-    assert_eq!(Cone::soft(field), Cone::from_field(Soft, field));
-    assert_eq!(Cone::hard(field), Cone::from_field(Hard, field));
-    assert!(Cone::soft(Angle::degrees(143.2)).is_err() && Cone::hard(Angle::degrees(174.2)).is_err());
 }

@@ -180,15 +180,6 @@ fn a_texel_that_is_missing_hides_nothing() {
 }
 
 #[test]
-fn a_shadow_keeps_what_it_is_given() {
-    let projection = projection::<Fx16>(&mut Rng::with_seed(18));
-    let depths = [1.0, 2.0, 3.0, 4.0].map(Fx16::length);
-    let shadow = Shadow::new(projection, 2, &depths).expect("a square of them");
-    assert_eq!((*shadow.projection(), shadow.side(), shadow.depths()), (projection, 2, &depths[..]));
-    assert_eq!(shadow, Shadow::from_parts(projection, 2, &depths));
-}
-
-#[test]
 fn maps_that_are_no_square_are_refused() {
     let projection = projection::<f32>(&mut Rng::with_seed(19));
     let refused = |side, count| Shadow::new(projection, side, &vec![1.0; count]).expect_err("no square");

@@ -5,9 +5,7 @@
 use fastrand::Rng;
 use luminaire::{
     Angle, Cone, Fx16, Fx32,
-    codegen::as_source,
-    error::{Expected, Parameter},
-    falloff::{Falloff, Knot, Table},
+    falloff::{Knot, Table},
 };
 use support::assert_that;
 use support::{format::Format, oracle, sweep};
@@ -246,79 +244,5 @@ fn every_bit_pattern_of_a_knot_has_an_answer() {
         assert_format::<f32>(table);
         assert_format::<Fx32>(table);
         assert_format::<Fx16>(table);
-    }
-}
-
-#[test]
-fn a_table_of_knots_is_written_as_source() {
-    let knots = [Knot::from_bits(0, 65_535, -32_768), Knot::from_bits(9, 7, 0)];
-    let table = Table::of_knots(&knots);
-    let written =
-        "Table::of_knots(const { &[Knot::from_bits(0, 65535, -32768), Knot::from_bits(9, 7, 0), ] })";
-    assert!(as_source(&table).to_string().contains(written));
-    assert_eq!((table.knots(), table.samples()), (&knots[..], &[][..]));
-}
-
-/// A table of evenly spaced knots equals the table of the same samples: in its properties, and
-/// within a step of each format.
-#[test]
-fn even_knots_are_the_table_of_their_samples() {
-    fn assert_format<S: Format>(even: Table<'_>, knots: Table<'_>) {
-        let [even, knots] = [even, knots].map(|table| {
-            let cone = Cone::from_outer(table, Angle::degrees(100.0)).expect("sound");
-            cone.compile::<S>().expect("held")
-        });
-        for i in 0..=10_000_u16 {
-            let u = f32::from(i) / 10_000.0;
-            let [a, b] = [even, knots].map(|falloff| falloff.at(falloff.versine(0.36 * u)).exact());
-            assert!((a - b).abs() <= f64::from(S::STEP), "{}: {a} and {b} at {u}", S::NAME);
-        }
-    }
-    let samples = [65_535_u16, 52_000, 52_500, 9_000, 2_000];
-    let knots: [Knot; 4] = std::array::from_fn(|i| {
-        let rise = i32::from(samples[i + 1]) - i32::from(samples[i]);
-        Knot::from_bits(16_384 * i as u16, samples[i], 2 * rise)
-    });
-    let (even, of_knots) = (Table::of(&samples), Table::of_knots(&knots));
-    let near = |a: f32, b: f32| assert!((a - b).abs() <= 3e-7 * a.abs(), "{a} and {b}");
-    near(even.beam_versine(), of_knots.beam_versine());
-    near(even.field_versine(), of_knots.field_versine());
-    for part in [0.0, 0.1, 0.25, 0.6, 0.99, 1.0] {
-        near(even.integral(part), of_knots.integral(part));
-        near(even.steepness(0.9 * part), of_knots.steepness(0.9 * part));
-    }
-    assert_format::<f32>(even, of_knots);
-    assert_format::<Fx32>(even, of_knots);
-    assert_format::<Fx16>(even, of_knots);
-}
-
-/// The reference value of a table of knots is the line, clamped to full intensity.
-#[test]
-fn the_f64_form_of_knots_is_their_line() {
-    let knots = [Knot::from_bits(0, 65_535, 1_000), Knot::from_bits(16_384, 60_000, -32_768)];
-    let table = Table::of_knots(&knots);
-    let formula = table.formula();
-    for (u, value) in [(0.0, 65_535.0), (0.125, 65_535.0), (0.25, 60_000.0), (0.5, 43_616.0), (0.9, 17_402.0)]
-    {
-        let exact: f64 = formula.exact(1.0 - u) * 65_535.0;
-        assert!((exact - value).abs() < 1.0, "{exact} at {u}, expected {value}");
-    }
-    assert_eq!(formula.exact(0.875), 1.0);
-    assert!((table.integral(0.25) - 0.25).abs() < 1e-7);
-    assert_eq!(Table::of(&[65_535, 65_535]).steepness(0.0), 1.0);
-    let dark = Table::of_knots(&[Knot::from_bits(0, 65_535, -131_072)]).formula().exact(0.25);
-    assert_eq!(dark, 0.0);
-}
-
-#[test]
-fn measured_values_and_angles_out_of_range_are_refused() {
-    let mut knots = [Knot::default(); 4];
-    for value in [-0.000_5, 1.000_5, f32::NAN] {
-        let error = Table::from_angles(&[1.0, value], Angle::degrees(30.0), &mut knots).unwrap_err();
-        assert_eq!((error.parameter, error.accepted), (Parameter::Sample, Expected::Between(0.0, 1.0)));
-    }
-    for degrees in [0.0, 180.1, f32::NAN] {
-        let error = Table::from_angles(&[1.0, 0.0], Angle::degrees(degrees), &mut knots).unwrap_err();
-        assert_eq!((error.parameter, error.accepted), (Parameter::OuterAngle, Expected::AngleUpTo(180.0)));
     }
 }

@@ -26,20 +26,6 @@ pub const DISTANCES: [Row; 7] = [
     row("cut at",            [7.0e-4, 2.4e-4, 3.6e-4, 2.8e-4, 9.0e-4, 2.3e-3]),
 ];
 
-/// The soft edge with a sampled transmittance, in waves of ten units.
-#[rustfmt::skip]
-pub const SAMPLES: [Row; 2] = [
-    row("16 samples",        [1.0e-3, 1.4e-1, 6.1e-2, 3.7e-2, 2.0e-2, 1.8e-2]),
-    row("64 samples",        [6.7e-4, 2.7e-2, 3.2e-2, 1.1e-2, 4.5e-3, 4.4e-3]),
-];
-
-/// The soft edge for rays that pass close to the light. Errors are divided by the factor of their
-/// magnification.
-#[rustfmt::skip]
-pub const AT_THE_LIGHT: [Row; 1] = [
-    row("at the light",      [6.2e-6, 1.1e-6, 2.0e-7, 5.0e-8, 3.4e-8, 2.5e-6]),
-];
-
 /// The tolerances of the laws for rounding.
 #[rustfmt::skip]
 pub const LAWS: [(&str, f64); 7] = [

@@ -122,14 +122,6 @@ mod tests {
     }
 
     #[test]
-    fn climb_counts_nan_as_an_infinite_error() {
-        let search = Search { starts: 4, climbs: 1, steps: 100, seed: 1 };
-        let error = |x: f32| if x > 3.0 { f64::NAN } else { 1.0 };
-        let found = search.worst(|_| 1.0, |rng, x| x + rng.f32(), error).map(|found| found.error);
-        assert_eq!(found, Some(f64::INFINITY));
-    }
-
-    #[test]
     fn climb_crosses_a_plateau_and_finds_nothing_where_nothing_is() {
         let search = Search { starts: 4, climbs: 4, steps: 3_000, seed: 3 };
         let moved = |rng: &mut Rng, v| {
@@ -140,25 +132,5 @@ mod tests {
         let found = search.worst(|_| [1.0; 3], moved, step).map(|found| found.error);
         assert_eq!(found, Some(2.0));
         assert!(search.worst(|_| [1.0; 3], moved, |_| 0.0).is_none());
-    }
-
-    #[test]
-    fn grid_steps_stay_on_the_grid() {
-        let mut rng = Rng::with_seed(4);
-        for _ in 0..1_000 {
-            let size = size(&mut rng);
-            let moved = grid_step(&mut rng, size)(3.25) * 65_536.0;
-            assert!(size.abs() <= 0.5 && moved == moved.round(), "{size}");
-        }
-    }
-
-    #[test]
-    fn ulp_steps_pass_zero_in_order_and_stay_finite() {
-        let mut rng = Rng::with_seed(5);
-        for _ in 0..1_000 {
-            let step = ulp_step(&mut rng);
-            let [from, zero, to] = [-f32::from_bits(1 << 25), 0.0, f32::from_bits(1 << 25)].map(&step);
-            assert!(from < zero && zero < to && step(f32::MAX).is_finite() && step(f32::MIN).is_finite());
-        }
     }
 }

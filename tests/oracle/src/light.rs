@@ -48,26 +48,3 @@ impl SpotLight {
         self.arriving(point) * to_light.dot(normal).clamp(0.0, 1.0)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{soft, versine};
-
-    #[test]
-    fn irradiance_is_the_product_of_falloff_cosine_and_distance() {
-        let cone = Cone::new(soft, versine(60.0));
-        let light = SpotLight { intensity: 8.0, ..SpotLight::new([1.0, 2.0, 3.0], [0.0, -7.0, 0.0], cone) };
-        let below = DVec3::new(1.0, 0.0, 3.0);
-        assert_eq!(light.irradiance(below, DVec3::Y), 2.0);
-        assert_eq!(light.irradiance(below, -DVec3::Y), 0.0);
-        assert_eq!(light.irradiance(below, 1.001 * DVec3::Y), 2.0);
-        // 45 degrees off axis on a floor: versine 0.2929, t = 0.4142, twice the squared distance.
-        let aside = DVec3::new(3.0, 0.0, 3.0);
-        let t = core::f64::consts::SQRT_2 - 1.0;
-        let exact = t * t * core::f64::consts::FRAC_1_SQRT_2;
-        assert!((light.irradiance(aside, DVec3::Y) - exact).abs() < 1e-15);
-        let even = SpotLight { attenuation: Attenuation::None, ..light };
-        assert!((even.irradiance(aside, DVec3::Y) - 8.0 * exact).abs() < 1e-14);
-    }
-}

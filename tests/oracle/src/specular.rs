@@ -59,39 +59,3 @@ impl Classic {
         ma * ia + arriving * (md * diffuse * cosine + ms * specular * lobe)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A unit direction in the plane of x and y, by its angle from y in degrees.
-    fn tilted(degrees: f64) -> DVec3 {
-        let (sine, cosine) = libm::sincos(degrees.to_radians());
-        DVec3::new(sine, cosine, 0.0)
-    }
-
-    #[test]
-    fn lobes_have_their_values() {
-        // The light is 30 degrees to one side; the eye in the mirror direction, then at the light.
-        for (lobe, in_mirror, at_light) in [
-            (phong as Lobe, 1.0, 0.25),
-            (blinn_phong, 1.0, 0.75),
-            (dual_cone, 0.75, 0.25),
-            (lyon, 1.0, 0.316_406_25),
-        ] {
-            for (eye, value) in [(-30.0, in_mirror), (30.0, at_light)] {
-                let found = lobe(tilted(30.0), tilted(eye), DVec3::Y, 2.0);
-                assert!((found - value).abs() < 1e-15, "{found} is not {value}");
-            }
-        }
-    }
-
-    #[test]
-    fn classic_equation_adds_its_terms() {
-        let classic =
-            Classic { ambient: [0.5, 0.25], diffuse: [0.5, 2.0], specular: [0.25, 2.0], shininess: 2.0 };
-        let at = |light| classic.light(4.0, tilted(light), tilted(0.0), DVec3::Y);
-        assert!((at(60.0) - (0.125 + 4.0 * (0.5 + 0.5 * 0.25))).abs() < 1e-14);
-        assert_eq!(at(120.0), 0.125);
-    }
-}
