@@ -1,78 +1,92 @@
 //! The state as text, for the part of the page's address after the `#`.
 //!
-//! It begins with the version and the scene, and has only what differs from the scene as it opens:
-//!
-//! | parameter | value |
-//! |---|---|
-//! | `format` | `fx16`, `fx32` or `f32` |
-//! | `with` | the format of the other half of a divided picture |
-//! | `difference` | `1`: the difference between both formats covers the picture |
-//! | `view` | yaw, pitch and factor of the visitor's camera |
-//! | `at` | the times of lights and camera, in seconds |
-//! | `play` | `lights`, `camera`, `both` or `none` |
-//! | `lights` | the lights, separated by `;` |
-//! | `effects` | switched effects, each with `-` before it if it is off |
-//! | `map` | what is shown over the picture |
-//! | `all` | `1`: every effect is evaluated |
-//! | `exposure` | stops |
-//! | `tone` | `hue`: overexposed light keeps its hue |
-//! | `handles` | `0`: the lights are not drawn over the picture |
-//!
-//! Numbers of one value are separated by `/`. A light is its number in the scene, or a range of
-//! lights without settings, as in `3-7`; the number after the last one is a light that the visitor has
-//! added. Its settings follow, each with `:`, a letter and a value:
-//! `x` off, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour, `i` intensity as a
-//! multiple of full scale at 1 metre, `p` position, `t` target.
+//! It begins with the version and the scene, and has only what differs from the scene as it opens, in
+//! the order of [`PARAMETERS`]. Numbers of one value are separated by `/`, and lights by `;`. A light is
+//! its number in the scene, or a range of lights without settings, as in `3-7`; the number after the last
+//! one is a light that the visitor has added. Its [`SETTINGS`] follow, each with `:`, a letter and a value.
 
 use crate::{
-    decimal::read,
+    decimal::{numbers, read, read_numbers},
+    design::Design,
     edge, fixture,
-    format::Format,
-    map::Subject,
+    parameter::{self, Kind, PARAMETERS},
     refusal::Refusal,
     setting::{Setting, channels},
-    state::{EXPOSURES, LIGHTS, SWITCHABLE, State},
-    viewpoint::Viewpoint,
+    state::{LIGHTS, State},
 };
 use luminaire::Vec3;
 use luminaire_fixtures::Fixture;
 use luminaire_render::scenes::Example;
-use std::fmt::Write;
 
 /// The version of this format of addresses.
 const VERSION: &str = "1";
 
-/// The names of what plays.
-const PLAYS: [(&str, [bool; 2]); 4] =
-    [("none", [false; 2]), ("lights", [true, false]), ("camera", [false, true]), ("both", [true; 2])];
+/// A setting of a light: its letter, how it is written, and how it is read into a light.
+type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, Setting) -> Option<Setting>);
+
+/// The settings of a light: `x` off, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
+/// `i` intensity as a multiple of full scale at 1 metre, `p` position, `t` target.
+const SETTINGS: [Letter; 9] = [
+    (
+        'x',
+        |light| (!light.is_on).then(String::new),
+        |text, light| text.is_empty().then_some(Setting { is_on: false, ..light }),
+    ),
+    (
+        'b',
+        |light| Some(light.design.beam?.to_string()),
+        |text, light| Some(Setting { design: Design { beam: Some(read(text)?), ..light.design }, ..light }),
+    ),
+    (
+        'f',
+        |light| Some(light.design.field?.to_string()),
+        |text, light| Some(Setting { design: Design { field: Some(read(text)?), ..light.design }, ..light }),
+    ),
+    (
+        'e',
+        |light| Some(light.edge?.effect().name().to_owned()),
+        |text, light| Some(Setting { edge: Some(edge::named(text)?), ..light }),
+    ),
+    (
+        'l',
+        |light| Some(fixture::slug(light.fixture?)),
+        |text, light| Some(Setting { fixture: Some(fixture::with_slug(text)?), ..light }),
+    ),
+    (
+        'c',
+        |light| light.color.map(|[red, green, blue]| format!("{red:02x}{green:02x}{blue:02x}")),
+        |text, light| Some(Setting { color: Some(channels(text)?), ..light }),
+    ),
+    (
+        'i',
+        |light| Some(light.intensity?.to_string()),
+        |text, light| Some(Setting { intensity: Some(read(text)?), ..light }),
+    ),
+    (
+        'p',
+        |light| Some(numbers(&<[f32; 3]>::from(light.position?))),
+        |text, light| Some(Setting { position: Some(Vec3::from(read_numbers(text)?)), ..light }),
+    ),
+    (
+        't',
+        |light| Some(numbers(&<[f32; 3]>::from(light.target?))),
+        |text, light| Some(Setting { target: Some(Vec3::from(read_numbers(text)?)), ..light }),
+    ),
+];
 
 /// Writes a state, for a scene with this number of lights.
 pub(crate) fn write(state: &State, lights: usize) -> String {
     let opened = State::of(state.scene, lights);
     let mut text = format!("v={VERSION}&scene={}", state.scene.name());
-    let mut put = |name: &str, differs: bool, value: &dyn Fn() -> String| {
-        if differs {
-            text.extend(["&", name, "=", &value()]);
+    for parameter in &PARAMETERS {
+        let value = match parameter.kind {
+            Kind::Lights => (state.lights != opened.lights).then(|| lights_text(&state.lights)),
+            _ => parameter.write(state, &opened),
+        };
+        if let Some(value) = value {
+            text.extend(["&", parameter.name, "=", &value]);
         }
-    };
-    put("format", state.format != opened.format, &|| state.format.name().to_owned());
-    put("with", state.other != opened.other, &|| state.other.map_or("", Format::name).to_owned());
-    put("difference", state.is_difference, &|| "1".to_owned());
-    put("view", state.viewpoint != opened.viewpoint, &|| numbers(&state.viewpoint.parts()));
-    put("at", state.seconds != opened.seconds, &|| numbers(&state.seconds));
-    let plays = PLAYS.iter().find(|(_, plays)| *plays == state.plays).map_or("", |(name, _)| name);
-    put("play", state.plays != opened.plays, &|| plays.to_owned());
-    put("lights", state.lights != opened.lights, &|| lights_text(&state.lights));
-    let switched = SWITCHABLE
-        .iter()
-        .zip(state.switched)
-        .filter_map(|((effect, _), on)| Some(format!("{}{}", if on? { "" } else { "-" }, effect.name())));
-    put("effects", state.switched != opened.switched, &|| switched.clone().collect::<Vec<_>>().join("/"));
-    put("map", state.map != opened.map, &|| state.map.name().to_owned());
-    put("all", state.is_everything != opened.is_everything, &|| "1".to_owned());
-    put("exposure", state.exposure != opened.exposure, &|| state.exposure.to_string());
-    put("tone", state.keeps_hue != opened.keeps_hue, &|| "hue".to_owned());
-    put("handles", state.shows_handles != opened.shows_handles, &|| "0".to_owned());
+    }
     text
 }
 
@@ -97,12 +111,14 @@ pub(crate) fn parse_in(scene: Example, lights: usize, text: &str) -> (State, Vec
         return (state, refused);
     }
     for (name, value) in pairs(text) {
-        if name == "lights" {
-            let (read, bad) = read_lights(value, lights);
-            state.lights = read.unwrap_or(state.lights);
-            refused.extend(bad);
-        } else {
-            refused.extend(take(&mut state, name, value).err());
+        match parameter::named(name) {
+            Ok(parameter) if matches!(parameter.kind, Kind::Lights) => {
+                let (read, bad) = read_lights(value, lights);
+                state.lights = read.unwrap_or(state.lights);
+                refused.extend(bad);
+            }
+            Ok(parameter) => refused.extend(parameter.read(&mut state, value).err()),
+            Err(refusal) => refused.push(refusal),
         }
     }
     (state, refused)
@@ -123,61 +139,6 @@ pub(crate) fn scene_named(name: &str) -> Result<Example, Refusal> {
     Example::named(name).ok_or_else(|| Refusal::name("scene", name, "one of those on the list"))
 }
 
-/// Takes one parameter of an address other than the lights.
-fn take(state: &mut State, name: &str, value: &str) -> Result<(), Refusal> {
-    let refused = |name, expected| Refusal::name(name, value, expected);
-    match name {
-        // Both are read first.
-        "v" | "scene" => {}
-        "format" => state.format = Format::named(value)?,
-        "with" => state.other = Some(Format::named(value)?),
-        "difference" => state.is_difference = value == "1",
-        "view" => {
-            let viewpoint = read_numbers(value).and_then(Viewpoint::from_parts);
-            state.viewpoint =
-                viewpoint.ok_or_else(|| refused("view", "yaw/pitch/factor, as in 0.5/0/1.2"))?;
-        }
-        "at" => state.seconds = read_numbers(value).ok_or_else(|| refused("at", "seconds/seconds"))?,
-        "play" => {
-            let plays = PLAYS.iter().find(|(name, _)| *name == value);
-            state.plays = plays.ok_or_else(|| refused("play", "none, lights, camera or both"))?.1;
-        }
-        "effects" => {
-            for word in value.split('/') {
-                let (name, on) = word.strip_prefix('-').map_or((word, true), |name| (name, false));
-                let place = SWITCHABLE.iter().position(|(effect, _)| effect.name() == name);
-                let expected = "specular, gobo, shadow, haze or dither, with - before it for off";
-                state.switched[place.ok_or_else(|| refused("effects", expected))?] = Some(on);
-            }
-        }
-        "map" => state.map = Subject::named(value)?,
-        "all" => state.is_everything = value == "1",
-        "exposure" => {
-            let [least, most] = EXPOSURES;
-            let stops = read(value).filter(|stops| (least..=most).contains(stops));
-            state.exposure = stops.ok_or_else(|| refused("exposure", "-14 to 6 stops"))?;
-        }
-        "tone" => state.keeps_hue = value == "hue",
-        "handles" => state.shows_handles = value != "0",
-        _ => {
-            return Err(Refusal::name(
-                "parameter",
-                name,
-                "v, scene, format, with, difference, view, at, play, lights, effects, map, all, exposure, tone or handles",
-            ));
-        }
-    }
-    Ok(())
-}
-
-fn numbers(values: &[f32]) -> String {
-    values.iter().map(f32::to_string).collect::<Vec<_>>().join("/")
-}
-
-fn read_numbers<const N: usize>(text: &str) -> Option<[f32; N]> {
-    text.split('/').map(read).collect::<Option<Vec<_>>>()?.try_into().ok()
-}
-
 fn lights_text(lights: &[Setting]) -> String {
     let is_own = |setting: &Setting| *setting == Setting::of(setting.of);
     // Consecutive lights without settings are one range.
@@ -190,25 +151,9 @@ fn lights_text(lights: &[Setting]) -> String {
     lights.chunk_by(follows).map(run).collect::<Vec<_>>().join(";")
 }
 
-fn light_text(setting: &Setting) -> String {
-    let mut text = setting.of.to_string();
-    let mut put = |letter: char, value: Option<String>| {
-        if let Some(value) = value {
-            // Writing to a string does not fail.
-            let _ = write!(text, ":{letter}{value}");
-        }
-    };
-    let vector = |v: Vec3<f32>| numbers(&[v.x, v.y, v.z]);
-    put('x', (!setting.is_on).then(String::new));
-    put('b', setting.design.beam.map(|degrees| degrees.to_string()));
-    put('f', setting.design.field.map(|degrees| degrees.to_string()));
-    put('e', setting.edge.map(|edge| edge.effect().name().to_owned()));
-    put('l', setting.fixture.map(fixture::slug));
-    put('c', setting.color.map(|[red, green, blue]| format!("{red:02x}{green:02x}{blue:02x}")));
-    put('i', setting.intensity.map(|intensity| intensity.to_string()));
-    put('p', setting.position.map(vector));
-    put('t', setting.target.map(vector));
-    text
+fn light_text(light: &Setting) -> String {
+    let setting = |(letter, write, _): &Letter| Some(format!(":{letter}{}", write(light)?));
+    light.of.to_string() + &SETTINGS.iter().filter_map(setting).collect::<String>()
 }
 
 /// Reads the lights. A bad light is as the scene has it, or left out if the scene has no such light. If
@@ -243,22 +188,10 @@ fn read_light(word: &str) -> Option<Vec<Setting>> {
     }
     let mut parts = word.split(':');
     let mut setting = Setting::of(parts.next()?.parse().ok()?);
-    let vector = |value| read_numbers(value).map(|[x, y, z]| Vec3::new(x, y, z));
     for part in parts {
         let letter = part.chars().next()?;
-        let value = &part[letter.len_utf8()..];
-        match letter {
-            'x' if value.is_empty() => setting.is_on = false,
-            'b' => setting.design.beam = Some(read(value)?),
-            'f' => setting.design.field = Some(read(value)?),
-            'e' => setting.edge = Some(edge::named(value)?),
-            'l' => setting.fixture = Some(fixture::with_slug(value)?),
-            'c' => setting.color = Some(channels(value)?),
-            'i' => setting.intensity = Some(read(value)?),
-            'p' => setting.position = Some(vector(value)?),
-            't' => setting.target = Some(vector(value)?),
-            _ => return None,
-        }
+        let (_, _, read) = SETTINGS.iter().find(|(other, ..)| *other == letter)?;
+        setting = read(&part[letter.len_utf8()..], setting)?;
     }
     // The angle of a fixture is one of its zoom.
     let is_zoom = |fixture: &Fixture| {
@@ -274,9 +207,12 @@ fn read_light(word: &str) -> Option<Vec<Setting>> {
 mod tests {
     use super::*;
     use crate::{
-        design::Design,
+        design::Mark::{Beam, Field},
         desk::Desk,
-        light::Mark::{Beam, Field},
+        format::Format,
+        map::Subject,
+        state::EXPOSURES,
+        viewpoint::Viewpoint,
     };
     use luminaire_fixtures::FIXTURES;
 
@@ -335,8 +271,7 @@ mod tests {
         for switch in &mut state.switched {
             *switch = random.choice([None, Some(true), Some(false)]).flatten();
         }
-        state.map =
-            random.choice([Subject::Nothing, Subject::Lights, Subject::Cost, Subject::Tiles]).unwrap();
+        state.map = random.choice(Subject::ALL).unwrap();
         state.is_everything = random.bool();
         let [least, most] = EXPOSURES;
         state.exposure = (least + random.f32() * (most - least)).min(most);

@@ -194,7 +194,6 @@ impl Desk {
         self.change_light(light, |setting| {
             setting.position = Some(position);
             setting.target = setting.target.or(aim);
-            Ok(())
         })
     }
 
@@ -214,10 +213,7 @@ impl Desk {
 
     /// Aims a light at a point. This ends a sweep.
     pub(crate) fn aim_light(&mut self, light: usize, target: Vec3<f32>) -> Result<(), Refusal> {
-        self.change_light(light, |setting| {
-            setting.target = Some(target);
-            Ok(())
-        })
+        self.change_light(light, |setting| setting.target = Some(target))
     }
 
     /// Sets the exposure so that a light's pool is shown as full scale in its middle.
@@ -230,15 +226,12 @@ impl Desk {
         let [least, most] = EXPOSURES;
         // In the steps of the slider.
         let stops = (full_scale(self.state().scene) / lux).log2();
-        self.expose(((4.0 * stops).round() / 4.0).max(least).min(most))
+        self.set("exposure", ((4.0 * stops).round() / 4.0).max(least).min(most))
     }
 
     /// Moves a light and its aim back to where the scene has them.
     pub(crate) fn put_back(&mut self, light: usize) -> Result<(), Refusal> {
-        self.change_light(light, |setting| {
-            (setting.position, setting.target) = (None, None);
-            Ok(())
-        })
+        self.change_light(light, |setting| (setting.position, setting.target) = (None, None))
     }
 }
 

@@ -93,12 +93,8 @@ mod tests {
         let mut code = Code::new();
         let mut json = |desk: &Desk| code.source(&job_of(desk), 0, "json").unwrap();
         let before = json(&desk);
-        desk.expose(2.0).unwrap();
-        desk.change_light(0, |setting| {
-            setting.is_on = false;
-            Ok(())
-        })
-        .unwrap();
+        desk.set("exposure", 2.0).unwrap();
+        desk.change_light(0, |setting| setting.is_on = false).unwrap();
         assert_eq!(json(&desk), before);
         desk.set_number(0, "field", 12.0).unwrap();
         assert_ne!(json(&desk), before);

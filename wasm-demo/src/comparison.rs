@@ -162,11 +162,9 @@ impl Comparison {
     #[wasm_bindgen(js_name = setScale)]
     pub fn set_scale(&mut self, codes: Option<f64>) -> Result<(), JsValue> {
         let chosen = codes.map(|codes| {
-            Scale::ending_at(codes).ok_or_else(|| Refusal::Name {
-                parameter: "end of the scale",
-                value: codes.to_string(),
-                expected: "1, 2 or 5 of a power of ten from 0.001 to 100 codes, or 255",
-            })
+            let expected = "1, 2 or 5 of a power of ten from 0.001 to 100 codes, or 255";
+            let refused = || Refusal::name("end of the scale", &codes.to_string(), expected);
+            Scale::ending_at(codes).ok_or_else(refused)
         });
         self.chosen = chosen.transpose()?;
         Ok(())
@@ -191,13 +189,7 @@ impl Comparison {
 impl Comparison {
     fn open(elements: [[&HtmlCanvasElement; 2]; 2], size: u32) -> Result<Self, Refusal> {
         if !(1..=LARGEST).contains(&size) {
-            return Err(Refusal::Outside {
-                parameter: "size",
-                value: size as f32,
-                least: 1.0,
-                most: LARGEST as f32,
-                unit: "pixels",
-            });
+            return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels"));
         }
         let canvas = |element| Canvas::new(element, size, size);
         let [[left, left_errors], [right, right_errors]] = elements;
@@ -231,9 +223,5 @@ fn light(forms: [Form; 2], wall: &Wall) -> [Side; 2] {
 }
 
 fn no_side(value: usize) -> Refusal {
-    Refusal::Name {
-        parameter: "side",
-        value: value.to_string(),
-        expected: "0 for the left one or 1 for the right",
-    }
+    Refusal::name("side", &value.to_string(), "0 for the left one or 1 for the right")
 }

@@ -1,6 +1,10 @@
 //! The intensity of a light over the angle off its axis, and curves to compare it with.
 
-use crate::{design::Design, format::Format, light::Mark, refusal::Refusal};
+use crate::{
+    design::{Design, Mark},
+    format::Format,
+    refusal::Refusal,
+};
 use luminaire::{
     Cone,
     falloff::{AnyFalloff, Linear, Smooth},

@@ -1,4 +1,4 @@
-//! Numbers from text.
+//! Numbers from text and as text.
 //!
 //! The standard library's parser brings a table of 10 kB, which hardly compresses: a thirtieth of
 //! the module's transfer.
@@ -29,6 +29,16 @@ pub(crate) fn read(text: &str) -> Option<f32> {
     let power = 10_f64.powi(exponent.abs().min(400));
     let value = if exponent < 0 { mantissa as f64 / power } else { mantissa as f64 * power };
     Some((sign * value) as f32).filter(|number| number.is_finite())
+}
+
+/// Writes the numbers of one value of an address.
+pub(crate) fn numbers(values: &[f32]) -> String {
+    values.iter().map(f32::to_string).collect::<Vec<_>>().join("/")
+}
+
+/// Reads what [`numbers`] writes.
+pub(crate) fn read_numbers<const N: usize>(text: &str) -> Option<[f32; N]> {
+    text.split('/').map(read).collect::<Option<Vec<_>>>()?.try_into().ok()
 }
 
 #[cfg(test)]

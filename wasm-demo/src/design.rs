@@ -1,11 +1,20 @@
 //! The angles that a cone is designed from.
 
-use crate::light::Mark;
+use crate::refusal::{Refusal, choose};
 use luminaire::{
     Angle, Cone, Error,
     error::{Expected, Parameter},
     falloff::AnyFalloff,
 };
+
+/// The angle that a cone is designed from. The kernel computes the others.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Mark {
+    /// Full angle at which the intensity is half of that on the axis.
+    Beam,
+    /// Full angle at which the intensity is a tenth of that on the axis.
+    Field,
+}
 
 /// Full angles in degrees. One of them gives the other by the falloff; both give the falloff. The
 /// kernel computes what is not given.
@@ -13,6 +22,21 @@ use luminaire::{
 pub(crate) struct Design {
     pub(crate) beam: Option<f32>,
     pub(crate) field: Option<f32>,
+}
+
+impl Mark {
+    /// The kind of angle with this name.
+    pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
+        choose("reading of the published angle", name, &[Self::Beam, Self::Field], Self::name)
+    }
+
+    /// The name that [`Self::named`] accepts.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Beam => "beam",
+            Self::Field => "field",
+        }
+    }
 }
 
 impl Design {

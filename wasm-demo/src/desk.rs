@@ -2,11 +2,12 @@
 
 use crate::{
     address,
+    parameter::{self, Value},
     photometry::full_scale,
     refusal::Refusal,
     rig::Rig,
     setting::Setting,
-    state::{EXPOSURES, LIGHTS, SWITCHABLE, State},
+    state::{LIGHTS, State, switch_of, switchable},
 };
 use luminaire_render::{
     Camera,
@@ -64,12 +65,16 @@ impl Desk {
     }
 
     /// Changes the state.
-    pub(crate) fn change(
-        &mut self,
-        act: impl FnOnce(&mut State) -> Result<(), Refusal>,
-    ) -> Result<(), Refusal> {
+    pub(crate) fn change(&mut self, act: impl FnOnce(&mut State)) -> Result<(), Refusal> {
         let mut next = self.state.clone();
-        act(&mut next)?;
+        act(&mut next);
+        self.adopt(next)
+    }
+
+    /// Sets a parameter of the state by its name.
+    pub(crate) fn set(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Refusal> {
+        let mut next = self.state.clone();
+        parameter::named(name)?.set(&mut next, value.into())?;
         self.adopt(next)
     }
 
@@ -77,12 +82,10 @@ impl Desk {
     pub(crate) fn change_light(
         &mut self,
         light: usize,
-        act: impl FnOnce(&mut Setting) -> Result<(), Refusal>,
+        act: impl FnOnce(&mut Setting),
     ) -> Result<(), Refusal> {
-        self.change(|state| {
-            let count = state.lights.len();
-            act(state.lights.get_mut(light).ok_or(Refusal::Number { value: light, count })?)
-        })
+        self.setting(light)?;
+        self.change(|state| act(&mut state.lights[light]))
     }
 
     /// Changes the setting of a light, given the light as the scene has it.
@@ -91,8 +94,10 @@ impl Desk {
         light: usize,
         act: impl FnOnce(&mut Setting, &MovingLight) -> Result<(), Refusal>,
     ) -> Result<(), Refusal> {
-        let original = *self.rig.original(self.setting(light)?.of)?;
-        self.change_light(light, |setting| act(setting, &original))
+        let mut setting = *self.setting(light)?;
+        let original = self.rig.original(setting.of)?;
+        act(&mut setting, original)?;
+        self.change_light(light, |light| *light = setting)
     }
 
     /// Begins a gesture of the visitor, which lasts until the next one begins.
@@ -158,10 +163,7 @@ impl Desk {
         if count > LIGHTS {
             return Err(Refusal::outside("number of lights", count as f32, [0.0, LIGHTS as f32], "lights"));
         }
-        self.change(|state| {
-            state.lights.insert(place, setting);
-            Ok(())
-        })
+        self.change(|state| state.lights.insert(place, setting))
     }
 
     /// Removes a light.
@@ -169,7 +171,6 @@ impl Desk {
         self.setting(light)?;
         self.change(|state| {
             state.lights.remove(light);
-            Ok(())
         })
     }
 
@@ -181,25 +182,8 @@ impl Desk {
 
     /// Switches an effect on or off by its name.
     pub(crate) fn switch(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
-        let place = SWITCHABLE.iter().position(|(effect, _)| effect.name() == name);
-        let expected = "specular, gobo, shadow, haze or dither";
-        let place = place.ok_or_else(|| Refusal::name("effect to switch", name, expected))?;
-        self.change(|state| {
-            state.switched[place] = Some(on);
-            Ok(())
-        })
-    }
-
-    /// Sets the exposure in stops.
-    pub(crate) fn expose(&mut self, stops: f32) -> Result<(), Refusal> {
-        let [least, most] = EXPOSURES;
-        if !(least..=most).contains(&stops) {
-            return Err(Refusal::outside("exposure", stops, EXPOSURES, "stops"));
-        }
-        self.change(|state| {
-            state.exposure = stops;
-            Ok(())
-        })
+        let place = switch_of(name).ok_or_else(|| Refusal::name("effect to switch", name, switchable()))?;
+        self.change(|state| state.switched[place] = Some(on))
     }
 
     /// Opens a scene as it was composed, in the current number format.

@@ -1,6 +1,10 @@
 //! The formats and formulas to compare. Each is a kernel of the price list, set up for a wall.
 
-use crate::{picture::Picture, refusal::Refusal, wall::Wall};
+use crate::{
+    picture::Picture,
+    refusal::{Refusal, choose},
+    wall::Wall,
+};
 use luminaire::{
     Error, Fx16, Fx32, Scalar, SpotLight, Vec3, attenuation::NoAttenuation, error::Expected, falloff::Soft,
     light::CompiledSpotLight,
@@ -47,12 +51,7 @@ impl Form {
 
     /// Returns the form of this name.
     pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
-        let found = Self::ALL.into_iter().find(|form| form.name() == name);
-        found.ok_or_else(|| Refusal::Name {
-            parameter: "form",
-            value: name.to_owned(),
-            expected: "f32, fx32, fx16, f32-cosine, powf, gltf or f64",
-        })
+        choose("form", name, &Self::ALL, Self::name)
     }
 
     /// The name that [`Form::named`] accepts.

@@ -1,11 +1,10 @@
 //! The number format: a run-time choice in this module, a type parameter in the code that it calls.
 
-use crate::refusal::Refusal;
+use crate::refusal::{Refusal, choose};
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, Rgb, Scalar, falloff::Falloff, light::CompiledCone, projector::Fixture,
 };
 use luminaire_render::{Account, Camera, Display, DrawError, Renderer, Scene, Stripes};
-use std::fmt;
 
 /// One of the kernel's number formats.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -39,26 +38,25 @@ macro_rules! with_scalar {
 }
 
 impl Format {
-    #[cfg(test)]
     pub(crate) const ALL: [Self; 3] = [Self::Fx16, Self::Fx32, Self::F32];
 
     /// The format of this name.
     pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
-        match name {
-            "fx16" => Ok(Self::Fx16),
-            "fx32" => Ok(Self::Fx32),
-            "f32" => Ok(Self::F32),
-            _ => Err(Refusal::Name {
-                parameter: "number format",
-                value: name.to_owned(),
-                expected: "fx16, fx32 or f32",
-            }),
-        }
+        choose("number format", name, &Self::ALL, Self::name)
     }
 
     /// The name that [`Format::named`] accepts.
     pub(crate) fn name(self) -> &'static str {
         with_scalar!(self, S => S::NAME)
+    }
+
+    /// The name for people.
+    pub(crate) fn label(self) -> &'static str {
+        match self {
+            Self::Fx16 => "16-bit fixed point",
+            Self::Fx32 => "32-bit fixed point",
+            Self::F32 => "32-bit floating point",
+        }
     }
 
     /// Returns whether the format can hold a fixture with its gobo and shadow map.
@@ -120,16 +118,6 @@ fn renderer<S: luminaire_render::Format>(
     stripes: Stripes,
 ) -> Result<Box<dyn Draw>, Refusal> {
     Ok(Box::new(Renderer::<S>::of_stripes(width as usize, height as usize, stripes)?))
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Fx16 => "16-bit fixed point",
-            Self::Fx32 => "32-bit fixed point",
-            Self::F32 => "32-bit floating point",
-        })
-    }
 }
 
 /// A renderer behind a trait object that hides its format: the choice costs one indirect call per
@@ -287,7 +275,7 @@ mod tests {
         for format in Format::ALL {
             let found = format.intensities(&cone, &angles).unwrap();
             for (found, wanted) in found.iter().zip([1.0, 0.5, 0.1, 0.0]) {
-                assert!((found - wanted).abs() < 2e-3, "{format}: {found} in place of {wanted}");
+                assert!((found - wanted).abs() < 2e-3, "{format:?}: {found} in place of {wanted}");
             }
         }
     }

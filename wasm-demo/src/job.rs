@@ -86,7 +86,7 @@ mod tests {
     fn a_job_comes_back_with_its_scene() {
         let mut desk = Desk::new(Example::Show).unwrap();
         desk.switch("haze", false).unwrap();
-        desk.expose(0.5).unwrap();
+        desk.set("exposure", 0.5).unwrap();
         desk.orbit(0.3, 0.1);
         assert!(desk.advance(1.7));
         let lights = desk.rig().lights();

@@ -16,9 +16,9 @@
 //! - `edge`: the falloffs to choose from
 //! - `format`: the number format, from a run-time choice to a type
 //! - `photometry`: lux for full scale
-//! - `curve`: the intensity of a light over the angle, and curves to compare it with
-//! - `light`: a light for the page, as plain values
 //! - `design`: the angles that a cone is designed from
+//! - `light`: a light for the page, as plain values
+//! - `curve`: the intensity of a light over the angle, and curves to compare it with
 //! - `setting`: the visitor's settings of one light
 //! - `clock`, `canvas`, `panic`: the browser's services
 //! - `times`: times of the passes of a picture
@@ -27,6 +27,7 @@
 //! - `map`: false colours of the number of evaluated lights
 //! - `viewpoint`: the visitor's offset from the scene's camera
 //! - `state`: everything that the visitor has set, as one value
+//! - `parameter`: the table of the state's parameters
 //! - `address`: the state as text
 //! - `scene_state`: state of a scene for the page, as plain values
 //! - `rig`: a scene with the settings of a state
@@ -113,6 +114,8 @@ mod museum;
 #[cfg(feature = "painter")]
 mod painter;
 mod panic;
+#[cfg(feature = "state")]
+mod parameter;
 #[cfg(feature = "stage")]
 mod photometry;
 #[cfg(feature = "comparison")]
@@ -157,5 +160,6 @@ pub use {equality::Equality, painter::Painter, times::Times};
 pub use {
     fixture::FixtureState,
     light::{DialEnds, LightState},
+    parameter::ParameterState,
     scene_state::{AccountState, EffectState, ExampleState, SwitchState},
 };

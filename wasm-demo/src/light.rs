@@ -1,20 +1,8 @@
 //! A light for the page: plain values, as the kernel computed them.
 
-use crate::{
-    design::{beams, fields},
-    refusal::Refusal,
-};
+use crate::design::{beams, fields};
 use luminaire::{Cone, Rgb, Vec3, display::encode_srgb, dynamic::AnyLight, falloff::AnyFalloff};
 use wasm_bindgen::prelude::*;
-
-/// The angle that a cone is designed from. The kernel computes the others.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Mark {
-    /// Full angle at which the intensity is half of that on the axis.
-    Beam,
-    /// Full angle at which the intensity is a tenth of that on the axis.
-    Field,
-}
 
 /// State of a light for the page, with the values that the kernel computed and not those that the
 /// visitor typed. Only a spotlight has angles; those of other lights are 0.
@@ -129,25 +117,6 @@ pub(crate) fn lumens_of(light: &AnyLight, candela: f32) -> Option<f32> {
         AnyLight::Spot(spot) => Some(spot.cone().lumens(candela)),
         AnyLight::Point(point) => Some(point.lumens(candela)),
         AnyLight::Directional(_) => None,
-    }
-}
-
-impl Mark {
-    /// The kind of angle with this name.
-    pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
-        match name {
-            "beam" => Ok(Self::Beam),
-            "field" => Ok(Self::Field),
-            _ => Err(Refusal::name("reading of the published angle", name, "beam or field")),
-        }
-    }
-
-    /// The name that [`Self::named`] accepts.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Beam => "beam",
-            Self::Field => "field",
-        }
     }
 }
 

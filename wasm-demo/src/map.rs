@@ -3,7 +3,7 @@
 
 use crate::{
     false_colour::{Palette, Scale},
-    refusal::Refusal,
+    refusal::{Refusal, choose},
 };
 use luminaire_render::LANES;
 
@@ -56,15 +56,11 @@ pub(crate) struct Map {
 }
 
 impl Subject {
+    pub(crate) const ALL: [Self; 4] = [Self::Nothing, Self::Lights, Self::Cost, Self::Tiles];
+
     /// The subject of this name.
     pub(crate) fn named(name: &str) -> Result<Self, Refusal> {
-        match name {
-            "nothing" => Ok(Self::Nothing),
-            "lights" => Ok(Self::Lights),
-            "cost" => Ok(Self::Cost),
-            "tiles" => Ok(Self::Tiles),
-            _ => Err(Refusal::name("subject of the map", name, "nothing, lights, cost or tiles")),
-        }
+        choose("subject of the map", name, &Self::ALL, Self::name)
     }
 
     /// The name that [`Self::named`] accepts.

@@ -1,8 +1,7 @@
 //! Refusals in words for the page: the parameter, its value, and the remedy.
 
-use crate::format::Format;
 use luminaire_render::{DrawError, SizeError};
-use std::fmt;
+use std::{borrow::Cow, fmt};
 use wasm_bindgen::JsValue;
 
 /// A rejected value. A rejection changes nothing.
@@ -16,7 +15,8 @@ pub(crate) enum Refusal {
     Draw(DrawError),
     /// A light does not fit into a number format.
     Format {
-        format: Format,
+        /// The number format in words.
+        format: &'static str,
         /// Which light, counted from 0.
         light: usize,
         /// The stage-lighting name of this kind of fixture.
@@ -24,7 +24,7 @@ pub(crate) enum Refusal {
         error: luminaire::Error,
     },
     /// An unknown name for a choice.
-    Name { parameter: &'static str, value: String, expected: &'static str },
+    Name { parameter: &'static str, value: String, expected: Cow<'static, str> },
     /// The settings of a light in an address, which opens with that light as the scene has it.
     Opened { light: usize, reason: String },
     /// An index of a light that does not exist.
@@ -42,8 +42,8 @@ pub(crate) enum Refusal {
 
 impl Refusal {
     /// An unknown name for a choice.
-    pub(crate) fn name(parameter: &'static str, value: &str, expected: &'static str) -> Self {
-        Self::Name { parameter, value: value.to_owned(), expected }
+    pub(crate) fn name(parameter: &'static str, value: &str, expected: impl Into<Cow<'static, str>>) -> Self {
+        Self::Name { parameter, value: value.to_owned(), expected: expected.into() }
     }
 
     /// A number outside its range.
@@ -59,6 +59,26 @@ impl Refusal {
     /// A failure of the browser, with its own message.
     pub(crate) fn browser(what: &'static str, reason: &JsValue) -> Self {
         Self::Browser { what, reason: format!("{reason:?}") }
+    }
+}
+
+/// Returns the one of these choices that has a name.
+pub(crate) fn choose<T: Copy>(
+    parameter: &'static str,
+    name: &str,
+    choices: &[T],
+    name_of: fn(T) -> &'static str,
+) -> Result<T, Refusal> {
+    let found = choices.iter().copied().find(|&choice| name_of(choice) == name);
+    found.ok_or_else(|| Refusal::name(parameter, name, one_of(choices.iter().copied().map(name_of))))
+}
+
+/// Lists names in words: `a, b or c`.
+pub(crate) fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<_> = names.collect();
+    match names.split_last() {
+        Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+        _ => names.concat(),
     }
 }
 

@@ -236,7 +236,7 @@ impl Rig {
 fn check(state: &State, light: usize, moving: &MovingLight) -> Result<(), Refusal> {
     let fixture = moving.at(state.seconds[0])?;
     [Some(state.format), state.other].into_iter().flatten().try_for_each(|format| {
-        let refused = |error| Refusal::Format { format, light, name: moving.name, error };
+        let refused = |error| Refusal::Format { format: format.label(), light, name: moving.name, error };
         format.check_fixture(&fixture).map_err(refused)
     })
 }

@@ -1,10 +1,9 @@
 //! The visitor's settings of one light, over the light as the scene has it.
 
 use crate::{
-    design::Design,
+    design::{Design, Mark},
     edge::{self, FITTED},
     fixture,
-    light::Mark,
     refusal::Refusal,
 };
 use luminaire::{

@@ -10,9 +10,11 @@ use crate::{
     job::{self, Load},
     map::{Map, Subject},
     panic,
+    parameter::{self, PARAMETERS, ParameterState, Value},
     refusal::Refusal,
     scene_state::{EffectState, ExampleState, SwitchState},
     state::State,
+    viewpoint::Viewpoint,
 };
 use luminaire::dynamic::Effect;
 use luminaire_fixtures::FIXTURES;
@@ -182,10 +184,7 @@ impl Stage {
 
     /// Lets lights and camera move or stand still.
     pub fn play(&mut self, lights: bool, camera: bool) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.plays = [lights, camera];
-            Ok(())
-        })?)
+        Ok(self.desk.change(|state| state.plays = [lights, camera])?)
     }
 
     /// Moves what plays by some seconds. Returns whether anything plays.
@@ -196,10 +195,7 @@ impl Stage {
     /// Moves the lights to their state at one time and the camera to its state at another, both in
     /// seconds.
     pub fn seek(&mut self, lights: f32, camera: f32) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.seconds = [lights, camera];
-            Ok(())
-        })?)
+        Ok(self.desk.change(|state| state.seconds = [lights, camera])?)
     }
 
     /// Turns the camera around its target, by angles in radians.
@@ -215,10 +211,7 @@ impl Stage {
     /// Moves the camera back to that of the scene.
     #[wasm_bindgen(js_name = resetCamera)]
     pub fn reset_camera(&mut self) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.viewpoint = crate::viewpoint::Viewpoint::ORIGINAL;
-            Ok(())
-        })?)
+        Ok(self.desk.change(|state| state.viewpoint = Viewpoint::ORIGINAL)?)
     }
 
     /// Sets the size of pictures at rest: this width in pixels, or less if there would be more than
@@ -279,21 +272,6 @@ impl Stage {
         Clamped(self.map.draw(state.map, counts, width).unwrap_or_default().to_vec())
     }
 
-    /// The subject of the map: `nothing`, `lights`, `cost` or `tiles`.
-    #[wasm_bindgen(getter)]
-    pub fn map(&self) -> String {
-        self.desk.state().map.name().to_owned()
-    }
-
-    /// Sets the subject of the map: `nothing`, `lights`, `cost` or `tiles`.
-    #[wasm_bindgen(js_name = setMap)]
-    pub fn set_map(&mut self, subject: &str) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.map = Subject::named(subject)?;
-            Ok(())
-        })?)
-    }
-
     /// Returns the sum of the last map of costs over all pixels, in milliseconds of a core.
     #[wasm_bindgen(getter, js_name = mapTotal)]
     pub fn map_total(&self) -> f64 {
@@ -338,79 +316,27 @@ impl Stage {
         Ok(self.desk.switch(name, on)?)
     }
 
-    /// Whether every effect of every light is evaluated at every pixel.
-    #[wasm_bindgen(getter, js_name = isEverything)]
-    pub fn is_everything(&self) -> bool {
-        self.desk.state().is_everything
+    /// The parameters of the state, with what their controls offer.
+    pub fn parameters() -> Vec<ParameterState> {
+        PARAMETERS.iter().map(ParameterState::from).collect()
     }
 
-    /// Switches between two modes: every effect of every light is evaluated at every pixel, or only
-    /// the needed ones are.
-    #[wasm_bindgen(js_name = setEverything)]
-    pub fn set_everything(&mut self, everything: bool) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.is_everything = everything;
-            Ok(())
-        })?)
+    /// Returns the value of a parameter: a boolean, a number or a text, by its kind.
+    pub fn get(&self, name: &str) -> Result<JsValue, JsValue> {
+        Ok(match parameter::named(name)?.get(self.desk.state()) {
+            Value::Nothing => JsValue::UNDEFINED,
+            Value::Flag(on) => on.into(),
+            Value::Number(number) => number.into(),
+            Value::Text(text) => text.into(),
+        })
     }
 
-    /// The exposure in stops.
-    #[wasm_bindgen(getter)]
-    pub fn exposure(&self) -> f32 {
-        self.desk.state().exposure
-    }
-
-    /// Sets the exposure in stops, from -14 to 6.
-    #[wasm_bindgen(js_name = setExposure)]
-    pub fn set_exposure(&mut self, stops: f32) -> Result<(), JsValue> {
-        Ok(self.desk.expose(stops)?)
-    }
-
-    /// The name of the current number format.
-    #[wasm_bindgen(getter)]
-    pub fn format(&self) -> String {
-        self.desk.state().format.name().to_owned()
-    }
-
-    /// Changes the number format to `fx16`, `fx32` or `f32`. The next `draw` redraws the picture.
-    #[wasm_bindgen(js_name = setFormat)]
-    pub fn set_format(&mut self, name: &str) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.format = Format::named(name)?;
-            Ok(())
-        })?)
-    }
-
-    /// The name of the number format of the other half of a divided picture; nothing for a whole
-    /// picture.
-    #[wasm_bindgen(getter)]
-    pub fn other(&self) -> Option<String> {
-        self.desk.state().other.map(|format| format.name().to_owned())
-    }
-
-    /// Divides the picture: the other half is in this number format, `fx16`, `fx32` or `f32`. Without
-    /// a format the picture is whole.
-    #[wasm_bindgen(js_name = setOther)]
-    pub fn set_other(&mut self, name: Option<String>) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.other = name.as_deref().map(Format::named).transpose()?;
-            Ok(())
-        })?)
-    }
-
-    /// Whether the difference between both formats covers the picture.
-    #[wasm_bindgen(getter, js_name = isDifference)]
-    pub fn is_difference(&self) -> bool {
-        self.desk.state().is_difference
-    }
-
-    /// Covers a divided picture with the difference between both formats, or uncovers it.
-    #[wasm_bindgen(js_name = setDifference)]
-    pub fn set_difference(&mut self, on: bool) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.is_difference = on;
-            Ok(())
-        })?)
+    /// Sets a parameter to a value of the kind that `get` returns.
+    pub fn set(&mut self, name: &str, value: &JsValue) -> Result<(), JsValue> {
+        let flag = || value.as_bool().map(Value::Flag);
+        let number = || value.as_f64().map(|number| Value::Number(number as f32));
+        let value = flag().or_else(number).or_else(|| value.as_string().map(Value::Text));
+        Ok(self.desk.set(name, value.unwrap_or(Value::Nothing))?)
     }
 
     /// Returns the largest difference between a picture in this format and one in `f32`, in

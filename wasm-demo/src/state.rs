@@ -1,6 +1,6 @@
 //! Everything that the visitor has set, as one value.
 
-use crate::{format::Format, map::Subject, setting::Setting, viewpoint::Viewpoint};
+use crate::{format::Format, map::Subject, refusal::one_of, setting::Setting, viewpoint::Viewpoint};
 use luminaire::dynamic::Effect;
 use luminaire_render::scenes::Example;
 
@@ -88,12 +88,21 @@ impl State {
 
     /// Returns the new state of a switched effect; `None` if it was not switched.
     pub(crate) fn switched(&self, effect: Effect) -> Option<bool> {
-        let place = SWITCHABLE.iter().position(|(other, _)| *other == effect)?;
-        self.switched[place]
+        self.switched[switch_of(effect.name())?]
     }
 
     /// Returns whether another state differs in nothing but its time, which passes by itself.
     pub(crate) fn is_same_setting(&self, other: &Self) -> bool {
         Self { seconds: [0.0; 2], ..self.clone() } == Self { seconds: [0.0; 2], ..other.clone() }
     }
+}
+
+/// Returns the place of an effect in [`SWITCHABLE`] by its name.
+pub(crate) fn switch_of(name: &str) -> Option<usize> {
+    SWITCHABLE.iter().position(|(effect, _)| effect.name() == name)
+}
+
+/// The names of the effects that have a switch, in words.
+pub(crate) fn switchable() -> String {
+    one_of(SWITCHABLE.iter().map(|(effect, _)| effect.name()))
 }

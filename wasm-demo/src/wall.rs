@@ -91,13 +91,7 @@ impl Wall {
 /// centre of the wall.
 fn light(half_angle: f32) -> Result<(SpotLight<Soft, NoAttenuation>, f64), Refusal> {
     if !(NARROWEST..=WIDEST).contains(&half_angle) {
-        return Err(Refusal::Outside {
-            parameter: "half angle",
-            value: half_angle,
-            least: NARROWEST,
-            most: WIDEST,
-            unit: "degrees",
-        });
+        return Err(Refusal::outside("half angle", half_angle, [NARROWEST, WIDEST], "degrees"));
     }
     let distance = 1.0 / f64::from(half_angle).to_radians().tan();
     let position = on_grid(-distance * widened(AXIS).normalize());

@@ -114,7 +114,7 @@ export class Curve {
     );
     MARKS.forEach((mark, i) => tell(this.#handles[i], mark, state, across));
     this.#title.textContent = `${state.name}: intensity across the axis`;
-    this.#format.textContent = `evaluated in ${this.#stage.format}`;
+    this.#format.textContent = `evaluated in ${this.#stage.get("format")}`;
     this.#svg.setAttribute("aria-label", describe(state));
   }
 

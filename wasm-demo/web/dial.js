@@ -1,4 +1,5 @@
 // A logarithmic slider and a number beside it, for one value.
+import { showPart } from "./elements.js";
 import { tidy } from "./numbers.js";
 
 /**
@@ -78,8 +79,7 @@ export class Dial {
     const place = Math.log10(Math.min(Math.max(value, least), most));
     if (source !== this.#number) this.#number.value = String(tidy(value));
     if (source !== this.#slider) this.#slider.value = String(place);
-    const [min, max] = [Number(this.#slider.min), Number(this.#slider.max)];
-    this.#slider.style.setProperty("--part", `${(100 * (place - min)) / (max - min)}%`);
+    showPart(this.#slider);
     this.#slider.setAttribute("aria-valuetext", `${tidy(value)}${this.#unit}`);
   }
 

@@ -103,14 +103,11 @@ export class DividedPicture {
   }
 
   /**
-   * Shows the state, and covers the picture with the difference or uncovers it.
-   * @param {string | undefined} format of the other half
+   * Divides the picture or not, and covers it with the difference or uncovers it.
+   * @param {boolean} isDivided
    * @param {boolean} isDifference
    */
-  cover(format, isDifference) {
-    const isDivided = format !== undefined;
-    element("-format", HTMLSelectElement).value = format ?? "";
-    element("-cover", HTMLInputElement).checked = isDifference;
+  cover(isDivided, isDifference) {
     element("-difference").hidden = !isDifference;
     for (const part of ["", "-key", "-switch", "-note"]) element(part).hidden = !isDivided;
   }

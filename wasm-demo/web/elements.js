@@ -34,3 +34,12 @@ export function find(within, selector, kind = /** @type {any} */ (HTMLElement)) 
 export function copyOf(id) {
   return /** @type {HTMLElement} */ (element(id, HTMLTemplateElement).content.firstElementChild?.cloneNode(true));
 }
+
+/**
+ * Fills the part of a slider's track that is before its value.
+ * @param {HTMLInputElement} slider
+ */
+export function showPart(slider) {
+  const [min, max] = [Number(slider.min), Number(slider.max)];
+  slider.style.setProperty("--part", `${(100 * (slider.valueAsNumber - min)) / (max - min)}%`);
+}

@@ -96,7 +96,7 @@ export class Handles {
 
   /** Draws the lights over the picture. */
   show() {
-    const isShown = this.#stage.showsHandles && this.#stage.lightCount > 0;
+    const isShown = this.#stage.get("handles") && this.#stage.lightCount > 0;
     this.#svg.toggleAttribute("hidden", !isShown);
     if (!isShown) return;
     const { clientWidth: width, clientHeight: height } = this.#canvas;

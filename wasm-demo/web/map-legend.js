@@ -13,7 +13,6 @@ const counted = (lights) => `${lights} ${lights === 1 ? "light" : "lights"}`;
 
 export class MapLegend {
   #stage;
-  #select = element("map-subject", HTMLSelectElement);
   #map = element("map", HTMLCanvasElement);
   #legends = { lights: element("map-lights"), tiles: element("map-tiles") };
   #ticks = ["start", "total", "end"].map((tick) => element(`map-${tick}`));
@@ -33,17 +32,13 @@ export class MapLegend {
     element("map-kept").style.background = kept;
   }
 
-  /** Shows the subject. */
-  show() {
-    this.#select.value = this.#stage.map;
-  }
-
   /** Draws the map of the last picture, if it has a subject. */
   draw() {
     const pixels = this.#stage.drawMap(this.#screen.counts, this.#screen.width);
     this.#map.hidden = pixels.length === 0;
     if (pixels.length > 0) this.#screen.showMap(pixels);
-    const { map, mapEnd: end, mapTotal: total } = this.#stage;
+    const { mapEnd: end, mapTotal: total } = this.#stage;
+    const map = this.#stage.get("map");
     this.#legends.lights.hidden = map !== "lights" && map !== "cost";
     this.#legends.tiles.hidden = map !== "tiles";
     const isCost = map === "cost";

@@ -109,7 +109,7 @@ export class Meter {
 
   /** The current number format. */
   get format() {
-    return this.#stage.format;
+    return this.#stage.get("format");
   }
 
   /** The costs of the last picture's light: a plain object. */
@@ -257,8 +257,8 @@ function opened(name, options) {
   const stage = new Stage(width, height);
   if (name === "turntable") stage.openTurntable(spots ?? 8, shadows);
   else stage.open(name);
-  stage.setFormat(format);
-  stage.setEverything(everything);
+  stage.set("format", format);
+  stage.set("all", everything);
   for (const effect of added) stage.setEffect(effect, true);
   for (const effect of without) stage.setEffect(effect, false);
   return stage;

@@ -4,6 +4,7 @@ import { AccountTable } from "./account-table.js";
 import { remember } from "./address.js";
 import { CameraView } from "./camera-view.js";
 import { CodeSlot } from "./code-slot.js";
+import { Controls } from "./controls.js";
 import { DividedPicture } from "./divided.js";
 import { EffectList } from "./effect-list.js";
 import { element } from "./elements.js";
@@ -26,8 +27,6 @@ import { load } from "./support.js";
 /** @param {string} id */
 const input = (id) => element(id, HTMLInputElement);
 /** @param {string} id */
-const select = (id) => element(id, HTMLSelectElement);
-/** @param {string} id */
 const button = (id) => element(id, HTMLButtonElement);
 
 /** Longest time between two pictures that an animation follows, in seconds. */
@@ -46,6 +45,7 @@ export class StagePage {
   #module;
   #divided;
   #view;
+  #controls;
   #scenes = new ScenePicker();
   #readout = new Readout();
   #account = new AccountTable();
@@ -114,6 +114,7 @@ export class StagePage {
       reset: () => this.#move(() => stage.resetCamera()),
       draw: (now, onfree) => this.#draw(now, onfree),
     });
+    this.#controls = new Controls(stage, (act) => this.#set(act));
     this.#effects = new EffectList(stage);
     this.#lights = new LightList(stage);
     this.#panel = new LightPanel(stage);
@@ -201,7 +202,7 @@ export class StagePage {
    * @param {string} name
    */
   setFormat(name) {
-    this.#set(() => this.#stage.setFormat(name));
+    this.#set(() => this.#stage.set("format", name));
   }
 
   /** Draws the current picture, if it is not on the canvas. */
@@ -216,28 +217,20 @@ export class StagePage {
 
   #join() {
     const stage = this.#stage;
-    /** @type {<T extends HTMLElement>(control: T, act: (control: T) => void, kind?: string) => void} */
-    const on = (control, act, kind = "input") => control.addEventListener(kind, () => this.#set(() => act(control)));
     this.#scenes.onchange = (scene) => this.#set(() => stage.open(scene));
     for (const id of ["play", "camera"]) element(id).addEventListener("input", () => this.#play());
-    on(select("format"), ({ value }) => stage.setFormat(value));
-    on(select("divided-format"), ({ value }) => stage.setOther(value || undefined));
-    on(input("divided-cover"), ({ checked }) => stage.setDifference(checked));
-    on(select("map-subject"), ({ value }) => stage.setMap(value));
-    on(input("exposure"), ({ valueAsNumber }) => stage.setExposure(valueAsNumber));
-    on(input("everything"), ({ checked }) => stage.setEverything(checked));
-    on(button("undo"), () => stage.undo(), "click");
-    on(button("redo"), () => stage.redo(), "click");
-    on(button("reset"), () => stage.open(stage.scene), "click");
-    element("copy").addEventListener("click", () => this.#copyLink());
-    element("save").addEventListener("click", () => this.#save());
-    element("full").addEventListener("click", () => this.#fillScreen());
-    element("verify").addEventListener("click", () => this.#verify());
+    /** @type {(id: string, act: () => void) => void} */
+    const onclick = (id, act) => element(id).addEventListener("click", act);
+    onclick("undo", () => this.#set(() => stage.undo()));
+    onclick("redo", () => this.#set(() => stage.redo()));
+    onclick("reset", () => this.#set(() => stage.open(stage.scene)));
+    onclick("copy", () => this.#copyLink());
+    onclick("save", () => this.#save());
+    onclick("full", () => this.#fillScreen());
+    onclick("verify", () => this.#verify());
     this.#effects.onswitch = (effect, isOn) => this.#set(() => stage.setEffect(effect, isOn));
     this.#lights.onchange = (act) => this.#set(act);
     this.#lights.onselect = () => this.#showLight();
-    on(input("effect-keep-hue"), ({ checked }) => stage.setKeepsHue(checked));
-    on(input("handles-shown"), ({ checked }) => stage.setHandles(checked));
     this.#panel.onchange = (source) => {
       element("stage-error").textContent = "";
       this.#changed(source);
@@ -359,7 +352,7 @@ export class StagePage {
    */
   #changed(source) {
     const stage = this.#stage;
-    const { format, exposure } = stage;
+    const format = stage.get("format");
     this.#scenes.show(stage.scene);
     element("summary").textContent = this.#scenes.summary;
     element("view").setAttribute("aria-label", `The scene: ${this.#scenes.title}`);
@@ -367,22 +360,13 @@ export class StagePage {
     input("play").disabled = !stage.lightsMove;
     input("camera").checked = stage.cameraPlays;
     input("camera").disabled = !stage.cameraMoves;
-    select("format").value = format;
+    this.#controls.show();
     element("format-note").textContent = accuracy(format);
-    this.#divided.cover(stage.other, stage.isDifference);
-    const slider = input("exposure");
-    const [least, most] = [Number(slider.min), Number(slider.max)];
-    slider.value = String(exposure);
-    slider.style.setProperty("--part", `${(100 * (exposure - least)) / (most - least)}%`);
-    element("exposure-stops").textContent = `${exposure > 0 ? "+" : ""}${exposure} EV`.replace("-", "−");
-    input("effect-keep-hue").checked = stage.keepsHue;
-    input("handles-shown").checked = stage.showsHandles;
-    input("everything").checked = stage.isEverything;
+    this.#divided.cover(stage.get("with") !== "", stage.get("difference"));
     element("equality").textContent = "";
     element("told").textContent = "";
     this.#lights.show();
     this.#effects.open();
-    this.#legend.show();
     this.#showLight(source);
     this.#readout.forget();
     this.#account.forget();
@@ -416,9 +400,9 @@ export class StagePage {
     this.#panel.show(this.#lights.selected, source);
     aside(() => this.#curve?.draw(this.#lights.selected));
     aside(() => this.#handles?.show());
-    const { lightCount, format, fullScale } = this.#stage;
+    const { lightCount, fullScale } = this.#stage;
     const light = this.#lights.selected < lightCount ? plain(this.#stage.light(this.#lights.selected)) : undefined;
-    this.#price.show(light && { ...light, intensity: light.intensity / fullScale }, format);
+    this.#price.show(light && { ...light, intensity: light.intensity / fullScale }, this.#stage.get("format"));
     if (light) aside(() => this.#code.show({ job: this.#stage.job(), light: this.#lights.selected }));
   }
 
@@ -553,7 +537,7 @@ export class StagePage {
 
   #save() {
     const link = document.createElement("a");
-    link.download = `luminaire-${this.#stage.scene}-${this.#stage.format}.png`;
+    link.download = `luminaire-${this.#stage.scene}-${this.#stage.get("format")}.png`;
     element("view", HTMLCanvasElement).toBlob((blob) => {
       if (!blob) return;
       link.href = URL.createObjectURL(blob);

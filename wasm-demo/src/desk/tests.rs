@@ -2,11 +2,12 @@
 
 use super::*;
 use crate::{
-    design::Design,
+    design::{Design, Mark},
     fixture,
     format::Format,
     job,
-    light::{DialEnds, LightState, Mark},
+    light::{DialEnds, LightState},
+    state::EXPOSURES,
 };
 use luminaire::{
     Vec3,
@@ -38,23 +39,12 @@ fn choice(desk: &mut Desk, name: &str, value: &str) -> Result<(), Refusal> {
 #[test]
 fn the_other_half_of_a_picture_has_a_format_that_holds_the_lights() {
     let mut desk = Desk::new(Example::ThreePoint).unwrap();
-    let divide = |desk: &mut Desk, other| {
-        desk.change(|state| {
-            state.other = other;
-            Ok(())
-        })
-    };
-    let narrow = |desk: &mut Desk| {
-        desk.change_light(0, |light| {
-            light.design = Design::of(Mark::Field, 0.5);
-            Ok(())
-        })
-    };
-    divide(&mut desk, Some(Format::Fx16)).unwrap();
+    let narrow = |desk: &mut Desk| desk.change_light(0, |light| light.design = Design::of(Mark::Field, 0.5));
+    desk.set("with", "fx16").unwrap();
     assert!(narrow(&mut desk).unwrap_err().to_string().contains("16-bit fixed point cannot hold light 1"));
-    divide(&mut desk, None).unwrap();
+    desk.set("with", Value::Nothing).unwrap();
     narrow(&mut desk).unwrap();
-    assert!(divide(&mut desk, Some(Format::Fx16)).is_err() && desk.state().other.is_none());
+    assert!(desk.set("with", "fx16").is_err() && desk.state().other.is_none());
 }
 
 #[test]
@@ -74,20 +64,14 @@ fn a_light_that_is_switched_off_is_dark_and_keeps_its_number() {
         let mut desk = desk(scene);
         let lit = desk.rig().fixtures_at(1.0).unwrap();
         for light in 0..lit.len() {
-            let switch = |desk: &mut Desk, on| {
-                desk.change_light(light, |setting| {
-                    setting.is_on = on;
-                    Ok(())
-                })
-            };
-            switch(&mut desk, false).unwrap();
+            desk.change_light(light, |setting| setting.is_on = false).unwrap();
             let mut dark = desk.rig().fixtures_at(1.0).unwrap();
             assert!(dark[light].light().is_dark(), "light {light} of {scene:?}");
             dark[light] = lit[light];
             assert_eq!(dark, lit, "light {light} of {scene:?}");
-            switch(&mut desk, true).unwrap();
+            desk.change_light(light, |setting| setting.is_on = true).unwrap();
         }
-        let refusal = desk.change_light(lit.len(), |_| Ok(())).unwrap_err().to_string();
+        let refusal = desk.change_light(lit.len(), |_| ()).unwrap_err().to_string();
         assert!(refusal.contains(&format!("light = {}", lit.len())), "{refusal}");
     }
 }
@@ -291,18 +275,12 @@ fn a_refused_value_changes_nothing() {
     for color in ["", "#fff", "ffffff", "#gggggg", "#ffffff0", "#ééé", "#+1+1+1"] {
         refused(choice(&mut desk, "color", color), "color");
     }
-    refused(desk.expose(7.0), "exposure");
-    refused(desk.expose(f32::NAN), "exposure");
+    refused(desk.set("exposure", 7.0), "exposure");
+    refused(desk.set("exposure", f32::NAN), "exposure");
     let position = desk.rig().fixtures_at(0.0).unwrap();
     let luminaire::dynamic::AnyLight::Spot(spot) = position[0].light() else { panic!("no spot") };
     let position = spot.position();
-    refused(
-        desk.change_light(0, |setting| {
-            setting.target = Some(position);
-            Ok(())
-        }),
-        "axis",
-    );
+    refused(desk.change_light(0, |setting| setting.target = Some(position)), "axis");
     assert_eq!(desk.state(), &before);
 }
 
@@ -310,20 +288,14 @@ fn a_refused_value_changes_nothing() {
 fn a_format_that_cannot_hold_a_light_is_refused() {
     let mut desk = desk(Example::ThreePoint);
     number(&mut desk, "beam", 1.0).unwrap();
-    let change = |desk: &mut Desk, format| {
-        desk.change(|state| {
-            state.format = format;
-            Ok(())
-        })
-    };
-    let refusal = change(&mut desk, Format::Fx16).unwrap_err().to_string();
+    let refusal = desk.set("format", "fx16").unwrap_err().to_string();
     assert!(
         refusal.contains("16-bit") && refusal.contains("light 1") && refusal.contains("outer angle"),
         "{refusal}"
     );
     assert_eq!(desk.state().format, Format::F32);
     number(&mut desk, "beam", 20.0).unwrap();
-    change(&mut desk, Format::Fx16).unwrap();
+    desk.set("format", "fx16").unwrap();
     assert!(number(&mut desk, "beam", 1.0).is_err());
 }
 
@@ -360,11 +332,7 @@ fn dials_accept_both_ends() {
     for &scene in Example::ALL {
         for format in Format::ALL {
             let mut desk = desk(scene);
-            desk.change(|state| {
-                state.format = format;
-                Ok(())
-            })
-            .unwrap();
+            desk.set("format", format.name()).unwrap();
             let mut names = Vec::new();
             for light in 0..desk.state().lights.len() {
                 let name = desk.light_state(light).unwrap().name;
@@ -374,7 +342,7 @@ fn dials_accept_both_ends() {
                 }
             }
             for stops in EXPOSURES {
-                desk.expose(stops).unwrap();
+                desk.set("exposure", stops).unwrap();
             }
         }
     }
@@ -385,11 +353,7 @@ fn dials_accept_both_ends() {
             .chain(["ARRI L7-C", FIXTURES[0].name, FIXTURES[40].name].map(|name| ("fixture", name)))
         {
             let mut desk = desk(Example::ThreePoint);
-            desk.change(|state| {
-                state.format = format;
-                Ok(())
-            })
-            .unwrap();
+            desk.set("format", format.name()).unwrap();
             // The 16-bit format does not hold every fixture.
             if choice(&mut desk, name, value).is_ok() {
                 count += turn_dials(&mut desk, 0, &[None, Some(0), Some(1)]);
@@ -495,7 +459,7 @@ fn exposure_multiplies_all_light() {
     let mut desk = desk(Example::ThreePoint);
     let intensity = |desk: &Desk| desk.rig().fixtures_at(0.0).unwrap()[0].light().intensity();
     let (before, ambient) = (intensity(&desk), desk.rig().scene().ambient());
-    desk.expose(2.0).unwrap();
+    desk.set("exposure", 2.0).unwrap();
     assert_eq!((intensity(&desk), desk.rig().scene().ambient().red), (4.0 * before, 4.0 * ambient.red));
     // The desk shows the light's own intensity, in candela.
     assert_eq!(light(&desk, 0).intensity, 1000.0 * before);
@@ -505,11 +469,7 @@ fn exposure_multiplies_all_light() {
 fn a_light_with_a_target_aims_at_it_and_stands_still() {
     let mut desk = desk(Example::Show);
     let target = Vec3::new(1.0, 0.0, 2.0);
-    desk.change_light(0, |setting| {
-        setting.target = Some(target);
-        Ok(())
-    })
-    .unwrap();
+    desk.change_light(0, |setting| setting.target = Some(target)).unwrap();
     let axis = |seconds| match desk.rig().fixtures_at(seconds).unwrap()[0].light() {
         luminaire::dynamic::AnyLight::Spot(spot) => (spot.axis(), spot.position()),
         _ => panic!("no spot"),
@@ -556,7 +516,7 @@ fn an_added_light_is_seen_at_once() {
         for added in count..count + 4 {
             desk.orbit(0.2, 0.0);
             if added == count + 1 {
-                desk.expose(-3.0).unwrap();
+                desk.set("exposure", -3.0).unwrap();
             }
             let before = picture(&desk);
             desk.add_light().unwrap();
@@ -586,11 +546,7 @@ fn an_added_light_is_seen_at_once() {
         assert_eq!(address::parse(&address, scene), Ok((desk.state().clone(), Vec::new())));
         desk.put_back(count).unwrap();
         for format in Format::ALL {
-            desk.change(|state| {
-                state.format = format;
-                Ok(())
-            })
-            .unwrap();
+            desk.set("format", format.name()).unwrap();
         }
         desk.begin();
         desk.add_light().unwrap();
@@ -624,7 +580,7 @@ fn what_was_done_is_undone_and_redone() {
     desk.redo().unwrap();
     assert!(desk.state().is_same_setting(&grid) && desk.can_return() == [true, false]);
     desk.undo().unwrap();
-    desk.expose(1.0).unwrap();
+    desk.set("exposure", 1.0).unwrap();
     desk.mark();
     assert_eq!(desk.can_return(), [true, false], "a new change ends what can be redone");
 }
@@ -637,11 +593,7 @@ fn only_what_can_move_plays() {
         (Example::Turntable, [true, true]),
     ] {
         let mut desk = desk(scene);
-        desk.change(|state| {
-            state.plays = [true, true];
-            Ok(())
-        })
-        .unwrap();
+        desk.set("play", "both").unwrap();
         assert_eq!(desk.plays(), plays, "{scene:?}");
         assert_eq!(desk.advance(0.5), plays.contains(&true));
         assert_eq!(desk.state().seconds, plays.map(|plays| if plays { 0.5 } else { 0.0 }));
@@ -654,11 +606,8 @@ fn only_what_can_move_plays() {
 #[test]
 fn another_scene_keeps_the_format_and_what_plays() {
     let mut desk = desk(Example::Show);
-    desk.change(|state| {
-        (state.format, state.plays, state.exposure) = (Format::Fx32, [false, true], 1.0);
-        Ok(())
-    })
-    .unwrap();
+    desk.change(|state| (state.format, state.plays, state.exposure) = (Format::Fx32, [false, true], 1.0))
+        .unwrap();
     desk.open(Example::Pocket).unwrap();
     let state = desk.state();
     assert_eq!((state.format, state.plays, state.exposure), (Format::Fx32, [false, true], 0.0));

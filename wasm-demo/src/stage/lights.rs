@@ -44,10 +44,7 @@ impl Stage {
     /// Switches a light on or off.
     #[wasm_bindgen(js_name = setOn)]
     pub fn set_on(&mut self, light: usize, on: bool) -> Result<(), JsValue> {
-        Ok(self.desk.change_light(light, |setting| {
-            setting.is_on = on;
-            Ok(())
-        })?)
+        Ok(self.desk.change_light(light, |setting| setting.is_on = on)?)
     }
 
     /// Sets a number of a light: its `beam`, `field` or `zoom` angle in degrees; `fit-beam` or
@@ -121,21 +118,6 @@ impl Stage {
         Ok(flat(self.desk.pool(light, aspect)?))
     }
 
-    /// Whether the lights are drawn over the picture.
-    #[wasm_bindgen(getter, js_name = showsHandles)]
-    pub fn shows_handles(&self) -> bool {
-        self.desk.state().shows_handles
-    }
-
-    /// Sets whether the lights are drawn over the picture.
-    #[wasm_bindgen(js_name = setHandles)]
-    pub fn set_handles(&mut self, shown: bool) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.shows_handles = shown;
-            Ok(())
-        })?)
-    }
-
     /// Adds a spotlight behind the others, which is in view and lights a surface in view.
     #[wasm_bindgen(js_name = addLight)]
     pub fn add_light(&mut self) -> Result<(), JsValue> {
@@ -163,21 +145,6 @@ impl Stage {
     #[wasm_bindgen(getter, js_name = fullScale)]
     pub fn full_scale(&self) -> f32 {
         photometry::full_scale(self.desk.state().scene) / self.desk.state().exposure.exp2()
-    }
-
-    /// Whether overexposed light keeps its hue. Otherwise each channel is clipped.
-    #[wasm_bindgen(getter, js_name = keepsHue)]
-    pub fn keeps_hue(&self) -> bool {
-        self.desk.state().keeps_hue
-    }
-
-    /// Sets whether overexposed light keeps its hue.
-    #[wasm_bindgen(js_name = setKeepsHue)]
-    pub fn set_keeps_hue(&mut self, keeps: bool) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| {
-            state.keeps_hue = keeps;
-            Ok(())
-        })?)
     }
 
     /// Sets the exposure, within its range, so that the middle of a light's pool is shown as full
