@@ -75,15 +75,19 @@ impl<S: Scalar> Prepared<S> {
         matches!((&self.hazy, sight), (Some(hazy), Some(sight)) if hazy.may_be_seen(sight))
     }
 
-    /// Returns the beam as seen from the eye, and its gobo and shadow map; `None` if the fixture has
-    /// no beam in haze.
-    pub(crate) fn in_air<'a>(&'a self, shadows: &'a Shadows<S>, eye: Vec3) -> Option<(&'a Hazy, Way<'a, S>)> {
+    /// Returns the beam in haze, its gobo and shadow map, and its shafts as seen from the eye if it needs
+    /// no samples; `None` if the fixture has no beam in haze.
+    pub(crate) fn in_air<'a>(
+        &'a self,
+        shadows: &'a Shadows<S>,
+        eye: Vec3,
+    ) -> Option<(&'a Hazy, Way<'a, S>, Option<&'a Shafts>)> {
         let gobo = self.gobo.as_ref().filter(|_| self.is_patterned);
         let shadow = shadows.of(self.number).filter(|_| self.casts_shadow);
         let hazy = self.hazy.as_ref()?;
         let is_gobo_alone = gobo.is_some() && shadow.is_none();
         let shafts = is_gobo_alone.then(|| self.shafts.get_or_init(|| Shafts::new(hazy, eye)).as_ref());
-        Some((hazy, Way { gobo, shadow, shafts: shafts.flatten() }))
+        Some((hazy, Way { gobo, shadow }, shafts.flatten()))
     }
 }
 

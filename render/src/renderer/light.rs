@@ -173,9 +173,9 @@ impl<S: Format> Renderer<S> {
         let sight = self.tiles.tiles[tile].sight.as_ref();
         let count = seen.iter().filter(|fixture| fixture.is_seen_in_air(sight)).count();
         for fixture in seen {
-            let Some((hazy, way)) = fixture.in_air(&self.shadows, view.eye()) else { continue };
+            let Some((hazy, way, shafts)) = fixture.in_air(&self.shadows, view.eye()) else { continue };
             if fixture.is_seen_in_air(sight) {
-                air.add(hazy, &way, 1.0 / count as f32);
+                air.add(hazy, &way, shafts, 1.0 / count as f32);
             } else {
                 air.add_each(hazy, &way);
             }

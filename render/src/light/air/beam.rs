@@ -1,9 +1,9 @@
 //! A beam as seen from the eye.
 
 use super::{
-    Hazy, Way,
+    cell::{COLUMNS, Cell, ROWS},
+    hazy::{Hazy, Way},
     rays::Fan,
-    tile::{COLUMNS, Cell, ROWS},
 };
 use glam::Vec3;
 use luminaire::Scalar;

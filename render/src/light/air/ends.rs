@@ -1,6 +1,6 @@
 //! Where view rays end: bounds of the surfaces in front of which a tile's air is.
 
-use super::tile::{COLUMNS, ROWS};
+use super::cell::{COLUMNS, ROWS};
 
 /// A nearness that is linear on the screen, like that of a flat surface.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]

@@ -1,16 +1,20 @@
 //! The view rays through a tile, and a queue that evaluates them in batches.
 
-use super::{Hazy, Way, ends::Ends};
-use crate::{raster::view::View, space::vector};
+use super::{
+    ends::Ends,
+    hazy::{BATCH, Hazy, Way},
+};
+use crate::{
+    buffer::LANES,
+    raster::{Fragments, view::View},
+    space::vector,
+};
 use core::ops::Range;
 use glam::Vec3;
 use luminaire::{
     Scalar,
     haze::{RayBundle, ViewRays},
 };
-
-/// Rays per batch: a whole number of vector registers on every target.
-pub(super) const BATCH: usize = 16;
 
 /// Largest number of rays in a queue: two ends at the nine nodes of each of four cells.
 const MOST: usize = 2 * 9 * 4;
@@ -148,6 +152,15 @@ impl Queue {
         }
         rays
     }
+}
+
+/// Returns the bundle of all rays through a tile. The length of the bundle is the distance to the
+/// farthest surface in the tile.
+pub(crate) fn bundle(view: &View, fragments: &Fragments, rows: Range<usize>, column: usize) -> RayBundle {
+    let fan = Fan::new(view, rows.start, column * LANES);
+    let nearness = rows.clone().flat_map(|row| fragments.block(row, column));
+    let least = nearness.copied().fold(f32::INFINITY, f32::min);
+    fan.bundle(0..LANES, 0..rows.len(), least)
 }
 
 /// Room for the light of every ray in a queue.

@@ -18,11 +18,12 @@
 //! The lines are as near to each other as the gobo needs, and a ray takes about 45 instructions on
 //! x86-64; 16 samples take about 800. NUMERICS.md has the errors.
 
+mod frame;
 mod lines;
 mod pattern;
 
-use self::lines::Lines;
-use super::{Hazy, rays::Fan};
+use self::{frame::Frame, lines::Lines};
+use super::{hazy::Hazy, rays::Fan};
 use crate::space::vector;
 use glam::Vec3;
 
@@ -40,23 +41,6 @@ pub(crate) struct Shafts {
     lines: Lines,
 }
 
-/// The directions of a beam, as seen from the light.
-#[derive(Clone, Copy, Debug)]
-struct Frame {
-    /// The direction to the eye.
-    eye: Vec3,
-    /// The direction orthogonal to `eye` on whose side the axis is, and the one orthogonal to both.
-    toward: Vec3,
-    beside: Vec3,
-    /// The distance of the eye.
-    distance: f32,
-    /// The coordinates of the axis along `eye` and along `toward`.
-    axis: [f32; 2],
-    /// The versine and the sine of the outer angle.
-    versine: f32,
-    sine: f32,
-}
-
 /// The rays through the pixels of a tile in the coordinates of a [`Frame`], as vectors to depth 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sheaf {
@@ -71,10 +55,6 @@ pub(super) struct Run {
     pub(super) light: [f32; WIDTH],
     pub(super) is_sampled: [bool; WIDTH],
 }
-
-/// Sine of the angle between the axis and the line from the light to the eye, relative to the sine of
-/// the outer angle, up to which the eye counts as in the cone or in the opposite cone.
-const OUTSIDE: f32 = 1.01;
 
 impl Shafts {
     /// Integrates along the lines of a beam; `None` if the beam must be sampled.
@@ -137,41 +117,5 @@ impl Shafts {
             light[i] *= weight[i];
         }
         Run { light, is_sampled }
-    }
-}
-
-/// Divides a number from 0 to 2^22 into a whole number and the rest, from 0 to 1.
-///
-/// The sum with `1.5 * 2^23` has no bits for a fraction. A conversion to an integer would not be
-/// vectorised on x86-64, where it takes ten times the instructions.
-#[inline(always)]
-fn split(number: f32) -> (i32, f32) {
-    const SHIFT: f32 = 12_582_912.0;
-    let shifted = (number - 0.5) + SHIFT;
-    (shifted.to_bits() as i32 - SHIFT.to_bits() as i32, number - (shifted - SHIFT))
-}
-
-impl Frame {
-    /// Returns the frame of a beam; `None` if the eye is in the cone, in the opposite cone or in the
-    /// light.
-    fn new(hazy: &Hazy, eye: Vec3) -> Option<Self> {
-        let offset = eye - hazy.position;
-        let (distance, eye) = (vector::length(offset), vector::direction(offset));
-        let along = eye.dot(hazy.axis);
-        let across = hazy.axis - along * eye;
-        let aside = vector::length(across);
-        let versine = hazy.beam.outer_versine();
-        let sine = vector::sqrt(versine * (2.0 - versine));
-        if !(distance > hazy.radius && versine < 1.0 && aside > OUTSIDE * sine) {
-            return None;
-        }
-        let toward = across / aside;
-        let beside = eye.cross(toward);
-        Some(Self { eye, toward, beside, distance, axis: [along, aside], versine, sine })
-    }
-
-    /// Returns the coordinates of a vector.
-    fn local(&self, way: Vec3) -> Vec3 {
-        Vec3::new(way.dot(self.toward), way.dot(self.beside), way.dot(self.eye))
     }
 }

@@ -1,6 +1,6 @@
 //! The light of all beams on the grids of a tile, and its interpolation to the pixels.
 
-use super::tile::{COLUMNS, Cell, ROWS};
+use super::cell::{COLUMNS, Cell, ROWS};
 use crate::buffer::Radiance;
 use luminaire::Rgb;
 

@@ -1,25 +1,21 @@
 //! The air in front of a tile: few rays, interpolated where they suffice.
 
 use super::{
-    Hazy, Way,
     beam::Beam,
+    cell::{COLUMNS, Cell, ROWS},
     ends::{Ends, Nearness, Plane},
-    rays::{BATCH, Fan, Light, NO_LIGHT, Queue},
+    hazy::{BATCH, Hazy, Way},
+    rays::{Fan, Light, NO_LIGHT, Queue},
     shafts::{Shafts, WIDTH},
     sums::{Nodes, Sums},
 };
 use crate::{
     buffer::{LANES, Radiance},
     raster::{Fragments, view::View},
-    stripes::Stripes,
 };
 use alloc::vec::Vec;
 use core::ops::Range;
 use luminaire::{Rgb, Scalar, haze::RayBundle};
-
-/// The size of a tile in pixels.
-pub(super) const COLUMNS: usize = LANES;
-pub(super) const ROWS: usize = Stripes::ROWS;
 
 /// Largest error of all beams together in a channel of a pixel, as tested at the nodes: half a
 /// linear code.
@@ -34,15 +30,6 @@ const BEND: f32 = 1.0;
 /// Largest accepted error in the middle of the quarters of a cell, in tolerances. It is the check
 /// against light whose second difference is small by chance, such as a bend beside an edge.
 const OFF: f32 = 0.4;
-
-/// A square of pixels with three rows of three nodes, `step` pixels apart. The last row and the
-/// last column of nodes are those of the next cells.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Cell {
-    pub(super) x: usize,
-    pub(super) y: usize,
-    pub(super) step: usize,
-}
 
 /// The air in front of a tile.
 pub(crate) struct TileAir<'a> {
@@ -71,29 +58,6 @@ struct Found {
     nodes: Nodes,
     /// The largest difference of the values at both ends.
     gap: f32,
-}
-
-impl Cell {
-    pub(super) fn side(&self) -> usize {
-        2 * self.step
-    }
-
-    /// The pixels of the nodes, row by row.
-    fn nodes(self) -> impl Iterator<Item = (usize, usize)> + Clone {
-        (0..9).map(move |i| (self.x + i % 3 * self.step, self.y + i / 3 * self.step))
-    }
-
-    fn middle(self) -> (usize, usize) {
-        (self.x + self.step, self.y + self.step)
-    }
-
-    fn quarters(&self) -> [Self; 4] {
-        core::array::from_fn(|i| Self {
-            x: self.x + i % 2 * self.step,
-            y: self.y + i / 2 * self.step,
-            step: self.step / 2,
-        })
-    }
 }
 
 impl<'a> TileAir<'a> {
@@ -126,13 +90,19 @@ impl<'a> TileAir<'a> {
         }
     }
 
-    /// Adds the in-scattered light of a beam, interpolated where that suffices. `share` is the
-    /// beam's share of the error.
-    pub(crate) fn add<S: Scalar>(&mut self, hazy: &Hazy, way: &Way<'_, S>, share: f32) {
+    /// Adds the in-scattered light of a beam: by its shafts, if it has them, or else interpolated where
+    /// that suffices. `share` is the beam's share of the error.
+    pub(crate) fn add<S: Scalar>(
+        &mut self,
+        hazy: &Hazy,
+        way: &Way<'_, S>,
+        shafts: Option<&Shafts>,
+        share: f32,
+    ) {
         let Rgb { red, green, blue } = hazy.color;
         let tolerance = TOLERANCE * share / red.max(green).max(blue);
         let beam = Beam::new(hazy, way, &self.fan, tolerance);
-        if let Some(shafts) = way.shafts {
+        if let Some(shafts) = shafts {
             self.add_shafts(&beam, shafts);
             return;
         }

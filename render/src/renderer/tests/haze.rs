@@ -50,12 +50,12 @@ fn air(renderer: &mut Renderer<f32>, fixtures: &[Fixture]) -> [(Vec<Radiance>, u
             let place = (rows.clone(), column);
             let mut air = TileAir::new(view, &renderer.fragments, place, columns, radiance, stride);
             for fixture in seen.iter().filter_map(|&light| rig.fixture(light)) {
-                let (hazy, way) = fixture.in_air(&renderer.shadows, view.eye()).unwrap();
-                if way.shafts.is_some() {
+                let (hazy, way, shafts) = fixture.in_air(&renderer.shadows, view.eye()).unwrap();
+                if shafts.is_some() {
                     continue;
                 }
                 match is_each {
-                    0 => air.add(hazy, &way, 1.0 / seen.len() as f32),
+                    0 => air.add(hazy, &way, shafts, 1.0 / seen.len() as f32),
                     _ => air.add_each(hazy, &way),
                 }
             }

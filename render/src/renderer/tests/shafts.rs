@@ -164,8 +164,8 @@ fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Erro
         }
         let view = renderer.view.as_ref().unwrap();
         let eye = exactly(view.eye());
-        let (hazy, way) = rig.fixture(0).unwrap().in_air(&renderer.shadows, view.eye()).unwrap();
-        if way.shafts.is_none() {
+        let (hazy, way, shafts) = rig.fixture(0).unwrap().in_air(&renderer.shadows, view.eye()).unwrap();
+        if shafts.is_none() {
             return errors;
         }
         let (rows, column) = renderer.tiles.place(tile);
@@ -177,7 +177,7 @@ fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Erro
             if is_each {
                 air.add_each(hazy, &way);
             } else {
-                air.add(hazy, &way, 1.0);
+                air.add(hazy, &way, shafts, 1.0);
             }
             air.finish();
             radiance

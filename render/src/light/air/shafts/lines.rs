@@ -1,15 +1,15 @@
 //! Integrals of a beam's light over the directions of its lines.
 
-use super::{Frame, pattern::Pattern, split};
-use crate::{light::air::Hazy, space::vector};
+use super::{
+    frame::Frame,
+    pattern::{Pattern, STEPS, split},
+};
+use crate::{light::air::hazy::Hazy, space::vector};
 use alloc::{vec, vec::Vec};
 use luminaire::{
     haze::ViewRays,
     projector::{Gobo, Projection},
 };
-
-/// Steps of a line through the cone.
-pub(super) const STEPS: usize = 256;
 
 /// Places for lines, at equal distances in `across`.
 const PLACES: usize = 32_768;

@@ -1,9 +1,11 @@
 //! A gobo along a line.
 
-use super::{lines::STEPS, split};
 use alloc::vec::Vec;
 use glam::Vec3;
 use luminaire::projector::{Gobo, Projection};
+
+/// Steps of a line through the cone.
+pub(super) const STEPS: usize = 256;
 
 /// A gobo in the gate of a light, for look-ups in f32.
 pub(super) struct Pattern {
@@ -65,4 +67,15 @@ impl Pattern {
             lights[i] *= (top + (bottom - top) * down[i]) * (1.0 / 255.0);
         }
     }
+}
+
+/// Divides a number from 0 to 2^22 into a whole number and the rest, from 0 to 1.
+///
+/// The sum with `1.5 * 2^23` has no bits for a fraction. A conversion to an integer would not be
+/// vectorised on x86-64, where it takes ten times the instructions.
+#[inline(always)]
+pub(super) fn split(number: f32) -> (i32, f32) {
+    const SHIFT: f32 = 12_582_912.0;
+    let shifted = (number - 0.5) + SHIFT;
+    (shifted.to_bits() as i32 - SHIFT.to_bits() as i32, number - (shifted - SHIFT))
 }
