@@ -4,7 +4,7 @@ import { element } from "./elements.js";
 import { degrees, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
 import { Press } from "./press.js";
-import { line, shape } from "./shapes.js";
+import { label, line, shape } from "./shapes.js";
 
 /** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
 /** @typedef {(angle: number) => number} Across the horizontal position of an angle off the axis, in degrees */
@@ -44,9 +44,6 @@ function tickStep(reach) {
   const power = 10 ** Math.floor(Math.log10(reach / 2));
   return power * ([5, 2].find((factor) => reach / (power * factor) >= 2) ?? 1);
 }
-
-/** @type {(kind: string, x: number, y: number, text: string) => SVGElement} */
-const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
 
 export class Curve {
   #stage;
@@ -162,7 +159,7 @@ const describe = ({ name, beam, field, outer }) =>
 function levels() {
   return [1, 0.5, 0.1, 0].flatMap((level) => [
     line("level", BOX.left, height(level), BOX.right, height(level)),
-    label("percent", BOX.left - 8, height(level) + 4, `${100 * level} %`),
+    label("end", BOX.left - 8, height(level) + 4, `${100 * level} %`),
   ]);
 }
 
@@ -176,7 +173,7 @@ function ticks(reach, across) {
   const count = Math.floor(reach / step);
   return Array.from({ length: 2 * count + 1 }, (_, i) => (i - count) * step).flatMap((angle) => [
     line("tick", across(angle), BOX.bottom, across(angle), BOX.bottom + 4),
-    label("degrees", across(angle), BOX.bottom + 19, degrees(angle)),
+    label("middle", across(angle), BOX.bottom + 19, degrees(angle)),
   ]);
 }
 
@@ -231,7 +228,7 @@ function mark(name, angle, level, across) {
   return [
     line("span", left, y, right, y),
     ...[left, right].map((x) => line("drop", x, y, x, BOX.bottom)),
-    label("angle", across(0), y - 7, `${name} ${degrees(angle)}`),
+    label("middle angle", across(0), y - 7, `${name} ${degrees(angle)}`),
   ];
 }
 

@@ -1,5 +1,5 @@
 // Error against cost, both logarithmic: one mark for each evaluation of a light.
-import { line, shape } from "./shapes.js";
+import { label, line, shape } from "./shapes.js";
 
 const HEIGHT = 300;
 const [TOP, BOTTOM] = [40, HEIGHT - 44];
@@ -59,8 +59,6 @@ export function draw(svg, points, { tolerance, cost, error }) {
   const end = width - RIGHT;
   const x = scale(points.map((point) => point.cost), LEFT, end);
   const y = scale([...points.map((point) => point.error), tolerance], BOTTOM, TOP);
-  /** @type {(kind: string, x: number, y: number, text: string) => SVGElement} */
-  const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
   const ahead = front(points);
   svg.replaceChildren(
     ...x.ticks.flatMap((tick) => [

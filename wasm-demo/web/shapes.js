@@ -22,3 +22,6 @@ export function shape(name, attributes, text = "") {
  * @param {number} y2
  */
 export const line = (kind, x1, y1, x2, y2) => shape("line", { class: kind, x1, y1, x2, y2 });
+
+/** @type {(kind: string, x: number, y: number, text: string) => SVGElement} */
+export const label = (kind, x, y, text) => shape("text", { class: kind, x, y }, text);
