@@ -74,4 +74,13 @@ mod tests {
         }
         assert!(other("cubic", 20.0, &[0.0]).is_err());
     }
+
+    #[test]
+    fn angles_reject_too_few_and_too_many_samples() {
+        for samples in [0, 1, SAMPLES + 1, usize::MAX] {
+            let refusal = angles(1.0, samples).unwrap_err().to_string();
+            assert!(refusal.starts_with("number of samples"), "{refusal}");
+        }
+        assert_eq!(angles(3.0, 3), Ok(vec![-3.0, 0.0, 3.0]));
+    }
 }

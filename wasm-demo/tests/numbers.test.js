@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ceiling, colours, degrees, floor, median, roughly, tidy, whole } from "../web/numbers.js";
+import { colours, degrees, median, tidy, whole } from "../web/numbers.js";
 
 test("tidy keeps two decimals, and three digits of a small value", () => {
   const cases = [[22.4311, 22.43], [-3.005, -3], [0.0123456, 0.0123], [-0.5, -0.5], [0, 0], [1e9, 1e9]];
@@ -13,20 +13,7 @@ test("degrees has a minus sign and not a hyphen", () => {
   assert.equal(degrees(7), "7°");
 });
 
-test("roughly keeps three significant digits", () => {
-  assert.equal(roughly(123.456), "123°");
-  assert.equal(roughly(0.0123456), "0.0123°");
-});
-
 test("whole has thousands separators", () => assert.equal(whole(1234567.4), "1,234,567"));
-
-test("floor is never above its argument, and ceiling never below", () => {
-  for (let i = 0; i < 1000; i += 1) {
-    const value = 10 ** (6 * Math.random() - 3);
-    assert.ok(floor(value) <= value && value - floor(value) < 0.01 + 1e-9, String(value));
-    assert.ok(ceiling(value) >= value * (1 - 1e-12) && ceiling(value) <= value * 1.0101, String(value));
-  }
-});
 
 test("median is the middle value, or the mean of the middle two", () => {
   assert.equal(median([3, 100, 1]), 3);

@@ -4,11 +4,6 @@ import * as support from "../web/support.js";
 
 test("the module with a vector instruction is valid", () => support.requireSimd());
 
-test("a browser without vector instructions is refused in words", (context) => {
-  context.mock.method(WebAssembly, "validate", () => false);
-  assert.throws(support.requireSimd, /no WebAssembly SIMD/);
-});
-
 test("the size and the workers are whole numbers, or left out", () => {
   const found = support.requested("?width=320&height=180&workers=0&rest=0");
   assert.deepEqual(found, { width: 320, height: 180, workers: 0, rests: false, refused: [] });

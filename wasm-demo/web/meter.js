@@ -42,7 +42,6 @@ const PASSES = /** @type {const} */ ([...SHARED, "transfer", "show", "frame"]);
 
 export class Meter {
   #stage;
-  #page;
   #module;
   #memory;
 
@@ -72,34 +71,19 @@ export class Meter {
    */
   constructor(stage, page, module, memory) {
     this.#stage = stage;
-    this.#page = page;
+    this.page = page;
     this.#module = module;
     this.#memory = memory;
   }
 
   /** The memory of the page's module and of those of its workers, in bytes. */
   async memory() {
-    return this.#memory.buffer.byteLength + (await this.#page.memory());
+    return this.#memory.buffer.byteLength + (await this.page.memory());
   }
 
   /** Number of pictures that were drawn, in all views. */
   get drawn() {
-    return this.#page.drawn + (this.comparison?.drawn ?? 0) + (this.museum?.drawn ?? 0);
-  }
-
-  /** What lighting the last picture took, in milliseconds of a core: on the map of costs, and by the clock. */
-  get costs() {
-    return this.#page.costs;
-  }
-
-  /** The price of the selected light; undefined until it is in view. */
-  get price() {
-    return this.#page.price;
-  }
-
-  /** Whether a picture is being drawn or will be. */
-  get isDrawing() {
-    return this.#page.isDrawing;
+    return this.page.drawn + (this.comparison?.drawn ?? 0) + (this.museum?.drawn ?? 0);
   }
 
   /** The name of the scene. */
@@ -112,32 +96,12 @@ export class Meter {
     return this.#stage.get("format");
   }
 
-  /** The costs of the last picture's light: a plain object. */
-  get account() {
-    return this.#page.account;
-  }
-
-  /** The times of the last picture's passes in milliseconds: a plain object. */
-  get times() {
-    return this.#page.times;
-  }
-
-  /** A copy of the last picture: RGBA, sRGB, eight bits. */
-  pixels() {
-    return this.#page.pixels;
-  }
-
-  /** The difference between both halves of a divided picture: see `Divided`. */
-  get difference() {
-    return this.#page.difference;
-  }
-
   /**
    * Requests a number format, as the select does: `fx16`, `fx32` or `f32`.
    * @param {string} name
    */
   setFormat(name) {
-    this.#page.setFormat(name);
+    this.page.setFormat(name);
   }
 
   /**
@@ -149,9 +113,14 @@ export class Meter {
     return Stage.statedError(format);
   }
 
+  /** A copy of the last picture: RGBA, sRGB, eight bits. */
+  pixels() {
+    return this.page.pixels();
+  }
+
   /** Draws what has changed, now. Resolves when it is shown. */
   redraw() {
-    return this.#page.redraw();
+    return this.page.redraw();
   }
 
   /**
@@ -159,7 +128,7 @@ export class Meter {
    * bit.
    */
   compare() {
-    return this.#page.compare();
+    return this.page.compare();
   }
 
   /**
@@ -185,28 +154,6 @@ export class Meter {
     stage.free();
     pool.end();
     return { scene: name, width, height, format, workers, lights, cameraAtRest, cameraMoving };
-  }
-
-  /**
-   * Draws `frames` frames of a scene twice, with a moving camera. Returns the memory of all workers'
-   * modules in bytes, after the first and after the second time.
-   *
-   * @param {string} name
-   * @param {number} frames
-   * @param {Options} [options]
-   */
-  async measureMemory(name, frames, options = {}) {
-    const stage = opened(name, options);
-    const pool = new Pool(Promise.resolve(this.#module), options.workers ?? cores());
-    const screen = hidden();
-    const draw = () => run(stage, pool, screen, frames, () => stage.orbit(TURN, 0));
-    await draw();
-    const before = await pool.memory();
-    await draw();
-    const after = await pool.memory();
-    stage.free();
-    pool.end();
-    return { before, after };
   }
 
   /**
@@ -244,6 +191,15 @@ export class Meter {
     stage.free();
     return { workers, togetherPerSecond: together, apartPerSecond: apart, share: together / apart };
   }
+}
+
+// What the stage tells of itself: see `StagePage`.
+for (const name of /** @type {const} */ (["account", "difference", "isDrawing", "price", "times"])) {
+  Object.defineProperty(Meter.prototype, name, {
+    get() {
+      return this.page[name];
+    },
+  });
 }
 
 /**

@@ -6,7 +6,7 @@ import { gzipSync } from "node:zlib";
 
 import {
   EXPECT, PAGE, STILL, VIEWS, ask, assert, change, drag, enter, exists, follow, isLit, isShown, more, must, open, place, press, quick, requests,
-  settle, shows, tab, until, words, works, written,
+  settle, shows, tab, until, words, works,
 } from "./visit.mjs";
 
 const MAY_COMPLAIN = { fails: true };
@@ -180,15 +180,6 @@ more("the address is written when the visitor pauses", async () => {
   await enterQuickly("format", "fx32");
   await isWell();
   await until(() => location.hash.includes("format=fx32"));
-});
-
-more("a browser that refuses an address is none the worse for it", async () => {
-  for (const address of ["#compare?half=10", "#stage?scene=pocket&play=none"]) {
-    await open(address, { script: "history.replaceState = () => { throw new DOMException('no', 'SecurityError'); }" });
-    for (const [id, value] of [["half-angle-number", 3], ["format", "fx32"]]) await enter(id, value);
-    await written();
-    await isWell();
-  }
 });
 
 // The network.

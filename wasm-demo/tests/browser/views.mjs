@@ -1,6 +1,6 @@
 // The views beside the stage: the comparison of kernels, the museum of faulty ones, and the chip.
 import {
-  EXPECT, VIEWS, ask, assert, count, drag, enter, focus, more, must, number, open, options, pause, place, press, quick, redraw,
+  EXPECT, VIEWS, ask, assert, drag, enter, focus, more, must, number, open, pause, place, press, quick, redraw,
   requests, shows, tab, until, words,
 } from "./visit.mjs";
 
@@ -39,21 +39,6 @@ quick("a narrow beam parts the cosine form from the versine form", async () => {
     assert.match(await words(`differing-${number}`), /%$/);
   }
   assert.match(await words("verdict"), /^B is.*more accurate/);
-});
-
-more("every form answers every angle", async () => {
-  await open("#compare");
-  const forms = await options("form-0");
-  must(forms, ({ length }) => length > 4, "over 4 forms");
-  for (const form of forms) {
-    await enter("form-0", form);
-    for (const angle of [0.002, 0.7, 60]) {
-      await enter("half-angle-number", angle);
-      const [state, told] = [await side(0), await words("refusal-0")];
-      assert.equal(state.form, form);
-      must([told, state.largest], () => (told ? told.includes("at least") : Number.isFinite(state.largest)), `${form} to answer ${angle} degrees`);
-    }
-  }
 });
 
 more("the divider follows the mouse and the keys", async () => {
@@ -216,11 +201,8 @@ more("bad values leave the museum alone", async () => {
   assert.match(await words("exhibit-error"), /exhibit = "none"/);
 });
 
-more("landmarks and pictures of the museum have names, and pictures their own size", async () => {
+more("pictures of the museum have their own size", async () => {
   await open("#museum");
-  assert.equal(await count("#museum canvas:not([aria-hidden]):not([aria-label])"), 0, "pictures without a name");
-  const names = await ask(() => Array.from(document.querySelectorAll("#museum [aria-labelledby]"), (part) => document.getElementById(part.getAttribute("aria-labelledby")).textContent));
-  must(names, ({ length }) => length === 2 && new Set(names).size === 2 && names.every(Boolean), "two names");
   const scales = await ask(() => Array.from(document.querySelectorAll(".sides canvas"), (canvas) => canvas.getBoundingClientRect().width / canvas.width));
   assert.deepEqual(scales, [1, 1, 1, 1]);
 });
