@@ -1,6 +1,6 @@
 // Table of evaluated and skipped pairs, averaged over the last pictures.
 import { element as find } from "./elements.js";
-import { whole } from "./numbers.js";
+import { percent, whole } from "./numbers.js";
 
 /** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").AccountState>} Account */
 
@@ -12,12 +12,6 @@ const PARTS = /** @type {const} */ (["evaluated", "missedByRow", "missedByTile",
 
 /** @param {string} name */
 const element = (name) => find(`account-${name}`);
-
-/**
- * Formats a share in percent.
- * @param {number} share
- */
-const percent = (share) => (share === 0 ? "0 %" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`);
 
 /**
  * Formats a small share in words.
@@ -63,7 +57,7 @@ export class AccountTable {
       const count = this.#mean(part);
       const share = pairs === 0 ? 0 : count / pairs;
       element(part).textContent = (count / pixels).toFixed(2);
-      element(`${part}-share`).textContent = percent(share);
+      element(`${part}-share`).textContent = percent(share, "0 %");
       element(`${part}-bar`).style.flexGrow = String(share);
     }
     element("ratio").textContent = oneIn(this.#mean("evaluated"), pairs);

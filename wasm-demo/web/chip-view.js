@@ -1,5 +1,5 @@
 // The board of an RP2040 whose firmware runs in a worker: its display, and what it costs.
-import { element as find, find as within } from "./elements.js";
+import { element as find, find as within, row } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 
 const SIZE = 240;
@@ -88,7 +88,7 @@ export class ChipView {
       this.#last = Infinity;
       this.#order();
     });
-    element("speed").addEventListener("input", () => worker.postMessage({ speed: Number(/** @type {HTMLInputElement | HTMLSelectElement} */ (element("speed")).value) }));
+    element("speed").addEventListener("input", () => worker.postMessage({ speed: Number(find("chip-speed", HTMLSelectElement).value) }));
     for (const step of ["row", "picture"]) element(step).addEventListener("click", () => this.#step(step));
     document.addEventListener("visibilitychange", () => this.#order());
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.#last = 1;
@@ -135,7 +135,7 @@ export class ChipView {
    * @param {number} wallMs
    */
   #show(rows, nanos, wallMs) {
-    for (const { column, row, pixels } of rows) pixels.forEach((pixel, x) => this.#set(column + x, row, pixel));
+    for (const { column, row: y, pixels } of rows) pixels.forEach((pixel, x) => this.#set(column + x, y, pixel));
     if (rows.length > 0) this.#canvas.putImageData(this.#image, 0, 0);
     const last = rows.at(-1);
     const chipMs = nanos / 1e6;
@@ -204,14 +204,9 @@ export class ChipView {
   #bars(cycles) {
     const most = Math.max(...cycles);
     const rows = cycles.map((value, i) => {
-      const row = document.createElement("tr");
-      const [name, cell] = [document.createElement("th"), document.createElement("td")];
-      name.scope = "row";
-      name.textContent = this.#stages[i];
-      cell.textContent = whole(value);
-      cell.style.setProperty("--part", `${(100 * value) / most}%`);
-      row.append(name, cell);
-      return row;
+      const line = row(this.#stages[i], [whole(value)]);
+      line.cells[1].style.setProperty("--part", `${(100 * value) / most}%`);
+      return line;
     });
     element("stages").replaceChildren(...rows);
   }

@@ -2,6 +2,7 @@
 import { Code, initSync } from "./pkg/code.js";
 import { copyTextOf } from "./clipboard.js";
 import { element as find } from "./elements.js";
+import { refusalOf } from "./failure.js";
 import { compile } from "./module.js";
 
 /** @param {string} id */
@@ -31,14 +32,8 @@ export class CodeDrawer {
    */
   show(light) {
     this.#light = light;
-    let [code, refusal] = ["", ""];
-    try {
-      code = this.#code.write(light.job, light.light, this.#language.value);
-    } catch (cause) {
-      // The module refuses with a string; anything else is a bug in the page.
-      if (typeof cause !== "string") throw cause;
-      refusal = cause;
-    }
+    let code = "";
+    const refusal = refusalOf(() => (code = this.#code.write(light.job, light.light, this.#language.value)));
     element("error").textContent = refusal;
     element("told").textContent = "";
     element("text").textContent = code;

@@ -3,14 +3,14 @@ import { Comparison } from "./pkg/comparison.js";
 import { remember } from "./address.js";
 import { start } from "./comparison-module.js";
 import { Divider } from "./divider.js";
-import { element, find } from "./elements.js";
+import { element, encircle, find } from "./elements.js";
 import { ErrorScale } from "./error-scale.js";
-import { hasFailed } from "./failure.js";
-import { HalfAngle } from "./half-angle.js";
+import { hasFailed, refusalOf } from "./failure.js";
 import { Ledger } from "./ledger.js";
-import { degrees } from "./numbers.js";
+import { degrees, exact } from "./numbers.js";
 import { plain } from "./plain.js";
 import { PriceList } from "./price-list.js";
+import { ToldDial } from "./told-dial.js";
 
 /** Pixels on a side: enough to see the rings of a beam whose precision is exhausted. */
 const SIZE = 400;
@@ -75,10 +75,11 @@ export class ComparisonView {
     const [first, second] = SIDES.map((side) => /** @type {const} */ ([canvas("picture", side), canvas("errors", side)]));
     this.#comparison = new Comparison(...first, ...second, SIZE);
     this.#forms = new Map(Comparison.forms().map((form) => [form.name, plain(form)]));
-    this.#halfAngle = new HalfAngle([exact(Comparison.narrowest()), exact(Comparison.widest())], (value) => {
+    this.#halfAngle = new ToldDial({ slider: "half-angle", number: "half-angle-number", error: "half-angle-error" }, (value) => {
       this.#comparison.setHalfAngle(value);
       this.#request();
     });
+    this.#halfAngle.range(exact(Comparison.narrowest()), exact(Comparison.widest()), "°");
     this.#scale = new ErrorScale(this.#comparison, Comparison.scales());
     this.#scale.onchange = () => this.#request();
     this.#ledger = new Ledger(this.#comparison, this.#forms, prices);
@@ -122,14 +123,7 @@ export class ComparisonView {
    * @param {string | null} name
    */
   #ask(side, name) {
-    this.#unknown[side] = "";
-    if (name === null) return;
-    try {
-      this.#comparison.setForm(side, name);
-    } catch (refusal) {
-      if (typeof refusal !== "string") throw refusal;
-      this.#unknown[side] = refusal;
-    }
+    this.#unknown[side] = name === null ? "" : refusalOf(() => this.#comparison.setForm(side, name));
   }
 
   /** Resolves when the current pictures have been timed. */
@@ -193,21 +187,7 @@ export class ComparisonView {
     }
     on("picture", side).setAttribute("aria-label", `The beam in ${label}`);
     on("errors", side).setAttribute("aria-label", `What ${label} differs from f64 by`);
-    this.#ring(side, state);
-  }
-
-  /**
-   * Marks the pixel of the largest error.
-   * @param {number} side
-   * @param {State} state
-   */
-  #ring(side, { largest = 0, place }) {
-    /** @type {(index: number) => string} */
-    const middle = (index) => `${(100 * (index + 0.5)) / SIZE}%`;
-    const ring = on("spot", side);
-    ring.hidden = !(largest > 0);
-    ring.style.left = middle(place % SIZE);
-    ring.style.top = middle(Math.floor(place / SIZE));
+    encircle(on("spot", side), (state.largest ?? 0) > 0, state.place, { width: SIZE, height: SIZE });
   }
 
   /**
@@ -220,9 +200,3 @@ export class ComparisonView {
     remember("compare", () => query.toString());
   }
 }
-
-/**
- * Rounds an f32 to 7 significant digits, which restores the decimal fraction that was set.
- * @param {number} value
- */
-const exact = (value) => Number(value.toPrecision(7));

@@ -1,4 +1,4 @@
-// A logarithmic slider and a number beside it, for one value.
+// A slider, logarithmic or linear, and a number beside it, for one value.
 import { showPart } from "./elements.js";
 import { tidy } from "./numbers.js";
 
@@ -38,34 +38,42 @@ const round = (value) => Number(value.toPrecision(4));
 export class Dial {
   #slider;
   #number;
-  #unit;
+  #unit = "";
   #ends = /** @type {[number, number]} */ ([1, 1]);
+  #isLogarithmic = true;
+  /** The value that is shown. */
+  #value = NaN;
 
   /**
    * @param {HTMLInputElement} slider
    * @param {HTMLInputElement} number
    * @param {(value: number, control: HTMLInputElement) => void} set called on a change, NaN for no number
    * @param {(number: HTMLInputElement, source: HTMLInputElement | undefined, isSet: boolean) => void} leave
-   *   called when the number is empty, with itself as the source, and when it loses focus: it shows the
-   *   current value, and its refusal ends unless it has just been set
-   * @param {string} unit for people who hear the value of the slider
+   *   called when the number is empty, with itself as the source, and when it loses focus: then the
+   *   value is shown again, and its refusal ends unless it has just been set
    */
-  constructor(slider, number, set, leave, unit) {
+  constructor(slider, number, set, leave) {
     this.#slider = slider;
     this.#number = number;
-    this.#unit = unit;
     slider.addEventListener("input", () => set(this.#ofSlider(), slider));
-    joinNumber(number, set, (source, isSet) => leave(number, source, isSet));
+    joinNumber(number, set, (source, isSet) => {
+      leave(number, source, isSet);
+      this.show(this.#value, source);
+    });
   }
 
   /**
-   * Sets the ends of the slider, which are more than 0.
+   * Sets the ends of the slider; those of a logarithmic one are more than 0.
    * @param {number} least
    * @param {number} most
+   * @param {string} unit for people who hear the value of the slider
+   * @param {boolean} [isLogarithmic]
    */
-  range(least, most) {
+  range(least, most, unit, isLogarithmic = true) {
     this.#ends = [least, most];
-    [this.#slider.min, this.#slider.max] = this.#ends.map((end) => String(Math.log10(end)));
+    this.#unit = unit;
+    this.#isLogarithmic = isLogarithmic;
+    [this.#slider.min, this.#slider.max] = this.#ends.map((end) => String(this.#place(end)));
   }
 
   /**
@@ -75,17 +83,27 @@ export class Dial {
    * @param {Element} [source]
    */
   show(value, source) {
-    const [least, most] = this.#ends;
-    const place = Math.log10(Math.min(Math.max(value, least), most));
+    this.#value = value;
     if (source !== this.#number) this.#number.value = String(tidy(value));
-    if (source !== this.#slider) this.#slider.value = String(place);
+    if (source !== this.#slider) this.#slider.value = String(this.#place(this.#within(value)));
     showPart(this.#slider);
     this.#slider.setAttribute("aria-valuetext", `${tidy(value)}${this.#unit}`);
   }
 
+  /** @param {number} value */
+  #place(value) {
+    return this.#isLogarithmic ? Math.log10(value) : value;
+  }
+
+  /** @param {number} value */
+  #within(value) {
+    const [least, most] = this.#ends;
+    return Math.min(Math.max(value, least), most);
+  }
+
   /** The rounded value of the slider, within its ends. */
   #ofSlider() {
-    const [least, most] = this.#ends;
-    return Math.min(Math.max(round(10 ** this.#slider.valueAsNumber), least), most);
+    const place = this.#slider.valueAsNumber;
+    return this.#within(round(this.#isLogarithmic ? 10 ** place : place));
   }
 }

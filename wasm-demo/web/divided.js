@@ -1,8 +1,8 @@
 // The other half of a divided picture: the same scene, camera and time in another number format.
 import { Divided } from "./pkg/wasm_demo.js";
 import { Divider } from "./divider.js";
-import { element as find } from "./elements.js";
-import { colours } from "./numbers.js";
+import { element as find, encircle } from "./elements.js";
+import { colours, counted } from "./numbers.js";
 import { plain } from "./plain.js";
 import { Pool } from "./pool.js";
 import { Screen } from "./screen.js";
@@ -15,12 +15,6 @@ import { Screen } from "./screen.js";
  * @param {abstract new (...args: any) => T} [kind]
  */
 const element = (name, kind) => find(`divided${name}`, kind);
-
-/**
- * Formats a number of codes.
- * @param {number} codes
- */
-const counted = (codes) => `${codes} ${codes === 1 ? "code" : "codes"}`;
 
 export class DividedPicture {
   #module;
@@ -123,13 +117,10 @@ export class DividedPicture {
     element("-note").textContent =
       largest === 0
         ? "A and B are equal, pixel by pixel."
-        : `A and B differ by at most ${counted(largest)} (ring, at ${x}, ${y}), and at ${share} % of the pixels.`;
-    element("-end").textContent = counted(end);
-    element("-bar").setAttribute("aria-label", `From no difference, dark blue, to ${counted(end)}, pale yellow`);
-    const ring = element("-ring");
-    ring.hidden = largest === 0;
-    ring.style.left = `${(100 * (x + 0.5)) / width}%`;
-    ring.style.top = `${(100 * (y + 0.5)) / (pixels / width)}%`;
+        : `A and B differ by at most ${counted(largest, "code")} (ring, at ${x}, ${y}), and at ${share} % of the pixels.`;
+    element("-end").textContent = counted(end, "code");
+    element("-bar").setAttribute("aria-label", `From no difference, dark blue, to ${counted(end, "code")}, pale yellow`);
+    encircle(element("-ring"), largest > 0, place, { width, height: pixels / width });
   }
 
   #end() {

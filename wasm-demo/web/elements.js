@@ -43,3 +43,31 @@ export function showPart(slider) {
   const [min, max] = [Number(slider.min), Number(slider.max)];
   slider.style.setProperty("--part", `${(100 * (slider.valueAsNumber - min)) / (max - min)}%`);
 }
+
+/**
+ * Creates a row of a table.
+ * @param {string | undefined} head its name, if it has one
+ * @param {string[]} texts of its cells
+ * @param {"td" | "th"} [kind] of its cells
+ */
+export function row(head, texts, kind = "td") {
+  const line = document.createElement("tr");
+  /** @type {(kind: "td" | "th", text: string) => HTMLTableCellElement} */
+  const cell = (kind, text) => Object.assign(document.createElement(kind), { textContent: text });
+  if (head !== undefined) line.append(Object.assign(cell("th", head), { scope: "row" }));
+  line.append(...texts.map((text) => cell(kind, text)));
+  return line;
+}
+
+/**
+ * Puts a ring around a pixel of a picture, or hides it.
+ * @param {HTMLElement} ring
+ * @param {boolean} isShown
+ * @param {number} place the index of the pixel, row by row
+ * @param {{ width: number, height: number }} size of the picture
+ */
+export function encircle(ring, isShown, place, { width, height }) {
+  ring.hidden = !isShown;
+  ring.style.left = `${(100 * ((place % width) + 0.5)) / width}%`;
+  ring.style.top = `${(100 * (Math.floor(place / width) + 0.5)) / height}%`;
+}

@@ -1,6 +1,6 @@
 // The scale of the errors: its colours, its end, and whether the visitor chose it.
 import { element } from "./elements.js";
-import { colours, tidy } from "./numbers.js";
+import { colours, counted, tidy } from "./numbers.js";
 
 /** @typedef {import("./pkg/comparison.js").Comparison} Comparison */
 
@@ -20,7 +20,7 @@ export class ErrorScale {
   constructor(comparison, ends) {
     this.#comparison = comparison;
     this.#select.add(new Option("automatic", ""));
-    for (const end of ends) this.#select.add(new Option(counted(end), String(end)));
+    for (const end of ends) this.#select.add(new Option(counted(end, "code"), String(end)));
     this.#select.addEventListener("input", () => {
       comparison.setScale(this.#select.value === "" ? undefined : Number(this.#select.value));
       this.onchange();
@@ -32,17 +32,11 @@ export class ErrorScale {
   show() {
     const { scale, gain } = this.#comparison;
     element("tick-middle").textContent = String(tidy(scale / 2));
-    element("tick-end").textContent = scale === 255 ? "255 codes" : `${counted(scale)} or more`;
+    element("tick-end").textContent = scale === 255 ? "255 codes" : `${counted(scale, "code")} or more`;
     const why = this.#select.value === "" ? "so that both sides fit" : "as chosen";
     const times = Number(gain.toPrecision(3)).toLocaleString("en");
     const size = gain === 1 ? "at their size" : `magnified ${times} times`;
     this.#note.textContent = `Errors in 8-bit sRGB codes, ${size}, ${why}. A ring marks the largest.`;
-    this.#legend.setAttribute("aria-label", `From no error, dark blue, to ${counted(scale)}, pale yellow`);
+    this.#legend.setAttribute("aria-label", `From no error, dark blue, to ${counted(scale, "code")}, pale yellow`);
   }
 }
-
-/**
- * Formats a number of codes.
- * @param {number} codes
- */
-const counted = (codes) => `${codes} ${codes === 1 ? "code" : "codes"}`;

@@ -38,6 +38,21 @@ export function aside(act) {
 }
 
 /**
+ * Acts, and returns what the module refuses, in words; else nothing. Its refusals are strings, and
+ * anything else is a bug in the page.
+ * @param {() => void} act
+ */
+export function refusalOf(act) {
+  try {
+    act();
+  } catch (refusal) {
+    if (typeof refusal !== "string") throw refusal;
+    return refusal;
+  }
+  return "";
+}
+
+/**
  * Returns the message of an error, or of another thrown value.
  * @param {unknown} cause
  */

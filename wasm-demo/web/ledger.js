@@ -1,6 +1,6 @@
 // Errors and costs of both forms, side by side.
-import { element } from "./elements.js";
-import { degrees, median, tidy } from "./numbers.js";
+import { element, row } from "./elements.js";
+import { degrees, median, percent, tidy } from "./numbers.js";
 import { amount, isNumber, price, stageName, targetName } from "./price-list.js";
 
 /** @typedef {import("./pkg/comparison.js").Comparison} Comparison */
@@ -29,13 +29,6 @@ function codes(value) {
   if (value < LEAST) return `under ${LEAST}`;
   return String(value < 10 ? Number(value.toPrecision(2)) : Math.round(value));
 }
-
-/**
- * Formats a share in percent.
- * @param {number} share
- */
-const percent = (share) =>
-  share === 0 ? "none" : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`;
 
 /**
  * States in one sentence which form is better here, by how much, and at what cost.
@@ -133,7 +126,7 @@ export class Ledger {
     put("largest", held ? codes(largest) : "refused");
     element(`largest-${side}`).classList.toggle("no", !held);
     put("where", held && largest > 0 ? degrees(Number(offAxis.toPrecision(2))) : "–");
-    put("differing", held ? percent(differing) : "–");
+    put("differing", held ? percent(differing, "none") : "–");
     put("time", held ? "…" : "–");
   }
 
@@ -192,13 +185,9 @@ export class Ledger {
 
 /** @param {string} text */
 function heading(text) {
-  const row = document.createElement("tr");
-  const cell = document.createElement("th");
-  cell.colSpan = 3;
-  cell.scope = "rowgroup";
-  cell.textContent = text;
-  row.append(cell);
-  return row;
+  const line = row(text, []);
+  Object.assign(line.cells[0], { colSpan: 3, scope: "rowgroup" });
+  return line;
 }
 
 /**
@@ -207,21 +196,12 @@ function heading(text) {
  * @param {(Cost | undefined)[]} costs
  */
 function bars(target, costs) {
-  const row = document.createElement("tr");
-  row.className = "bars";
-  const name = document.createElement("th");
-  name.scope = "row";
-  name.textContent = targetName(target);
   const most = Math.max(...costs.map(amount).filter(isNumber));
-  row.append(
-    name,
-    ...costs.map((cost) => {
-      const cell = document.createElement("td");
-      cell.textContent = price(cost);
-      const part = amount(cost) / most;
-      cell.style.setProperty("--part", `${Number.isFinite(part) ? 100 * part : 0}%`);
-      return cell;
-    }),
-  );
-  return row;
+  const line = row(targetName(target), costs.map(price));
+  line.className = "bars";
+  for (const [i, cost] of costs.entries()) {
+    const part = amount(cost) / most;
+    line.cells[i + 1].style.setProperty("--part", `${Number.isFinite(part) ? 100 * part : 0}%`);
+  }
+  return line;
 }

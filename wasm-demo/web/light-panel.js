@@ -3,6 +3,7 @@
 import { Stage } from "./pkg/wasm_demo.js";
 import { Dial, joinNumber } from "./dial.js";
 import { element as find } from "./elements.js";
+import { refusalOf } from "./failure.js";
 import { findFixture, listFixtures } from "./fixture-list.js";
 import { degrees, tidy, whole } from "./numbers.js";
 import { plain } from "./plain.js";
@@ -101,7 +102,7 @@ export class LightPanel {
     const ends = plain(this.#stage.dialEnds(this.#light));
     for (const name of /** @type {const} */ (["beam", "field", "zoom", "intensity"])) {
       const [least, most] = ends[name];
-      if (most !== undefined) this.#dials[name].range(least, most);
+      if (most !== undefined) this.#dials[name].range(least, most, name === "intensity" ? "" : "°");
     }
     intensity.show(Number(state.intensity.toPrecision(4)), source);
     element("unit").textContent = state.unit;
@@ -173,7 +174,7 @@ export class LightPanel {
       });
     /** @type {(control: HTMLInputElement, source: HTMLInputElement | undefined, isSet: boolean) => void} */
     const leave = (control, source, isSet) => this.#leave(control, source, isSet);
-    return new Dial(input(name), input(`${name}-number`), set, leave, name === "intensity" ? "" : "°");
+    return new Dial(input(name), input(`${name}-number`), set, leave);
   }
 
   /**
@@ -201,16 +202,9 @@ export class LightPanel {
    * @param {() => void} set
    */
   #set(control, set) {
-    try {
-      set();
-    } catch (refusal) {
-      // The module refuses with a string; anything else is a bug in the page.
-      if (typeof refusal !== "string") throw refusal;
-      this.#refuse(control, refusal);
-      return;
-    }
-    this.#refuse(control, "");
-    this.onchange(control);
+    const refusal = refusalOf(set);
+    this.#refuse(control, refusal);
+    if (refusal === "") this.onchange(control);
   }
 
   /**

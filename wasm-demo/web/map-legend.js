@@ -1,15 +1,9 @@
 // The legend of the map over the picture.
 import { element } from "./elements.js";
-import { colours, tidy } from "./numbers.js";
+import { colours, counted, tidy } from "./numbers.js";
 
 /** @typedef {import("./pkg/wasm_demo.js").Stage} Stage */
 /** @typedef {import("./screen.js").Screen} Screen */
-
-/**
- * Formats a number of lights.
- * @param {number} lights
- */
-const counted = (lights) => `${lights} ${lights === 1 ? "light" : "lights"}`;
 
 export class MapLegend {
   #stage;
@@ -42,7 +36,7 @@ export class MapLegend {
     this.#legends.lights.hidden = map !== "lights" && map !== "cost";
     this.#legends.tiles.hidden = map !== "tiles";
     const isCost = map === "cost";
-    const ticks = isCost ? ["0", `${tidy(total)} ms of a core in all`, `${tidy(end)} ns a pixel`] : ["no light", "", counted(end)];
+    const ticks = isCost ? ["0", `${tidy(total)} ms of a core in all`, `${tidy(end)} ns a pixel`] : ["no light", "", counted(end, "light")];
     ticks.forEach((text, i) => (this.#ticks[i].textContent = text));
     this.#bar.setAttribute("aria-label", `From ${ticks[0]}, dark blue, to ${ticks[2]}, pale yellow`);
   }

@@ -2,11 +2,11 @@
 import { Museum } from "./pkg/comparison.js";
 import { remember } from "./address.js";
 import { start } from "./comparison-module.js";
-import { copyOf, element as byId, find } from "./elements.js";
-import { aside, hasFailed } from "./failure.js";
-import { colours, tidy } from "./numbers.js";
+import { copyOf, element as byId, encircle, find } from "./elements.js";
+import { aside, hasFailed, refusalOf } from "./failure.js";
+import { colours, counted, exact, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
-import { Slider } from "./slider.js";
+import { ToldDial } from "./told-dial.js";
 
 /** Pixels on a side of a picture; fewer where two stand beside each other on a telephone. */
 const SIZE = { roomy: 300, wide: 200, narrow: 160 };
@@ -36,8 +36,7 @@ const on = (name, side) => element(`${name}-${side}`);
  */
 function codes(value) {
   if (value < 0.001) return "under 0.001 codes";
-  const rounded = value < 10 ? Number(value.toPrecision(2)) : Math.round(value);
-  return `${rounded.toLocaleString("en")} ${rounded === 1 ? "code" : "codes"}`;
+  return counted(value < 10 ? Number(value.toPrecision(2)) : Math.round(value), "code");
 }
 
 /** Loads the style sheet of this view, which the others do not need. */
@@ -63,7 +62,7 @@ export class MuseumView {
   #exhibits = new Map(Museum.exhibits().map((exhibit) => [exhibit.name, plain(exhibit)]));
   #size = room();
   #museum;
-  #slider;
+  #dial;
   #frame = 0;
 
   /** How many times the pictures have been drawn. */
@@ -78,10 +77,13 @@ export class MuseumView {
     /** @type {(name: string) => HTMLCanvasElement} */
     const canvas = (name) => byId(`exhibit-${name}`, HTMLCanvasElement);
     this.#museum = new Museum(canvas("picture-0"), canvas("errors-0"), canvas("picture-1"), canvas("errors-1"), this.#size);
-    this.#slider = new Slider(input("value"), input("number"), (value, source) => this.#set(value, source));
+    this.#dial = new ToldDial({ slider: "exhibit-value", number: "exhibit-number", error: "exhibit-error" }, (value) => {
+      this.#museum.setValue(value);
+      if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame(() => this.#draw());
+    });
     for (const exhibit of this.#exhibits.values()) this.#list(exhibit);
     for (const name of ["start", "agrees"]) {
-      button(name).addEventListener("click", () => this.#set(Number(button(name).value)));
+      button(name).addEventListener("click", () => this.#dial.take(Number(button(name).value)));
     }
     element("legend").style.background = `linear-gradient(90deg, ${colours(this.#museum.palette()).join()})`;
     element("undefined").style.background = colours(Museum.undefined())[0] ?? "";
@@ -95,12 +97,11 @@ export class MuseumView {
   show(text) {
     const query = new URLSearchParams(text);
     const name = query.get("exhibit") ?? this.#museum.exhibit;
-    this.#tell("");
-    this.#try(() => this.#museum.open(name));
+    this.#dial.tell(refusalOf(() => this.#museum.open(name)));
     this.#showExhibit();
     const at = query.get("at");
     if (at === null) this.#draw();
-    else this.#set(at.trim() === "" ? NaN : Number(at));
+    else this.#dial.take(at.trim() === "" ? NaN : Number(at));
     if (this.drawn === 0) this.#draw();
   }
 
@@ -148,36 +149,6 @@ export class MuseumView {
     requestAnimationFrame(() => this.#drawThumbnails(rest));
   }
 
-  /**
-   * Sets the control. A refusal is shown and changes nothing else.
-   * @param {number} value
-   * @param {HTMLInputElement} [source]
-   */
-  #set(value, source) {
-    this.#tell("");
-    if (!this.#try(() => this.#museum.setValue(value))) return;
-    this.#slider.show(exact(this.#museum.value), source);
-    if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame(() => this.#draw());
-  }
-
-  /** @param {() => void} act */
-  #try(act) {
-    try {
-      act();
-      return true;
-    } catch (refusal) {
-      if (typeof refusal !== "string") throw refusal;
-      this.#tell(refusal);
-      return false;
-    }
-  }
-
-  /** @param {string} refusal */
-  #tell(refusal) {
-    element("error").textContent = refusal;
-    element("number").setAttribute("aria-invalid", String(refusal !== ""));
-  }
-
   /** Shows what does not change with the control. */
   #showExhibit() {
     const exhibit = this.#exhibit;
@@ -190,8 +161,8 @@ export class MuseumView {
     element("control").textContent = exhibit.control;
     element("unit").textContent = exhibit.unit;
     element("number").setAttribute("aria-label", `${exhibit.control}${exhibit.unit && `, ${exhibit.unit}`}`);
-    this.#slider.range(exact(exhibit.least), exact(exhibit.most), exhibit.isLogarithmic, exhibit.unit);
-    this.#slider.show(exact(this.#museum.value));
+    this.#dial.range(exact(exhibit.least), exact(exhibit.most), exhibit.unit, exhibit.isLogarithmic);
+    this.#dial.show(exact(this.#museum.value));
     button("start").value = String(exact(exhibit.start));
     element("start").textContent = `Show the fault: ${tidy(exact(exhibit.start))}${exhibit.unit}`;
     element("agrees").hidden = exhibit.agreesAt === undefined;
@@ -211,7 +182,7 @@ export class MuseumView {
       on("largest", side).textContent = lost === 0 ? codes(largest) : `NaN, ${share} % of the pixels`;
       on("picture", side).setAttribute("aria-label", side === 0 ? `${label}, as published` : "The same beam by luminaire");
       on("errors", side).setAttribute("aria-label", `Largest error: ${on("largest", side).textContent}`);
-      this.#ring(side, largest, place);
+      encircle(on("ring", side), largest > 0.5, place, { width: this.#size, height: this.#size });
     }
     element("format").textContent = format;
     element("end").textContent = `${codes(scale)}${(sides[0]?.largest ?? 0) > scale ? " or more" : ""}`;
@@ -224,21 +195,6 @@ export class MuseumView {
   get #exhibit() {
     return /** @type {Exhibit} */ (this.#exhibits.get(this.#museum.exhibit));
   }
-
-  /**
-   * Marks the pixel of the largest error.
-   * @param {number} side
-   * @param {number} largest
-   * @param {number} place
-   */
-  #ring(side, largest, place) {
-    /** @type {(index: number) => string} */
-    const middle = (index) => `${(100 * (index + 0.5)) / this.#size}%`;
-    const ring = on("ring", side);
-    ring.hidden = !(largest > 0.5);
-    ring.style.left = middle(place % this.#size);
-    ring.style.top = middle(Math.floor(place / this.#size));
-  }
 }
 
 /**
@@ -246,9 +202,3 @@ export class MuseumView {
  * @param {Element} element
  */
 const held = (element) => /** @type {HTMLElement} */ (element.parentElement);
-
-/**
- * Rounds an f32 to 7 significant digits, which restores the decimal fraction that was set.
- * @param {number} value
- */
-const exact = (value) => Number(value.toPrecision(7));

@@ -16,31 +16,30 @@ export function tidy(value) {
 export const degrees = (value) => `${tidy(value)}°`.replace("-", "−");
 
 /**
- * Formats an angle in degrees with three significant digits.
- * @param {number} value
- */
-export const roughly = (value) => `${Number(value.toPrecision(3))}°`;
-
-/**
  * Formats a rounded number with thousands separators.
  * @param {number} value
  */
 export const whole = (value) => Math.round(value).toLocaleString("en");
 
 /**
- * Rounds down to two decimals, for the end of a slider that the kernel must accept.
- * @param {number} value
+ * Formats a share in percent.
+ * @param {number} share
+ * @param {string} none for a share of 0
  */
-export const floor = (value) => Math.floor(value * 100) / 100;
+export const percent = (share, none) => (share === 0 ? none : `${Number((100 * share).toPrecision(share < 0.1 ? 2 : 3))} %`);
 
 /**
- * Rounds up to three significant digits.
+ * Formats a number of things.
+ * @param {number} count
+ * @param {string} thing
+ */
+export const counted = (count, thing) => `${count.toLocaleString("en")} ${thing}${count === 1 ? "" : "s"}`;
+
+/**
+ * Rounds an f32 to 7 significant digits, which restores the decimal fraction that was set.
  * @param {number} value
  */
-export function ceiling(value) {
-  const unit = 10 ** (Math.floor(Math.log10(value)) - 2);
-  return Number((Math.ceil(value / unit) * unit).toPrecision(3));
-}
+export const exact = (value) => Number(value.toPrecision(7));
 
 /**
  * The middle one of some numbers; of an even count the mean of the middle two.

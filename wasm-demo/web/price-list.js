@@ -1,5 +1,5 @@
 // The price list made by `cargo xtask measure`: error of each kernel and its cost on each target.
-import { element } from "./elements.js";
+import { element, row as line } from "./elements.js";
 import { words } from "./failure.js";
 import { tidy, whole } from "./numbers.js";
 
@@ -175,7 +175,7 @@ export class PriceList {
     const targets = this.targets;
     const head = ["Side", "Kernel", "Format", "Largest error", "error is", ...targets.map(targetName)];
     const rows = this.#rows.filter((row) => row.stage === stage).map((row) => this.#line(row, targets));
-    this.#table.replaceChildren(line("th", head), ...rows);
+    this.#table.replaceChildren(line(undefined, head, "th"), ...rows);
   }
 
   /**
@@ -185,7 +185,7 @@ export class PriceList {
   #line(row, targets) {
     const names = ["A", "B"].filter((_, side) => this.#marks[side]?.includes(row));
     const error = row.error?.codes;
-    const cells = line("td", [
+    const cells = line(undefined, [
       names.join(" "),
       KERNELS[row.kernel] ?? row.kernel,
       row.format,
@@ -196,20 +196,4 @@ export class PriceList {
     cells.classList.toggle("marked", names.length > 0);
     return cells;
   }
-}
-
-/**
- * @param {"td" | "th"} kind
- * @param {string[]} texts
- */
-function line(kind, texts) {
-  const row = document.createElement("tr");
-  row.append(
-    ...texts.map((text) => {
-      const cell = document.createElement(kind);
-      cell.textContent = text;
-      return cell;
-    }),
-  );
-  return row;
 }

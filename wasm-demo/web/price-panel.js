@@ -1,6 +1,6 @@
 // What the selected light costs on each chip, by each evaluation, and which one is enough.
 import { copyTextOf } from "./clipboard.js";
-import { element as find } from "./elements.js";
+import { element as find, row } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 import { draw } from "./price-chart.js";
 
@@ -280,24 +280,4 @@ export class PricePanel {
       "estimated from the counted prices, within 10 %. Where cycles are not counted, at one for each instruction." +
       (!this.#light || PRICED.includes(shapeOf(this.#light)) ? "" : " This edge is priced as the polynomial through its beam and its field angle.");
   }
-}
-
-/**
- * @param {string} name
- * @param {string[]} cells
- */
-function row(name, cells) {
-  const line = document.createElement("tr");
-  const head = document.createElement("th");
-  head.scope = "row";
-  head.textContent = name;
-  line.append(
-    head,
-    ...cells.map((text) => {
-      const cell = document.createElement("td");
-      cell.textContent = text;
-      return cell;
-    }),
-  );
-  return line;
 }

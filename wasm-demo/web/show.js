@@ -1,7 +1,7 @@
 // Starts the demo: loads the module and connects the views.
 import { initSync, Stage } from "./pkg/wasm_demo.js";
 import { element } from "./elements.js";
-import { notice } from "./failure.js";
+import { notice, refusalOf } from "./failure.js";
 import { Meter } from "./meter.js";
 import { compile } from "./module.js";
 import { Pool } from "./pool.js";
@@ -24,34 +24,21 @@ export async function open() {
   const screen = new Screen(element("view", HTMLCanvasElement), element("map", HTMLCanvasElement));
   const page = new StagePage(stage, pool, screen, module, { rests });
   const meter = new Meter(stage, page, module, memory);
-  const comparison = {
-    element: element("comparison"),
-    async open() {
-      const { ComparisonView } = await load("comparison-view.js");
-      return (meter.comparison = await ComparisonView.open());
-    },
-  };
-  const museum = {
-    element: element("museum"),
-    async open() {
-      const { MuseumView } = await load("museum-view.js");
-      return (meter.museum = await MuseumView.open());
-    },
-  };
-  const chip = {
-    element: element("chip"),
-    async open() {
-      const { ChipView } = await load("chip-view.js");
-      return (meter.chip = await ChipView.open());
-    },
-  };
+  /**
+   * A view that is loaded when it is opened, and that the meter then knows.
+   * @type {(id: "comparison" | "museum" | "chip", name: string) => import("./views.js").Source}
+   */
+  const late = (id, name) => ({
+    element: element(id),
+    open: async () => (meter[id] = await (await load(`${id}-view.js`))[name].open()),
+  });
   Object.assign(window, { luminaire: meter });
   await new Views(
     new Map([
       ["stage", { element: element("stage-page"), open: async () => page }],
-      ["compare", comparison],
-      ["museum", museum],
-      ["chip", chip],
+      ["compare", late("comparison", "ComparisonView")],
+      ["museum", late("museum", "MuseumView")],
+      ["chip", late("chip", "ChipView")],
     ]),
   ).show();
 }
@@ -65,11 +52,9 @@ export async function open() {
 function sized(width, height, refused) {
   // One of them has been refused.
   if (refused.length > 0 && (width === undefined || height === undefined)) return new Stage();
-  try {
-    return new Stage(width, height);
-  } catch (refusal) {
-    if (typeof refusal !== "string") throw refusal;
-    refused.push(refusal);
-    return new Stage();
-  }
+  /** @type {Stage | undefined} */
+  let stage;
+  const refusal = refusalOf(() => (stage = new Stage(width, height)));
+  if (refusal !== "") refused.push(refusal);
+  return stage ?? new Stage();
 }

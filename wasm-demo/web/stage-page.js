@@ -8,7 +8,7 @@ import { Controls } from "./controls.js";
 import { DividedPicture } from "./divided.js";
 import { EffectList } from "./effect-list.js";
 import { element } from "./elements.js";
-import { aside, words } from "./failure.js";
+import { aside, refusalOf, words } from "./failure.js";
 import { LightList } from "./light-list.js";
 import { LightPanel } from "./light-panel.js";
 import { MapLegend } from "./map-legend.js";
@@ -128,11 +128,6 @@ export class StagePage {
     return this.#view.drawn;
   }
 
-  /** What lighting the last picture took, in milliseconds of a core: on the map of costs, and by the clock. */
-  get costs() {
-    return { mapped: this.#stage.mapTotal, lighting: this.#lighting };
-  }
-
   /** The price of the selected light; undefined until it is in view. */
   get price() {
     return this.#price.panel;
@@ -149,7 +144,7 @@ export class StagePage {
   }
 
   /** A copy of the last picture: RGBA, sRGB, eight bits. */
-  get pixels() {
+  pixels() {
     return this.#screen.pixels.slice();
   }
 
@@ -314,14 +309,7 @@ export class StagePage {
    * @param {() => void} act
    */
   #set(act) {
-    element("stage-error").textContent = "";
-    try {
-      act();
-    } catch (refusal) {
-      // The module refuses with a string; anything else is a bug in the page.
-      if (typeof refusal !== "string") throw refusal;
-      element("stage-error").textContent = refusal;
-    }
+    element("stage-error").textContent = refusalOf(act);
     this.#changed();
   }
 
