@@ -7,8 +7,10 @@ use luminaire::attenuation::{
     AnyAttenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
     Windowed,
 };
-#[allow(clippy::wildcard_imports, reason = "the types of the list")]
-use luminaire::falloff::*;
+use luminaire::falloff::{
+    AnyFalloff, Cubic, IntegerPower, InvertedIntegerPower, InvertedRealPower, Quadratic, RealPower, Soft,
+    Table,
+};
 use luminaire::{Angle, Cone, Error, Rgb, SpotLight};
 use luminaire_export::ExportError;
 
@@ -47,13 +49,6 @@ fn whole(parameter: &str, number: f32, range: RangeInclusive<u32>) -> Result<u32
     Err(format!("{parameter} = {number}: expected a whole number from {} to {}", range.start(), range.end()))
 }
 
-macro_rules! samples {
-    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
-       $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
-        [$(($name, AnyFalloff::samples().find(|sample| matches!(sample, AnyFalloff::$variant(_)))),)*]
-    };
-}
-
 /// Returns the falloff of a name in the list of models, with its parameters.
 pub(crate) fn falloff(text: &str) -> Result<AnyFalloff, String> {
     let (name, numbers) = split(text)?;
@@ -76,11 +71,11 @@ pub(crate) fn falloff(text: &str) -> Result<AnyFalloff, String> {
             return Err(format!("expected other parameters of `{name}`: see `luminaire export --help`"));
         }
         (name, []) => {
-            let rows = luminaire::falloffs! { samples };
-            let row = rows.into_iter().find_map(|(row, sample)| sample.filter(|_| row == name));
-            return row.ok_or_else(|| {
-                let names = rows.map(|(row, _)| row).join(", ");
-                format!("expected one of {names}")
+            let name_of = |falloff: &AnyFalloff| falloff.effect().name();
+            let found = AnyFalloff::samples().find(|sample| name_of(sample) == name);
+            return found.ok_or_else(|| {
+                let names: Vec<_> = AnyFalloff::samples().map(|sample| name_of(&sample)).collect();
+                format!("expected one of {}", names.join(", "))
             });
         }
         (name, _) => return Err(format!("`{name}` has no parameters")),

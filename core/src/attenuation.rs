@@ -23,28 +23,31 @@
 mod any;
 mod ranged;
 
-pub(crate) use self::any::with_attenuation;
-#[cfg(feature = "arithmetic")]
-pub use self::ranged::Window;
+pub(crate) use self::any::WithConstants;
 pub use self::{
     any::{AnyAttenuation, CompiledAnyAttenuation},
     ranged::{Cut, CutAt, FilamentRange, GltfRange, GltfWindow, Ranged, SquareWindow, Windowed},
+};
+#[cfg(feature = "arithmetic")]
+pub use self::{
+    any::{AttenuationVisitor, WithAttenuation, attenuations},
+    ranged::Window,
 };
 
 use crate::{
     effect::{Effect, Effects},
     error::{Error, Expected, Parameter, check_between},
     number::{Gain, Offset, Ray, Scalar, Share},
-    source::named,
+    source::{Named, Source, named},
 };
 
 /// An attenuation. The type selects the attenuation at compile time: there is no branch per point,
 /// and an unused attenuation is not linked.
 ///
 /// The trait is sealed by a private bound.
-pub trait Attenuation: Copy + PartialEq + core::fmt::Debug {
+pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
     /// The constants of the attenuation in a number format.
-    type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug;
+    type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug + Source;
 
     /// Compiles the attenuation for the format `S`.
     fn constants<S: Scalar>(self) -> Self::Constants<S>;

@@ -39,6 +39,8 @@ mod parts;
 
 use core::fmt::{self, Formatter};
 
+#[cfg(feature = "fixed")]
+use crate::haze::BeamScattering16;
 pub use crate::{
     attenuation::CompiledAnyAttenuation,
     falloff::{
@@ -48,8 +50,6 @@ pub use crate::{
     number::float::{FloatFrame, FloatRamp},
     source::{AsSource, as_source},
 };
-#[cfg(feature = "fixed")]
-use crate::{haze::BeamScattering16, number::Fx16};
 #[cfg(feature = "fixed")]
 pub use crate::{
     number::fixed16::{Frame16, Gain16},
@@ -65,7 +65,7 @@ use crate::{
     falloff::Falloff,
     haze::BeamScattering,
     material::CompiledMaterial,
-    number::Quick,
+    number::{Quick, Scalar},
     projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
     shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
     source::{Written, call, name},
@@ -78,15 +78,9 @@ pub use self::parts::Tables;
 #[cfg(feature = "arithmetic")]
 pub use self::parts::{ConeParts, Parts};
 #[cfg(feature = "arithmetic")]
-pub use crate::{
-    codegen::formats::SourceScalar,
-    source::{Named, Source},
-};
+pub use crate::source::{Named, Source};
 #[cfg(not(feature = "arithmetic"))]
-use crate::{
-    codegen::formats::SourceScalar,
-    source::{Named, Source},
-};
+use crate::source::{Named, Source};
 
 impl<T: Source> Source for Vec3<T> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
@@ -102,21 +96,14 @@ impl<T: Source> Source for Rgb<T> {
     }
 }
 
-impl<S: SourceScalar, P: Falloff + Source> Source for CompiledCone<S, P>
-where
-    P::Compiled<S>: Source,
-{
+impl<S: Scalar, P: Falloff> Source for CompiledCone<S, P> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledCone::<{}, _>::", name::<S>())?;
         call(out, "from_parts", &[&self.ramp, &self.falloff, &self.curve])
     }
 }
 
-impl<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named> Source for CompiledSpotLight<S, P, A>
-where
-    P::Compiled<S>: Source,
-    A::Constants<S>: Source,
-{
+impl<S: Scalar, P: Falloff, A: Attenuation> Source for CompiledSpotLight<S, P, A> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledSpotLight::<{}, _, {}>::", name::<S>(), name::<A>())?;
         let Self { position, axis, cone, outside, attenuation, intensity, fine_below, .. } = *self;
@@ -127,11 +114,7 @@ where
     }
 }
 
-impl<S: SourceScalar + Quick, P: Falloff + Source, A: Attenuation + Named> Source for QuickSpotLight<S, P, A>
-where
-    P::Compiled<S>: Source,
-    A::Constants<S>: Source,
-{
+impl<S: Quick, P: Falloff, A: Attenuation> Source for QuickSpotLight<S, P, A> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "QuickSpotLight::<{}, _, {}>::", name::<S>(), name::<A>())?;
         let Self { position, axis, cone, attenuation, intensity, color, specular_color } = *self;
@@ -140,11 +123,7 @@ where
     }
 }
 
-impl<P: Falloff + Source, A: Attenuation + Named> Source for BeamScattering<P, A>
-where
-    P::Compiled<f32>: Source,
-    A::Constants<f32>: Source,
-{
+impl<P: Falloff, A: Attenuation> Source for BeamScattering<P, A> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "BeamScattering::<_, {}>::", name::<A>())?;
         let Self { position, axis, falloff, attenuation, gain, cone, reach } = *self;
@@ -153,10 +132,7 @@ where
 }
 
 #[cfg(feature = "fixed")]
-impl<P: Falloff + Source> Source for BeamScattering16<P>
-where
-    P::Compiled<Fx16>: Source,
-{
+impl<P: Falloff> Source for BeamScattering16<P> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         out.write_str("BeamScattering16::")?;
         let Self { position, axis, falloff, gain, cone, radius, nearest } = *self;
@@ -164,10 +140,7 @@ where
     }
 }
 
-impl<S: SourceScalar, A: Attenuation + Named> Source for CompiledPointLight<S, A>
-where
-    A::Constants<S>: Source,
-{
+impl<S: Scalar, A: Attenuation> Source for CompiledPointLight<S, A> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledPointLight::<{}, {}>::", name::<S>(), name::<A>())?;
         let Self { position, attenuation, intensity, fine_below, color, specular_color } = *self;
@@ -176,7 +149,7 @@ where
     }
 }
 
-impl<S: SourceScalar> Source for CompiledDirectionalLight<S> {
+impl<S: Scalar> Source for CompiledDirectionalLight<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledDirectionalLight::<{}>::", name::<S>())?;
         let Self { direction, intensity, color, specular_color } = *self;
@@ -184,7 +157,7 @@ impl<S: SourceScalar> Source for CompiledDirectionalLight<S> {
     }
 }
 
-impl<S: SourceScalar, H: SpecularLobe + Named> Source for CompiledMaterial<S, H>
+impl<S: Scalar, H: SpecularLobe + Named> Source for CompiledMaterial<S, H>
 where
     H::Constants<S>: Source,
 {
@@ -195,7 +168,7 @@ where
     }
 }
 
-impl<S: SourceScalar> Source for CompiledExposure<S> {
+impl<S: Scalar> Source for CompiledExposure<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledExposure::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.gain])
@@ -208,7 +181,7 @@ impl Source for Rgb565Ramp {
     }
 }
 
-impl<S: SourceScalar> Source for CompiledProjection<S> {
+impl<S: Scalar> Source for CompiledProjection<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledProjection::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.position, &self.frame])
@@ -221,7 +194,7 @@ impl Source for Gobo<'_> {
     }
 }
 
-impl<S: SourceScalar> Source for CompiledGobo<'_, S> {
+impl<S: Scalar> Source for CompiledGobo<'_, S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledGobo::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.projection, &self.gobo])
@@ -239,7 +212,7 @@ impl<T: Source> Source for Borrowed<'_, T> {
     }
 }
 
-impl<S: SourceScalar> Source for Shadow<'_, S> {
+impl<S: Scalar> Source for Shadow<'_, S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "Shadow::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.projection, &self.side, &Borrowed(self.depths)])

@@ -7,9 +7,9 @@ use crate::models::falloffs;
 /// Declares the effects with their names. The names are the keys of the cost list.
 macro_rules! effects {
     ([$($before:tt)*] [$($after:tt)*]
-     $($(#[$meta:meta])* $falloff:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
+     $(#[doc = $doc:literal] $falloff:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
        $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
-        effects! { $($before)* $($(#[$meta])* $falloff = $name,)* $($after)* }
+        effects! { $($before)* $(#[doc = $doc] $falloff = $name,)* $($after)* }
     };
     ($($(#[$meta:meta])* $effect:ident = $name:literal,)*) => {
         /// An effect that a scene may require. An effect costs nothing in scenes that do not

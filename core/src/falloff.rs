@@ -36,13 +36,8 @@ mod real;
 mod step;
 mod table;
 
-use crate::number::Scalar;
+use crate::{number::Scalar, source::Source};
 
-pub(crate) use self::any::with_falloff;
-#[cfg(feature = "arithmetic")]
-pub use self::curve::Curve;
-#[cfg(not(feature = "arithmetic"))]
-pub(crate) use self::curve::Curve;
 pub use self::{
     any::{AnyFalloff, CompiledAnyFalloff},
     choice::{CompiledFittedFalloff, FittedFalloff, SoftOrHard},
@@ -55,6 +50,16 @@ pub use self::{
     step::Step,
     table::Table,
 };
+#[cfg(feature = "arithmetic")]
+pub use self::{
+    any::{FalloffVisitor, ListedFalloff, WithFalloff, constant_falloffs, falloffs, with_falloff},
+    curve::Curve,
+};
+#[cfg(not(feature = "arithmetic"))]
+pub(crate) use self::{
+    any::{WithFalloff, with_falloff},
+    curve::Curve,
+};
 pub use crate::number::Knot;
 
 /// An angular falloff: a function of `t`, and the properties from which a cone is designed.
@@ -64,9 +69,9 @@ pub use crate::number::Knot;
 /// and take a branch per point.
 ///
 /// For any other curve use a [`Table`].
-pub trait Falloff: Copy + core::fmt::Debug {
+pub trait Falloff: Copy + core::fmt::Debug + Source {
     /// The falloff with its coefficients in the format `S`; `Self` if it has no coefficients.
-    type Compiled<S: Scalar>: Curve<S> + From<Self>;
+    type Compiled<S: Scalar>: Curve<S> + From<Self> + Source;
 
     /// Converts the coefficients to the format `S`, once per light.
     fn compile<S: Scalar>(self) -> Self::Compiled<S> {

@@ -1,8 +1,11 @@
-//! The lists of all models: each falloff, attenuation and specular lobe is one row. Macros generate
-//! the run-time enums, the cost measurements, the conformance vectors, the programs and the tests
-//! of every model from its row.
+//! The lists of falloffs and of attenuations: each model is one row. The list of specular lobes,
+//! which are never chosen at run time, is beside them in [`specular`](crate::specular).
 //!
-//! With the feature `arithmetic` the lists are exported as macros at the crate root.
+//! From its row a model gets the run-time enum and its dispatch, its effect, and with the feature
+//! `arithmetic` a [`Listed`] implementation. Everything else that needs every model (conformance
+//! vectors, prices, programs, exports, tests) visits the lists:
+//! [`falloffs`](crate::falloff::falloffs), [`constant_falloffs`](crate::falloff::constant_falloffs),
+//! [`attenuations`](crate::attenuation::attenuations) and [`lobes`](crate::specular::lobes).
 
 /// Calls a macro with the given arguments, followed by the list of all run-time falloffs.
 ///
@@ -15,10 +18,9 @@
 ///   an error. In a row without `any`, the sample is used.
 /// - `constant type = name, value, truth` replaces the run-time type in programs that know the
 ///   falloff at compile time.
-#[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! falloffs {
-    ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
-        $($consumer)::+! {
+    ($consumer:ident $(; $($arguments:tt)*)?) => {
+        $consumer! {
             $($($arguments)*)?
             /// The soft edge, `t^2`.
             Soft(Soft) = "soft", Ok(Soft), |t| t * t;
@@ -56,43 +58,14 @@ macro_rules! falloffs {
     };
 }
 
-/// Calls a macro with the list of falloffs for programs that know the falloff at compile time.
-///
-/// The rows are `doc variant(type) = name, sample, truth;`.
-#[cfg(feature = "arithmetic")]
-#[macro_export]
-macro_rules! constant_falloffs {
-    (@rows $consumer:tt $arguments:tt [$($rows:tt)*]
-     $(#[doc = $doc:literal])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?;
-     $($rest:tt)*) => {
-        $crate::constant_falloffs! { @rows $consumer $arguments
-            [$($rows)* $(#[doc = $doc])* $variant($type) = $name, $sample, $truth;] $($rest)* }
-    };
-    (@rows $consumer:tt $arguments:tt [$($rows:tt)*]
-     $(#[doc = $doc:literal])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?,
-     constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr;
-     $($rest:tt)*) => {
-        $crate::constant_falloffs! { @rows $consumer $arguments
-            [$($rows)* $(#[doc = $doc])* $variant($constant) = $its_name, Ok($value), $its_truth;] $($rest)* }
-    };
-    (@rows [$($consumer:tt)*] [$($arguments:tt)*] [$($rows:tt)*]) => {
-        $($consumer)*! { $($arguments)* $($rows)* }
-    };
-    ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
-        $crate::falloffs! { $crate::constant_falloffs; @rows [$($consumer)::+] [$($($arguments)*)?] [] }
-    };
-}
-
-/// Calls a macro with the given arguments, followed by the list of all run-time attenuations.
+/// Calls a macro with the list of all run-time attenuations.
 ///
 /// A row is `doc variant(type) = any |n| ...;`. The part `any` draws a random attenuation from
 /// numbers `n()` in [0, 1). The row also lists the types that replace the run-time type in programs
 /// that know the attenuation at compile time, each as `doc type = name, value`.
-#[cfg_attr(feature = "arithmetic", macro_export)]
 macro_rules! attenuations {
-    ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
-        $($consumer)::+! {
-            $($($arguments)*)?
+    ($consumer:ident) => {
+        $consumer! {
             /// No attenuation, with an optional cut-off range.
             Constant(CutAt<NoAttenuation>) = any |n| CutAt::new(NoAttenuation, range(n));
             /// The inverse-square law, with an optional cut-off range.
@@ -126,30 +99,43 @@ macro_rules! attenuations {
     };
 }
 
-/// Calls a macro with the given arguments, followed by the list of all specular lobes.
-///
-/// The rows are `doc type = name, value;`.
+pub(crate) use {attenuations, falloffs};
+
+/// What the lists know of a model.
 #[cfg(feature = "arithmetic")]
-#[macro_export]
-macro_rules! lobes {
-    ($($consumer:ident)::+ $(; $($arguments:tt)*)?) => {
-        $($consumer)::+! {
-            $($($arguments)*)?
-            /// The highlight of the mirrored direction: a material with a specular colour.
-            Phong = "phong", Phong;
-            /// Phong's highlight for a direction to the eye that is mirrored at the surface, once for all lights.
-            MirroredPhong = "mirrored-phong", MirroredPhong;
-            /// The highlight of the half angle.
-            BlinnPhong = "blinn-phong", BlinnPhong;
-            /// A spotlight's falloff about the mirrored direction.
-            DualConeLobe = "dual-cone", DualConeLobe;
-            /// Phong's highlight by a difference of directions and three squarings.
-            DifferenceForm<Phong, 3> = "difference-form", DifferenceForm(Phong);
-        }
-    };
+pub trait Listed: Sized {
+    /// The name in records.
+    const NAME: &'static str;
+    /// The type, as Rust writes it.
+    const TYPE: &'static str;
+    /// What the model is, in a sentence.
+    const DOC: &'static str;
+
+    /// Returns one value of the model.
+    ///
+    /// # Errors
+    /// None: the parameters of the lists are accepted.
+    fn sample() -> Result<Self, crate::error::Error>;
 }
 
-pub(crate) use {attenuations, falloffs};
+/// Implements [`Listed`] for rows `doc type = name, sample;`.
+#[cfg(feature = "arithmetic")]
+macro_rules! listed {
+    ($(#[doc = $doc:literal] $type:ty = $name:literal, $sample:expr;)*) => {$(
+        impl $crate::models::Listed for $type {
+            const NAME: &'static str = $name;
+            const TYPE: &'static str = stringify!($type);
+            const DOC: &'static str = $doc.trim_ascii();
+
+            fn sample() -> Result<Self, $crate::error::Error> {
+                $sample
+            }
+        }
+    )*};
+}
+
+#[cfg(feature = "arithmetic")]
+pub(crate) use listed;
 
 /// Samples evenly spaced over the versine; 65,535 is full intensity.
 #[allow(unreachable_pub, reason = "public with the feature arithmetic")]

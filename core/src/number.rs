@@ -75,7 +75,10 @@ use self::{
     ramp::FixedRamp,
 };
 pub use self::{knot::Knot, place::ProjectedPoint, quick::Quick};
-use crate::vec3::Vec3;
+use crate::{
+    source::{Named, Source},
+    vec3::Vec3,
+};
 
 /// Marks a branch as rarely taken, like `core::hint::cold_path`, which is stable from Rust 1.95.
 #[cfg(feature = "fixed")]
@@ -102,18 +105,24 @@ pub trait Scalar:
         Position = <Self as Scalar>::Length,
         Direction = <Self as Scalar>::Unit,
         Received = <Self as Scalar>::Irradiance,
-    > + Copy
+        Weight: Source,
+        Ramp: Source,
+        Frame: Source,
+        Gain: Source,
+    > + Source
+    + Named
+    + Copy
     + Default
     + PartialOrd
     + core::fmt::Debug
     + 'static
 {
     /// A component of a position in world coordinates.
-    type Length: Copy + Default + PartialOrd + core::fmt::Debug;
+    type Length: Source + Copy + Default + PartialOrd + core::fmt::Debug;
     /// A component of a unit vector, at the format's finest resolution.
-    type Unit: Copy + Default + PartialEq + core::fmt::Debug;
+    type Unit: Source + Copy + Default + PartialEq + core::fmt::Debug;
     /// Irradiance at a surface, at least 0; 1 is full scale.
-    type Irradiance: Copy + Default + PartialOrd + core::fmt::Debug;
+    type Irradiance: Source + Copy + Default + PartialOrd + core::fmt::Debug;
 
     /// The name of the format, as written in the price list.
     const NAME: &'static str;

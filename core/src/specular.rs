@@ -29,6 +29,11 @@ pub use self::highlight::Highlight;
 #[cfg(not(feature = "arithmetic"))]
 use self::highlight::Highlight;
 
+#[cfg(feature = "arithmetic")]
+use crate::{
+    models::{Listed, listed},
+    source::Source,
+};
 use crate::{
     number::Scalar,
     source::{Named, name, named},
@@ -209,4 +214,35 @@ impl Highlight for DualConeLobe {
     ) -> [Vec3<S::Unit>; 2] {
         [S::mirror(incoming, normal), S::direction_between(incoming, view)]
     }
+}
+
+/// A visitor of the lobes of the list, for surfaces in the format `S`.
+#[cfg(feature = "arithmetic")]
+pub trait LobeVisitor<S: Scalar> {
+    /// Visits a lobe.
+    fn lobe<H: Listed + SpecularLobe<Constants<S>: Source> + Named>(&mut self);
+}
+
+/// Visits the specular lobes.
+#[cfg(feature = "arithmetic")]
+pub fn lobes<S: Scalar>(visitor: &mut impl LobeVisitor<S>) {
+    visitor.lobe::<Phong>();
+    visitor.lobe::<MirroredPhong>();
+    visitor.lobe::<BlinnPhong>();
+    visitor.lobe::<DualConeLobe>();
+    visitor.lobe::<DifferenceForm<Phong, 3>>();
+}
+
+#[cfg(feature = "arithmetic")]
+listed! {
+    /// The highlight of the mirrored direction: a material with a specular colour.
+    Phong = "phong", Ok(Phong);
+    /// Phong's highlight for a direction to the eye that is mirrored at the surface, once for all lights.
+    MirroredPhong = "mirrored-phong", Ok(MirroredPhong);
+    /// The highlight of the half angle.
+    BlinnPhong = "blinn-phong", Ok(BlinnPhong);
+    /// A spotlight's falloff about the mirrored direction.
+    DualConeLobe = "dual-cone", Ok(DualConeLobe);
+    /// Phong's highlight by a difference of directions and three squarings.
+    DifferenceForm<Phong, 3> = "difference-form", Ok(DifferenceForm(Phong));
 }

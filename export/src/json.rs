@@ -198,10 +198,7 @@ fn shape(cone: &Cone<AnyFalloff>) -> Shape {
         inner_versine,
         outer_versine,
         cutoff_versine: cone.has_cutoff().then_some(limit),
-        falloff: Profile {
-            name: models::falloff_name(cone.falloff()),
-            parameters: parameters(cone.falloff()),
-        },
+        falloff: Profile { name: cone.falloff().effect().name(), parameters: parameters(cone.falloff()) },
     }
 }
 

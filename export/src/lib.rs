@@ -122,7 +122,7 @@ fn head(light: &AnyLight, name: &str) -> Vec<String> {
     if let AnyLight::Spot(spot) = light {
         let cone = spot.cone();
         let [beam, field, outer] = [cone.beam(), cone.field(), cone.outer()].map(|angle| angle.to_degrees());
-        let falloff = models::falloff_name(cone.falloff());
+        let falloff = cone.falloff().effect().name();
         lines.push(format!(
             "A spotlight: falloff {falloff}, full angles in degrees: beam {beam:.2}, field {field:.2}, outer {outer:.2}."
         ));

@@ -1,19 +1,17 @@
 //! Lights as constants of Rust, of concrete types.
 
-#[allow(clippy::wildcard_imports, reason = "the types of the list")]
-use luminaire::attenuation::*;
-use luminaire::codegen::{Named, Source, SourceScalar, as_source};
+use luminaire::attenuation::{AnyAttenuation, Attenuation, WithAttenuation};
+use luminaire::codegen::{ConeParts, Parts, as_source};
 use luminaire::dynamic::AnyLight;
-#[allow(clippy::wildcard_imports, reason = "the types of the list")]
-use luminaire::falloff::*;
+use luminaire::falloff::{AnyFalloff, Falloff, WithFalloff, with_falloff};
 use luminaire::light::{CompiledCone, CompiledPointLight, CompiledSpotLight};
-use luminaire::{PointLight, Scalar, SpotLight};
+use luminaire::{PointLight, Rgb, Scalar, SpotLight};
 
 use crate::error::ExportError;
 use crate::head;
 
 /// Returns a module with the constant `LIGHT` in the format `S`.
-pub(crate) fn export<S: SourceScalar>(light: &AnyLight, name: &str) -> Result<String, ExportError> {
+pub(crate) fn export<S: Scalar>(light: &AnyLight, name: &str) -> Result<String, ExportError> {
     let format = match S::NAME {
         "fx16" => "Fx16",
         "fx32" => "Fx32",
@@ -43,108 +41,136 @@ pub(crate) fn spelled(kind: &str) -> String {
     kind.replace(" <", "<").replace("< ", "<").replace(" >", ">")
 }
 
-macro_rules! with_attenuation {
-    ([$any:expr, $inner:ident, $name:ident, $answer:expr]
-     $($(#[$doc:meta])* $variant:ident($type:ty) = any $draw:expr
-       $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
-        match $any {
-            // Without a range, these are the plain laws.
-            AnyAttenuation::Constant(cut) if cut.range().is_none() => {
-                let ($inner, $name) = (cut.attenuation(), "NoAttenuation");
-                $answer
-            }
-            AnyAttenuation::InverseSquare(cut) if cut.range().is_none() => {
-                let ($inner, $name) = (cut.attenuation(), "InverseSquare");
-                $answer
-            }
-            AnyAttenuation::Polynomial(cut) if cut.range().is_none() => {
-                let ($inner, $name) = (cut.attenuation(), "Polynomial");
-                $answer
-            }
-            $(AnyAttenuation::$variant($inner) => {
-                let $name = stringify!($type);
-                $answer
-            })*
-            _ => unreachable!("the list has every attenuation"),
+/// Passes an attenuation as its own type; a law without a range as the plain law.
+fn with_attenuation<V: WithAttenuation>(attenuation: AnyAttenuation, visitor: V) -> V::Output {
+    match attenuation {
+        AnyAttenuation::Constant(cut) if cut.range().is_none() => {
+            visitor.attenuation(cut.attenuation(), "NoAttenuation")
         }
-    };
+        AnyAttenuation::InverseSquare(cut) if cut.range().is_none() => {
+            visitor.attenuation(cut.attenuation(), "InverseSquare")
+        }
+        AnyAttenuation::Polynomial(cut) if cut.range().is_none() => {
+            visitor.attenuation(cut.attenuation(), "Polynomial")
+        }
+        attenuation => attenuation.with(visitor),
+    }
 }
 
-macro_rules! with_falloff {
-    ([$any:expr, $inner:ident, $name:ident, $answer:expr]
-     $($(#[$doc:meta])* $variant:ident($type:ty) = $text:literal, $sample:expr, $truth:expr
-       $(, any $draw:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
-        match $any {
-            $(AnyFalloff::$variant($inner) => {
-                let $name = stringify!($type);
-                $answer
-            })*
-            _ => unreachable!("the list has every falloff"),
-        }
-    };
+/// Takes the name of an attenuation's type.
+struct TypeName;
+
+impl WithAttenuation for TypeName {
+    type Output = String;
+
+    fn attenuation<A: Attenuation>(self, _: A, name: &'static str) -> String {
+        spelled(name)
+    }
 }
 
 /// Returns the name of the type of an attenuation.
 pub(crate) fn attenuation_type(attenuation: AnyAttenuation) -> String {
-    spelled(luminaire::attenuations! { with_attenuation; [attenuation, _law, name, name] })
+    with_attenuation(attenuation, TypeName)
+}
+
+/// Takes the source of a falloff.
+struct FalloffSource;
+
+impl WithFalloff<f32> for FalloffSource {
+    type Output = String;
+
+    fn falloff<P: Falloff>(self, falloff: P, _: P::Compiled<f32>) -> String {
+        // The block around the value only imports names.
+        let block = as_source(&falloff).to_string();
+        let value = block.split_once(";\n").and_then(|(_, rest)| rest.trim_end().strip_suffix('}'));
+        value.unwrap_or(&block).trim_end().to_owned()
+    }
 }
 
 /// Returns the name of the type of a falloff, and its value.
 pub(crate) fn falloff_source(falloff: AnyFalloff) -> (String, String) {
-    luminaire::falloffs! { with_falloff; [falloff, inner, name, {
-        // The block around the value only imports names.
-        let block = as_source(&inner).to_string();
-        let value = block.split_once(";\n").and_then(|(_, rest)| rest.trim_end().strip_suffix('}'));
-        (spelled(name), value.unwrap_or(&block).trim_end().to_owned())
-    }] }
+    (spelled(falloff.type_name()), with_falloff(falloff, falloff.compile::<f32>(), FalloffSource))
 }
 
 type Spot = SpotLight<AnyFalloff, AnyAttenuation>;
 
 /// Returns the type and the value of a point light.
-fn around<S: SourceScalar>(light: &PointLight<AnyAttenuation>) -> Result<(String, String), ExportError> {
+fn around<S: Scalar>(light: &PointLight<AnyAttenuation>) -> Result<(String, String), ExportError> {
     let parts = light.compile::<S>()?.parts();
     let colors = [light.color(), light.specular_color()].map(|color| color.map(S::from_f32));
-    Ok(luminaire::attenuations! { with_attenuation; [light.attenuation(), law, law_name, {
-        let light = plain::<S, _>(law, |constants| CompiledPointLight::from_parts(
-            parts.position, constants, parts.intensity, parts.fine_below, colors,
-        ));
-        (format!("CompiledPointLight<FORMAT, {law_name}>"), as_source(&light).to_string())
-    }] })
+    Ok(with_attenuation(light.attenuation(), Around { parts, colors }))
 }
 
-/// Compiles an attenuation, and fixes its type.
-fn plain<S: Scalar, A: Attenuation>(
-    attenuation: A,
-    light: impl FnOnce(A::Constants<S>) -> CompiledPointLight<S, A>,
-) -> CompiledPointLight<S, A> {
-    light(attenuation.constants::<S>())
+/// Writes a point light with its attenuation.
+struct Around<S: Scalar> {
+    parts: Parts<S, AnyAttenuation>,
+    colors: [Rgb<S>; 2],
+}
+
+impl<S: Scalar> WithAttenuation for Around<S> {
+    type Output = (String, String);
+
+    fn attenuation<A: Attenuation>(self, law: A, law_name: &'static str) -> (String, String) {
+        let Self { parts, colors } = self;
+        let light = CompiledPointLight::<S, A>::from_parts(
+            parts.position,
+            law.constants::<S>(),
+            parts.intensity,
+            parts.fine_below,
+            colors,
+        );
+        (format!("CompiledPointLight<FORMAT, {law_name}>"), as_source(&light).to_string())
+    }
 }
 
 /// Returns the type and the value of a spotlight.
-fn attenuated<S: SourceScalar>(light: &Spot) -> Result<(String, String), ExportError> {
-    luminaire::attenuations! { with_attenuation; [light.attenuation(), law, law_name, {
-        shaped::<S, _>(light, law, law_name)
-    }] }
+fn attenuated<S: Scalar>(light: &Spot) -> Result<(String, String), ExportError> {
+    let compiled = light.compile::<S>()?;
+    let Some(cone) = compiled.parts().cone else { unreachable!("a spotlight has a cone") };
+    let colors = [light.color(), light.specular_color()].map(|color| color.map(S::from_f32));
+    let shape = Shaped { light, parts: compiled.parts(), cone, colors };
+    Ok(with_attenuation(light.attenuation(), shape))
 }
 
-fn shaped<S: SourceScalar, A: Attenuation + Named>(
-    light: &Spot,
+/// Writes a spotlight with its attenuation.
+struct Shaped<'a, S: Scalar> {
+    light: &'a Spot,
+    parts: Parts<S, AnyAttenuation>,
+    cone: ConeParts<S>,
+    colors: [Rgb<S>; 2],
+}
+
+impl<S: Scalar> WithAttenuation for Shaped<'_, S> {
+    type Output = (String, String);
+
+    fn attenuation<A: Attenuation>(self, law: A, law_name: &'static str) -> (String, String) {
+        let falloff = self.light.cone().falloff();
+        let kind = format!("CompiledSpotLight<FORMAT, {}, {law_name}>", falloff.type_name());
+        (kind, with_falloff(falloff, falloff.compile::<S>(), Attenuated { shape: self, law }))
+    }
+}
+
+/// Writes a spotlight with its falloff.
+struct Attenuated<'a, S: Scalar, A> {
+    shape: Shaped<'a, S>,
     law: A,
-    law_name: &str,
-) -> Result<(String, String), ExportError>
-where
-    A::Constants<S>: Source,
-{
-    let parts = light.compile::<S>()?.parts();
-    let Some(cone) = parts.cone else { unreachable!("a spotlight has a cone") };
-    let colors = [light.color(), light.specular_color()].map(|color| color.map(S::from_f32));
-    Ok(luminaire::falloffs! { with_falloff; [light.cone().falloff(), falloff, falloff_name, {
-        let cone_of = CompiledCone::from_parts(cone.ramp, falloff, falloff.compile::<S>());
-        let light = CompiledSpotLight::<S, _, A>::from_parts(
-            parts.position, cone.axis, cone_of, cone.outside, law.constants::<S>(), parts.intensity,
-            parts.fine_below, colors,
+}
+
+impl<S: Scalar, A: Attenuation> WithFalloff<S> for Attenuated<'_, S, A> {
+    type Output = String;
+
+    fn falloff<P: Falloff>(self, falloff: P, curve: P::Compiled<S>) -> String {
+        let Shaped { parts, cone, colors, .. } = self.shape;
+        let light = CompiledSpotLight::<S, P, A>::from_parts(
+            parts.position,
+            cone.axis,
+            CompiledCone::from_parts(cone.ramp, falloff, curve),
+            cone.outside,
+            self.law.constants::<S>(),
+            parts.intensity,
+            parts.fine_below,
+            colors,
         );
-        (format!("CompiledSpotLight<FORMAT, {falloff_name}, {law_name}>"), as_source(&light).to_string())
-    }] })
+        as_source(&light).to_string()
+    }
 }

@@ -125,7 +125,7 @@ fn cones_broken<P: Falloff>(shape: &Shape<P>) -> Vec<String> {
 
 #[test]
 fn every_cone_keeps_its_row() {
-    let mut broken: Vec<_> = with_every_shape!(cones_broken).into_iter().flatten().collect();
+    let mut broken: Vec<_> = with_every_shape!(cones_broken -> Vec<String>).into_iter().flatten().collect();
     let shape = Shape::plain("power-128", Power::<128>, |t| t.powi(128));
     broken.extend(cones_broken(&shape));
     assert!(broken.is_empty(), "{}", broken.join("\n"));

@@ -108,18 +108,18 @@ fn broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
 
 #[test]
 fn f32_keeps_its_rows() {
-    let broken = with_every_shape!(broken::<f32>).concat();
+    let broken = with_every_shape!(broken::<f32> -> Vec<String>).concat();
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
 #[test]
 fn fx32_keeps_its_rows() {
-    let broken = with_every_shape!(broken::<Fx32>).concat();
+    let broken = with_every_shape!(broken::<Fx32> -> Vec<String>).concat();
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
 #[test]
 fn fx16_keeps_its_rows() {
-    let broken = with_every_shape!(broken::<Fx16>).concat();
+    let broken = with_every_shape!(broken::<Fx16> -> Vec<String>).concat();
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }

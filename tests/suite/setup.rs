@@ -109,7 +109,7 @@ fn largest<const N: usize>(errors: impl IntoIterator<Item = [f64; N]>) -> [f64; 
 
 #[test]
 fn profiles_keep_their_figures() {
-    let [beam, field, integral] = largest(with_every_shape!(profile_errors));
+    let [beam, field, integral] = largest(with_every_shape!(profile_errors -> [f64; 3]));
     assert_figure("beam versine of a falloff", beam);
     assert_figure("field versine of a falloff", field);
     assert_figure("integral of a falloff", integral);
@@ -214,16 +214,16 @@ fn flux_errors<P: Falloff>(shape: &Shape<P>) -> [f64; 2] {
 
 #[test]
 fn cones_keep_their_figures() {
-    let [outer, field, beam] = largest(with_every_shape!(design_errors));
+    let [outer, field, beam] = largest(with_every_shape!(design_errors -> [f64; 3]));
     assert_figure("outer versine from the outer angle", outer);
     assert_figure("outer versine from the field angle", field);
     assert_figure("outer versine from the beam angle", beam);
-    let [inner, beam, field, outer] = largest(with_every_shape!(angle_errors));
+    let [inner, beam, field, outer] = largest(with_every_shape!(angle_errors -> [f64; 4]));
     assert_figure("inner angle of a cone", inner);
     assert_figure("beam angle of a cone", beam);
     assert_figure("field angle of a cone", field);
     assert_figure("outer angle of a cone", outer);
-    let [lumens, candela] = largest(with_every_shape!(flux_errors));
+    let [lumens, candela] = largest(with_every_shape!(flux_errors -> [f64; 2]));
     assert_figure("lumens of a cone", lumens);
     assert_figure("candela of a cone", candela);
 }

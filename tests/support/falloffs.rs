@@ -3,7 +3,10 @@
 use super::{oracle, sweep};
 use luminaire::{
     Cone,
-    falloff::{AnyFalloff, Cubic, Falloff, Power, Quadratic},
+    falloff::{
+        AnyFalloff, Cubic, Falloff, FalloffVisitor, InvertedPower, ListedFalloff, Power, Quadratic, Soft,
+        falloffs,
+    },
 };
 
 pub fn quadratic() -> Quadratic {
@@ -62,6 +65,13 @@ impl<P: Falloff> Shape<P> {
     }
 }
 
+impl<P: ListedFalloff> Shape<P> {
+    /// The falloff of the list.
+    pub fn listed() -> Self {
+        Self::plain(P::NAME, sound(P::sample()), P::truth)
+    }
+}
+
 impl<const N: u32> Shape<Power<N>> {
     /// OpenGL's spotlight with its cutoff at the half angle.
     pub fn opengl(name: &'static str, oracle: oracle::Falloff) -> Self {
@@ -82,14 +92,14 @@ impl AnyShape {
         (self.cone)(half_degrees)
     }
 
-    /// Every shape of [`with_every_shape!`].
+    /// Every shape of [`every_shape`].
     pub fn all() -> Vec<Self> {
         fn of<P: Falloff + Into<AnyFalloff> + 'static>(shape: &Shape<P>) -> AnyShape {
             let (name, cone, falloff) = (shape.name, shape.cone, shape.falloff);
             let cone = move |half_degrees| cone(falloff, half_degrees).with_falloff(falloff.into());
             AnyShape { name, cone: Box::new(cone) }
         }
-        crate::with_every_shape!(of).into()
+        crate::with_every_shape!(of -> AnyShape)
     }
 }
 
@@ -143,42 +153,68 @@ pub fn sound<T>(sample: Result<T, luminaire::Error>) -> T {
     sample.expect("the parameters of the list are sound")
 }
 
-/// The results of a generic function for every shape: each falloff of the list, a power with an odd
-/// exponent, the soft edge with a hotspot and with a cutoff, and OpenGL's spotlight. A falloff is
-/// chosen at run time, but for the powers whose exponent is a type: these round differently. That
-/// the other types have the bits of the choice is a test of its own
-/// (`any_light::any_falloff_is_what_it_was`), so each formula is compiled once a format.
-#[macro_export]
-macro_rules! with_every_shape {
-    ($function:ident :: <$format:ty>) => {
-        luminaire::falloffs!($crate::shapes; [$function::<$format, _>])
-    };
-    ($function:ident) => {
-        luminaire::falloffs!($crate::shapes; [$function])
-    };
+/// Visits a shape.
+pub trait ShapeVisitor {
+    /// The result for a shape.
+    type Output;
+
+    fn shape<P: Falloff + Into<AnyFalloff> + 'static>(&mut self, shape: &Shape<P>) -> Self::Output;
 }
 
-/// [`with_every_shape!`] of the rows of the list.
+/// The results for every shape: each falloff of the list, powers whose exponent is a type, the soft
+/// edge with a hotspot and with a cutoff, and OpenGL's spotlight. A falloff is chosen at run time, but
+/// for the powers whose exponent is a type: these round differently. That the other types have the
+/// bits of the choice is a test of its own (`any_light::any_falloff_is_what_it_was`), so each formula
+/// is compiled once a format.
+pub fn every_shape<V: ShapeVisitor>(visitor: V) -> Vec<V::Output> {
+    let mut each = Each { visitor, results: Vec::new() };
+    falloffs(&mut each);
+    each.shape(&Shape::<Power<4>>::listed());
+    each.shape(&Shape::<InvertedPower<4>>::listed());
+    each.shape(&Shape::plain("power-15", Power::<15>, oracle::power_15));
+    each.shape(&Shape::hotspot("soft-hotspot", AnyFalloff::from(Soft), oracle::soft));
+    each.shape(&Shape::with_cutoff("soft-cutoff", AnyFalloff::from(Soft), oracle::soft));
+    each.shape(&Shape::<Power<15>>::opengl("opengl-15", oracle::power_15));
+    each.results
+}
+
+struct Each<V: ShapeVisitor> {
+    visitor: V,
+    results: Vec<V::Output>,
+}
+
+impl<V: ShapeVisitor> Each<V> {
+    fn shape<P: Falloff + Into<AnyFalloff> + 'static>(&mut self, shape: &Shape<P>) {
+        self.results.push(self.visitor.shape(shape));
+    }
+}
+
+impl<V: ShapeVisitor> FalloffVisitor for Each<V> {
+    fn falloff<P: ListedFalloff>(&mut self) {
+        self.shape(&Shape::plain(P::NAME, sound(P::sample()).into(), P::truth));
+    }
+}
+
+/// The results of a generic function for every shape of [`every_shape`].
 #[macro_export]
-macro_rules! shapes {
-    (@call [$($function:tt)*] $shape:expr) => {
-        $($function)*(&$shape)
+macro_rules! with_every_shape {
+    ($function:ident $(::<$format:ty>)?) => {
+        $crate::with_every_shape!($function $(::<$format>)? -> ())
     };
-    ($function:tt
-     $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr $(, any $any:expr)?
-       $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {{
-        #[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows are made of")]
-        use luminaire::{falloff::*, models::*};
-        use $crate::{falloffs::{Shape, sound}, oracle};
-        [
-            $(
-                $crate::shapes!(@call $function Shape::plain($name, AnyFalloff::$variant(sound($sample)), $truth)),
-                $($crate::shapes!(@call $function Shape::<$constant>::plain($its_name, $value, $its_truth)),)?
-            )*
-            $crate::shapes!(@call $function Shape::plain("power-15", Power::<15>, oracle::power_15)),
-            $crate::shapes!(@call $function Shape::hotspot("soft-hotspot", AnyFalloff::from(Soft), oracle::soft)),
-            $crate::shapes!(@call $function Shape::with_cutoff("soft-cutoff", AnyFalloff::from(Soft), oracle::soft)),
-            $crate::shapes!(@call $function Shape::<Power<15>>::opengl("opengl-15", oracle::power_15)),
-        ]
+    ($function:ident $(::<$format:ty>)? -> $output:ty) => {{
+        use luminaire::falloff::{AnyFalloff, Falloff};
+        use $crate::falloffs::{Shape, ShapeVisitor, every_shape};
+
+        struct Function;
+
+        impl ShapeVisitor for Function {
+            type Output = $output;
+
+            fn shape<P: Falloff + Into<AnyFalloff> + 'static>(&mut self, shape: &Shape<P>) -> $output {
+                $function $(::<$format, _>)? (shape)
+            }
+        }
+
+        every_shape(Function)
     }};
 }

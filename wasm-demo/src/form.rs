@@ -10,7 +10,7 @@ use luminaire::{
     light::CompiledSpotLight,
 };
 use luminaire_kernels::{
-    CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Shape, Stage,
+    CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Stage,
     scene::{Population, Site},
     truth::{Point, widened},
 };
@@ -144,7 +144,7 @@ impl Curve {
     /// Returns the f64 reference of the wall.
     pub(crate) fn truth(self, wall: &Wall) -> Point {
         let cone = match self {
-            Self::Soft => oracle::Cone::new(Soft::exact, wall.spot().cone().outer_versine().into()),
+            Self::Soft => oracle::Cone::new(oracle::soft, wall.spot().cone().outer_versine().into()),
             Self::CosinePower => oracle::Cone::opengl(exponent(wall).into(), 1.0),
         };
         let light = oracle::SpotLight::new(widened(wall.spot().position()), wall.axis(), cone);

@@ -4,22 +4,23 @@
 #[path = "../memory.rs"]
 mod memory;
 
+use std::marker::PhantomData;
 use std::path::Path;
 use std::{env, fs};
 
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
-    Vec3,
-    codegen::{Named, Source, SourceScalar, as_source},
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, Scalar,
+    SpotLight, Vec3,
+    attenuation::{Attenuation, AttenuationVisitor, InverseSquare, NoAttenuation, attenuations},
+    codegen::{Named, Source, as_source},
     display::{Exposure, Rgb565Ramp},
+    falloff::{Falloff, FalloffVisitor, ListedFalloff, Soft, constant_falloffs},
     haze::Haze,
-    models::SAMPLES,
+    models::Listed,
     number::Quick,
     projector::{Gobo, Projection, Shadow},
+    specular::{LobeVisitor, SpecularLobe, lobes},
 };
-#[allow(clippy::wildcard_imports, reason = "the types of the lists")]
-use luminaire::{attenuation::*, falloff::*, specular::*};
-
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.1);
@@ -54,11 +55,11 @@ fn soft() -> Result<SpotLight<Soft, NoAttenuation>, Error> {
     key(Cone::from_field(Soft, FIELD)?, NoAttenuation)
 }
 
-fn quick<S: SourceScalar + Quick>() -> Outcome {
+fn quick<S: Quick>() -> Outcome {
     write("quick", &soft()?.compile_quick::<S>()?)
 }
 
-fn constants<S: SourceScalar>() -> Outcome {
+fn constants<S: Scalar>() -> Outcome {
     listed::<S>()?;
     let cone = Cone::from_field(Soft, FIELD)?;
     spot_of::<S, _, _>("hotspot", cone.with_inner(Angle::degrees(12.0))?, NoAttenuation)?;
@@ -90,28 +91,83 @@ fn constants<S: SourceScalar>() -> Outcome {
     write("matte", &paper()?.compile::<S>())
 }
 
-/// Writes a light or a material for each model of the library's lists.
-fn listed<S: SourceScalar>() -> Outcome {
-    macro_rules! falloffs {
-        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
-            $(spot::<S, $type, _>(concat!("spot-", $name, "-lambert"), $sample, Ok(NoAttenuation))?;)*
-        };
+/// Writes a light or a material for each model of the library's lists, as implementations of
+/// `Listed`.
+fn listed<S: Scalar>() -> Outcome {
+    let mut models =
+        Models { implementations: String::new(), calls: String::new(), format: PhantomData::<S> };
+    constant_falloffs(&mut models);
+    attenuations(&mut models);
+    lobes::<S>(&mut models);
+    let Models { implementations, calls, .. } = models;
+    let each = format!("pub(super) fn each(visit: &mut impl super::Visit) {{\n{calls}}}\n");
+    Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("listed.rs"), implementations + &each)?)
+}
+
+/// The source of the implementations so far, and of the calls that visit them.
+struct Models<S> {
+    implementations: String,
+    calls: String,
+    format: PhantomData<S>,
+}
+
+impl<S: Scalar> Models<S> {
+    /// The irradiance of a spotlight that has the model.
+    fn spot<P: Falloff, A: Attenuation>(
+        &mut self,
+        [model, name, kind]: [&str; 3],
+        falloff: Result<P, Error>,
+        attenuation: Result<A, Error>,
+    ) {
+        let light = (|| key(Cone::from_field(falloff?, FIELD)?, attenuation?)?.compile::<S>())();
+        let light = light.expect("the parameters of the lists are sound");
+        let effect = "Irradiance { Self::CONSTANT.irradiance(surface.point, surface.normal) }";
+        self.model(model, name, &format!("CompiledSpotLight<Format, {kind}>"), &light, effect);
     }
-    luminaire::constant_falloffs!(falloffs);
-    macro_rules! attenuations {
-        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
-           $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
-            $($(spot::<S, _, $type>(concat!("spot-soft-lambert-", $name), Ok(Soft), $value)?;)*)*
-        };
+
+    fn model(&mut self, model: &str, name: &str, kind: &str, constant: &impl Source, effect: &str) {
+        let (output, _) = effect.split_once(' ').expect("a type and a block");
+        self.implementations += &format!(
+            "impl Listed for {model} {{
+                const NAME: &'static str = \"{name}\";
+                type Constant = {kind};
+                const CONSTANT: Self::Constant = {};
+                type Output = {output};
+
+                #[inline(always)]
+                fn effect(surface: Surface) -> {effect}
+            }}\n",
+            as_source(constant)
+        );
+        self.calls += &format!("    visit.surface(<{model}>::NAME, <{model}>::effect);\n");
     }
-    luminaire::attenuations!(attenuations);
-    macro_rules! lobes {
-        ($($(#[$doc:meta])* $type:ty = $name:literal, $value:expr;)*) => {
-            $(write($name, &paper()?.with_highlight::<$type>($value, Rgb::new(0.5, 0.5, 0.5), 32)?.compile::<S>())?;)*
-        };
+}
+
+impl<S: Scalar> FalloffVisitor for Models<S> {
+    fn falloff<P: ListedFalloff>(&mut self) {
+        let name = format!("spot-{}-lambert", P::NAME);
+        let kind = format!("{}, NoAttenuation", P::TYPE);
+        self.spot([P::TYPE, &name, &kind], P::sample(), Ok(NoAttenuation));
     }
-    luminaire::lobes!(lobes);
-    Ok(())
+}
+
+impl<S: Scalar> AttenuationVisitor for Models<S> {
+    fn attenuation<A: Listed + Attenuation>(&mut self) {
+        let name = format!("spot-soft-lambert-{}", A::NAME);
+        let kind = format!("Soft, {}", A::TYPE);
+        self.spot([A::TYPE, &name, &kind], Ok(Soft), A::sample());
+    }
+}
+
+impl<S: Scalar> LobeVisitor<S> for Models<S> {
+    fn lobe<H: Listed + SpecularLobe<Constants<S>: Source> + Named>(&mut self) {
+        let grey = Rgb::new(0.5, 0.5, 0.5);
+        let surface = (|| paper()?.with_highlight(H::sample()?, grey, 32))();
+        let surface = surface.expect("the parameters of the lists are sound").compile::<S>();
+        let kind = format!("CompiledMaterial<Format, {}>", H::TYPE);
+        let effect = "Light { Self::CONSTANT.reflect(&surface, &DIRECTIONAL) }";
+        self.model(H::TYPE, H::NAME, &kind, &surface, effect);
+    }
 }
 
 fn paper() -> Result<Material, Error> {
@@ -134,27 +190,7 @@ fn disc() -> [f32; 256] {
     })
 }
 
-fn spot<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named>(
-    name: &str,
-    profile: Result<P, Error>,
-    attenuation: Result<A, Error>,
-) -> Outcome
-where
-    P::Compiled<S>: Source,
-    A::Constants<S>: Source,
-{
-    spot_of::<S, P, A>(name, Cone::from_field(profile?, FIELD)?, attenuation?)
-}
-
-fn spot_of<S: SourceScalar, P: Falloff + Source, A: Attenuation + Named>(
-    name: &str,
-    cone: Cone<P>,
-    attenuation: A,
-) -> Outcome
-where
-    P::Compiled<S>: Source,
-    A::Constants<S>: Source,
-{
+fn spot_of<S: Scalar, P: Falloff, A: Attenuation>(name: &str, cone: Cone<P>, attenuation: A) -> Outcome {
     write(name, &key(cone, attenuation)?.compile::<S>()?)
 }
 

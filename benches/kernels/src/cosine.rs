@@ -1,24 +1,24 @@
 //! f32 with the versine by `1 - l.s`, which cancels in narrow beams: both numbers are near 1. The demo
 //! compares it; it has no price.
 
-use luminaire::light::CompiledCone;
+use luminaire::{falloff::ListedFalloff, light::CompiledCone};
 
-use crate::{falloff::Shape, kernel::Kernel, value::Value};
+use crate::{kernel::Kernel, value::Value};
 
 /// A compiled cone whose input is the cosine of the angle off axis.
 #[derive(Clone, Copy, Debug)]
-pub struct CosineFalloff<P: Shape> {
+pub struct CosineFalloff<P: ListedFalloff> {
     falloff: CompiledCone<f32, P>,
 }
 
-impl<P: Shape> CosineFalloff<P> {
+impl<P: ListedFalloff> CosineFalloff<P> {
     /// Wraps a compiled cone.
     pub fn new(falloff: CompiledCone<f32, P>) -> Self {
         Self { falloff }
     }
 }
 
-impl<P: Shape> Kernel for CosineFalloff<P> {
+impl<P: ListedFalloff> Kernel for CosineFalloff<P> {
     type Place = f32;
     type Input = f32;
     type Output = f32;

@@ -2,8 +2,9 @@
 
 use core::marker::PhantomData;
 
+use luminaire::falloff::ListedFalloff;
+
 use crate::{
-    falloff::Shape,
     kernel::Kernel,
     scene::{AXIS, POSITION, Site},
     truth,
@@ -21,7 +22,7 @@ pub struct DoubleFalloff<P> {
     falloff: PhantomData<P>,
 }
 
-impl<P: Shape> DoubleFalloff<P> {
+impl<P: ListedFalloff> DoubleFalloff<P> {
     /// The cone that ends at this versine.
     pub fn new(outer: f32) -> Self {
         let outer = f64::from(outer);
@@ -30,11 +31,11 @@ impl<P: Shape> DoubleFalloff<P> {
 
     #[inline(always)]
     fn at(&self, versine: f64) -> f64 {
-        if versine < self.outer { P::double((self.outer - versine) * self.reciprocal) } else { 0.0 }
+        if versine < self.outer { P::truth((self.outer - versine) * self.reciprocal) } else { 0.0 }
     }
 }
 
-impl<P: Shape> Kernel for DoubleFalloff<P> {
+impl<P: ListedFalloff> Kernel for DoubleFalloff<P> {
     type Place = f32;
     type Input = f64;
     type Output = f64;

@@ -37,9 +37,9 @@ mod value;
 
 pub use cosine::CosineFalloff;
 pub use double::{DoubleFalloff, DoublePoint};
-pub use falloff::Shape;
 pub use kernel::{Kernel, Row, Stage, Visitor};
 pub use list::{Setting, falloffs, points, priced, rungs};
+pub use luminaire::falloff::ListedFalloff;
 pub use ours::{Highlit, OurFalloff, OurPoint, QuickPoint};
 #[cfg(feature = "std")]
 pub use rival::Std;

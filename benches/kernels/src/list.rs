@@ -1,10 +1,11 @@
 //! The list: every row, once.
 
-#[allow(clippy::wildcard_imports, reason = "the types of the list")]
-use luminaire::falloff::*;
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Scalar, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
+    falloff::{
+        Cubic, FalloffVisitor, Hard, ListedFalloff, Power, Quadratic, Smooth, Soft, constant_falloffs,
+    },
     number::Quick,
 };
 use luminaire_oracle as oracle;
@@ -12,7 +13,7 @@ use luminaire_oracle as oracle;
 use crate::{
     cosine::cosine,
     double::{DoubleFalloff, DoublePoint},
-    falloff::Shape,
+    falloff::{exact, sample},
     kernel::{Row, Visitor},
     ours::{Highlit, OurFalloff, OurPoint, QuickPoint},
     rival,
@@ -49,7 +50,7 @@ impl Setting {
         self.cone(Soft).outer_versine()
     }
 
-    fn cone<P: Shape>(self, falloff: P) -> Cone<P> {
+    fn cone<P: ListedFalloff>(self, falloff: P) -> Cone<P> {
         cone(Cone::from_outer(falloff, self.outer))
     }
 
@@ -59,8 +60,8 @@ impl Setting {
         -core::f32::consts::LN_10 / libm::log1pf(-field)
     }
 
-    fn truth<P: Shape>(self) -> oracle::Cone {
-        oracle::Cone::new(P::exact, self.outer_versine().into())
+    fn truth<P: ListedFalloff>(self) -> oracle::Cone {
+        oracle::Cone::new(exact::<P>, self.outer_versine().into())
     }
 }
 
@@ -70,19 +71,27 @@ fn cone<P>(made: Result<Cone<P>, luminaire::Error>) -> Cone<P> {
 
 /// Every kernel from the angle off axis to an intensity.
 pub fn falloffs(setting: Setting, visitor: &mut impl Visitor) {
-    macro_rules! shapes {
-        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
-            $(shape::<$type>(setting, visitor);)*
-        };
-    }
-    luminaire::constant_falloffs!(shapes);
-    shape::<Power<16>>(setting, visitor);
+    let mut formats = Formats { setting, visitor };
+    constant_falloffs(&mut formats);
+    formats.falloff::<Power<16>>();
     rivals(setting, visitor);
 }
 
+/// Visits a falloff in every format.
+struct Formats<'a, V> {
+    setting: Setting,
+    visitor: &'a mut V,
+}
+
+impl<V: Visitor> FalloffVisitor for Formats<'_, V> {
+    fn falloff<P: ListedFalloff>(&mut self) {
+        shape::<P>(self.setting, self.visitor);
+    }
+}
+
 /// A falloff in every format.
-fn shape<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
-    let falloff = P::sample();
+fn shape<P: ListedFalloff>(setting: Setting, visitor: &mut impl Visitor) {
+    let falloff = sample::<P>();
     let cone = setting.cone(falloff);
     let truth = setting.truth::<P>();
     ours::<Fx16, P>(&cone, &truth, visitor);
@@ -92,7 +101,7 @@ fn shape<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
     visitor.falloff(Row::falloff(P::NAME, "f64"), double, &truth);
 }
 
-fn ours<S: Format, P: Shape>(cone: &Cone<P>, truth: &oracle::Cone, visitor: &mut impl Visitor) {
+fn ours<S: Format, P: ListedFalloff>(cone: &Cone<P>, truth: &oracle::Cone, visitor: &mut impl Visitor) {
     let row = Row::falloff(P::NAME, S::NAME);
     match cone.compile::<S>() {
         Ok(falloff) => visitor.falloff(row, OurFalloff::new(falloff, cone.outer_versine()), truth),
@@ -181,7 +190,7 @@ fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut 
 
 /// The lit points of a cone with the edge `P`, without and with an inverse square, in every format
 /// and by every evaluation.
-pub fn rungs<P: Shape>(setting: Setting, visitor: &mut impl Visitor) {
+pub fn rungs<P: ListedFalloff>(setting: Setting, visitor: &mut impl Visitor) {
     evaluations::<P>(LIT, INTENSITY, setting, visitor);
 }
 
@@ -195,13 +204,13 @@ pub fn priced(visitor: &mut impl Visitor) {
     edge::<Cubic>(["cubic", "cubic-inverse-square"], visitor);
 }
 
-fn edge<P: Shape>(kernels: [&'static str; 2], visitor: &mut impl Visitor) {
+fn edge<P: ListedFalloff>(kernels: [&'static str; 2], visitor: &mut impl Visitor) {
     evaluations::<P>(kernels, 1.0, Setting::standard(), visitor);
     let narrow = Setting::ending_at(Angle::degrees(2.04 * narrowest::<Fx16, P>()));
     lit::<Fx16, P>(kernels.map(|kernel| Row::lit(kernel, "fx16-fine")), 1.0, narrow, visitor);
 }
 
-fn evaluations<P: Shape>(
+fn evaluations<P: ListedFalloff>(
     kernels: [&'static str; 2],
     intensity: f32,
     setting: Setting,
@@ -215,7 +224,12 @@ fn evaluations<P: Shape>(
     lit::<f32, P>(rows(f32::NAME), intensity, setting, visitor);
 }
 
-fn lit<S: Format, P: Shape>(rows: [Row; 2], intensity: f32, setting: Setting, visitor: &mut impl Visitor) {
+fn lit<S: Format, P: ListedFalloff>(
+    rows: [Row; 2],
+    intensity: f32,
+    setting: Setting,
+    visitor: &mut impl Visitor,
+) {
     let [level, far] = lit_truths::<P>(intensity, setting);
     let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
     let falling = bright::<P>(intensity, setting);
@@ -226,7 +240,7 @@ fn lit<S: Format, P: Shape>(rows: [Row; 2], intensity: f32, setting: Setting, vi
     visitor.point(rows[1], OurPoint::new(falling), &far);
 }
 
-fn quickly_lit<S: Format + Quick, P: Shape>(
+fn quickly_lit<S: Format + Quick, P: ListedFalloff>(
     rows: [Row; 2],
     intensity: f32,
     setting: Setting,
@@ -245,25 +259,30 @@ fn quickly_lit<S: Format + Quick, P: Shape>(
 /// The kernels of a lit point, without and with an inverse square.
 const LIT: [&str; 2] = ["lit", "lit-inverse-square"];
 
-fn lit_truths<P: Shape>(intensity: f32, setting: Setting) -> [Point; 2] {
+fn lit_truths<P: ListedFalloff>(intensity: f32, setting: Setting) -> [Point; 2] {
     [(1.0, false), (intensity, true)]
         .map(|(intensity, falls)| light_of::<P>(setting, Population::Lit, intensity, falls))
 }
 
 /// The narrowest half angle in degrees that a format holds.
-fn narrowest<S: Format, P: Shape>() -> f32 {
-    Cone::narrowest::<S>(P::sample()).to_degrees() / 2.0
+fn narrowest<S: Format, P: ListedFalloff>() -> f32 {
+    Cone::narrowest::<S>(sample::<P>()).to_degrees() / 2.0
 }
 
-fn bright<P: Shape>(intensity: f32, setting: Setting) -> SpotLight<P> {
+fn bright<P: ListedFalloff>(intensity: f32, setting: Setting) -> SpotLight<P> {
     spot::<P>(setting).with_intensity(intensity).expect("a sound intensity")
 }
 
-fn spot<P: Shape>(setting: Setting) -> SpotLight<P> {
-    SpotLight::new(POSITION, AXIS, setting.cone(P::sample())).expect("a sound place and axis")
+fn spot<P: ListedFalloff>(setting: Setting) -> SpotLight<P> {
+    SpotLight::new(POSITION, AXIS, setting.cone(sample::<P>())).expect("a sound place and axis")
 }
 
-fn light_of<P: Shape>(setting: Setting, population: Population, intensity: f32, falls: bool) -> Point {
+fn light_of<P: ListedFalloff>(
+    setting: Setting,
+    population: Population,
+    intensity: f32,
+    falls: bool,
+) -> Point {
     let light = oracle::SpotLight::new(widened(POSITION), widened(AXIS), setting.truth::<P>());
     let attenuation = if falls { light.attenuation } else { oracle::Attenuation::None };
     let light = oracle::SpotLight { intensity: intensity.into(), attenuation, ..light };

@@ -3,14 +3,13 @@
 use luminaire::{
     Scalar, SpotLight, Vec3,
     attenuation::Attenuation,
-    falloff::Soft,
+    falloff::{ListedFalloff, Soft},
     light::{CompiledCone, CompiledSpotLight, LightModel, QuickSpotLight, SurfacePoint},
     number::Quick,
     specular::{Phong, SpecularLobe},
 };
 
 use crate::{
-    falloff::Shape,
     kernel::Kernel,
     scene::{EYE, Site},
     value::Format,
@@ -18,19 +17,19 @@ use crate::{
 
 /// A compiled cone.
 #[derive(Clone, Copy, Debug)]
-pub struct OurFalloff<S: Scalar, P: Shape> {
+pub struct OurFalloff<S: Scalar, P: ListedFalloff> {
     falloff: CompiledCone<S, P>,
     outer: f32,
 }
 
-impl<S: Scalar, P: Shape> OurFalloff<S, P> {
+impl<S: Scalar, P: ListedFalloff> OurFalloff<S, P> {
     /// The falloff of a cone that ends at this versine.
     pub fn new(falloff: CompiledCone<S, P>, outer: f32) -> Self {
         Self { falloff, outer }
     }
 }
 
-impl<S: Format, P: Shape> Kernel for OurFalloff<S, P> {
+impl<S: Format, P: ListedFalloff> Kernel for OurFalloff<S, P> {
     type Place = f32;
     type Input = S::Versine;
     type Output = S;
@@ -75,18 +74,18 @@ impl<S: Format> Stored<S> {
 
 /// A spotlight, and Lambert's cosine.
 #[derive(Clone, Copy, Debug)]
-pub struct OurPoint<S: Scalar, P: Shape, A: Attenuation> {
+pub struct OurPoint<S: Scalar, P: ListedFalloff, A: Attenuation> {
     light: CompiledSpotLight<S, P, A>,
 }
 
-impl<S: Scalar, P: Shape, A: Attenuation> OurPoint<S, P, A> {
+impl<S: Scalar, P: ListedFalloff, A: Attenuation> OurPoint<S, P, A> {
     /// The points that this light lights.
     pub fn new(light: CompiledSpotLight<S, P, A>) -> Self {
         Self { light }
     }
 }
 
-impl<S: Format, P: Shape, A: Attenuation> Kernel for OurPoint<S, P, A> {
+impl<S: Format, P: ListedFalloff, A: Attenuation> Kernel for OurPoint<S, P, A> {
     type Place = Site;
     type Input = Stored<S>;
     type Output = S::Irradiance;
@@ -108,18 +107,18 @@ impl<S: Format, P: Shape, A: Attenuation> Kernel for OurPoint<S, P, A> {
 
 /// The same by the quick evaluation.
 #[derive(Clone, Copy, Debug)]
-pub struct QuickPoint<S: Quick, P: Shape, A: Attenuation> {
+pub struct QuickPoint<S: Quick, P: ListedFalloff, A: Attenuation> {
     light: QuickSpotLight<S, P, A>,
 }
 
-impl<S: Quick, P: Shape, A: Attenuation> QuickPoint<S, P, A> {
+impl<S: Quick, P: ListedFalloff, A: Attenuation> QuickPoint<S, P, A> {
     /// The points that this light lights.
     pub fn new(light: QuickSpotLight<S, P, A>) -> Self {
         Self { light }
     }
 }
 
-impl<S: Format + Quick, P: Shape, A: Attenuation> Kernel for QuickPoint<S, P, A> {
+impl<S: Format + Quick, P: ListedFalloff, A: Attenuation> Kernel for QuickPoint<S, P, A> {
     type Place = Site;
     type Input = Stored<S>;
     type Output = S::Irradiance;

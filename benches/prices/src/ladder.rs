@@ -2,7 +2,7 @@
 
 use luminaire_kernels::scene::Site;
 use luminaire_kernels::truth::Point;
-use luminaire_kernels::{Kernel, Row, Setting, Shape, Value, Visitor, rungs};
+use luminaire_kernels::{Kernel, ListedFalloff, Row, Setting, Value, Visitor, rungs};
 use luminaire_oracle::{Cone, counted, linear_codes, srgb_code};
 use serde::Serialize;
 
@@ -40,7 +40,7 @@ pub struct Steps {
 
 impl Rung {
     /// The errors of every evaluation in a cone with this edge.
-    pub fn of_all<P: Shape>(setting: Setting) -> Vec<Self> {
+    pub fn of_all<P: ListedFalloff>(setting: Setting) -> Vec<Self> {
         let mut search = Search { edge: P::NAME, setting, found: Vec::new() };
         rungs::<P>(setting, &mut search);
         search.found

@@ -11,9 +11,9 @@
 
 use super::CompiledAnyLight;
 use crate::{
-    attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, with_attenuation},
+    attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, WithConstants},
     cone::CompiledCone,
-    falloff::{AnyFalloff, Falloff, with_falloff},
+    falloff::{AnyFalloff, Falloff, WithFalloff, with_falloff},
     number::{FullOffset, Offset, Scalar, Share},
     shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint},
     specular::SpecularLobe,
@@ -123,7 +123,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
     }
 
     fn spot(&mut self, light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>) {
-        with_falloff!(light.cone, falloff, curve => self.cone(light, falloff, curve));
+        with_falloff(light.cone.falloff, light.cone.curve, Spot { each: self, light });
     }
 
     fn cone<P: Falloff>(
@@ -180,21 +180,40 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
     }
 
     fn fall(&mut self, position: Vec3<S::Length>, distance: &CompiledAnyAttenuation<S>, intensity: S::Gain) {
-        with_attenuation!(distance, constants: Model => {
-            self.attenuate::<Model>(position, constants, intensity);
-        });
+        distance.typed(Fall { each: self, position, intensity });
     }
+}
 
-    fn attenuate<A: Attenuation>(
-        &mut self,
-        position: Vec3<S::Length>,
-        constants: &A::Constants<S>,
-        intensity: S::Gain,
-    ) {
-        let Incident { diffuse, specular } = self.arrivals;
-        attenuate_each::<S, A, N>(position, constants, intensity, self.surfaces.point, diffuse);
+/// A loop over the points of a spotlight, with the types of its cone.
+struct Spot<'a, 'b, S: Scalar, H: SpecularLobe, const N: usize> {
+    each: &'a mut Loop<'b, S, H, N>,
+    light: &'a CompiledSpotLight<S, AnyFalloff, AnyAttenuation>,
+}
+
+impl<S: Scalar, H: SpecularLobe, const N: usize> WithFalloff<S> for Spot<'_, '_, S, H, N> {
+    type Output = ();
+
+    #[inline]
+    fn falloff<P: Falloff>(self, falloff: P, curve: P::Compiled<S>) {
+        self.each.cone(self.light, falloff, curve);
+    }
+}
+
+/// A loop that attenuates what the cone alone gave.
+struct Fall<'a, 'b, S: Scalar, H: SpecularLobe, const N: usize> {
+    each: &'a mut Loop<'b, S, H, N>,
+    position: Vec3<S::Length>,
+    intensity: S::Gain,
+}
+
+impl<S: Scalar, H: SpecularLobe, const N: usize> WithConstants<S> for Fall<'_, '_, S, H, N> {
+    #[inline]
+    fn constants<A: Attenuation>(self, constants: &A::Constants<S>) {
+        let (Loop { surfaces, arrivals, .. }, position) = (self.each, self.position);
+        let Incident { diffuse, specular } = arrivals;
+        attenuate_each::<S, A, N>(position, constants, self.intensity, surfaces.point, diffuse);
         if H::SHINES {
-            attenuate_each::<S, A, N>(position, constants, intensity, self.surfaces.point, specular);
+            attenuate_each::<S, A, N>(position, constants, self.intensity, surfaces.point, specular);
         }
     }
 }

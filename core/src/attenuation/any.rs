@@ -1,4 +1,4 @@
-//! An attenuation chosen at run time.
+//! The attenuations of the list: the choice at run time, and a visit of each.
 
 use core::fmt::{self, Formatter};
 
@@ -6,6 +6,8 @@ use super::{
     Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
     Windowed,
 };
+#[cfg(feature = "arithmetic")]
+use crate::models::{Listed, listed};
 use crate::{
     effect::Effects,
     models::attenuations,
@@ -13,10 +15,33 @@ use crate::{
     source::{Source, call, named},
 };
 
+/// Takes the constants of an attenuation with its type.
+pub(crate) trait WithConstants<S: Scalar> {
+    /// Takes the constants.
+    fn constants<A: Attenuation>(self, constants: &A::Constants<S>);
+}
+
+/// Takes an attenuation as its own type.
+#[cfg(feature = "arithmetic")]
+pub trait WithAttenuation {
+    /// The result.
+    type Output;
+
+    /// Takes the attenuation, and the name of its type.
+    fn attenuation<A: Attenuation>(self, attenuation: A, name: &'static str) -> Self::Output;
+}
+
+/// A visitor of the attenuations of the list.
+#[cfg(feature = "arithmetic")]
+pub trait AttenuationVisitor {
+    /// Visits an attenuation.
+    fn attenuation<A: Listed + Attenuation>(&mut self);
+}
+
 /// Declares the enums of all listed attenuations, and their methods with one match arm per row.
 macro_rules! any_attenuation {
-    ($($(#[$doc:meta])* $variant:ident($type:ty) = any $any:expr
-       $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
+    ($(#[doc = $doc:literal] $variant:ident($type:ty) = any $any:expr
+       $(, #[doc = $its_doc:literal] $constant:ty = $its_name:literal, $value:expr)*;)*) => {
         /// Any attenuation, chosen at run time: for a light of [another system](crate::import) or
         /// an [`AnyLight`](crate::dynamic::AnyLight).
         ///
@@ -26,14 +51,14 @@ macro_rules! any_attenuation {
         #[derive(Clone, Copy, PartialEq, Debug)]
         #[non_exhaustive]
         pub enum AnyAttenuation {
-            $($(#[$doc])* $variant($type),)*
+            $(#[doc = $doc] $variant($type),)*
         }
 
         /// The constants of an [`AnyAttenuation`].
         #[derive(Clone, Copy, PartialEq, Debug)]
         #[non_exhaustive]
         pub enum CompiledAnyAttenuation<S: Scalar> {
-            $($(#[$doc])* $variant(<$type as Attenuation>::Constants<S>),)*
+            $(#[doc = $doc] $variant(<$type as Attenuation>::Constants<S>),)*
         }
 
         $(impl From<$type> for AnyAttenuation {
@@ -63,6 +88,14 @@ macro_rules! any_attenuation {
                 Ok(NoAttenuation.into())
             }
 
+            /// Passes the attenuation as its own type.
+            #[cfg(feature = "arithmetic")]
+            pub fn with<V: WithAttenuation>(self, visitor: V) -> V::Output {
+                match self {
+                    $(Self::$variant(attenuation) => visitor.attenuation(attenuation, stringify!($type)),)*
+                }
+            }
+
             /// Returns the range of the light; `None` for a light without a range.
             pub fn range(&self) -> Option<f32> {
                 match self {
@@ -71,7 +104,26 @@ macro_rules! any_attenuation {
             }
         }
 
-        impl<S: Scalar<Gain: Source>> Source for CompiledAnyAttenuation<S> {
+        impl<S: Scalar> CompiledAnyAttenuation<S> {
+            /// Passes the constants with the type of their attenuation.
+            #[inline]
+            pub(crate) fn typed<V: WithConstants<S>>(&self, visitor: V) {
+                match self {
+                    $(Self::$variant(constants) => visitor.constants::<$type>(constants),)*
+                }
+            }
+        }
+
+        #[cfg(feature = "arithmetic")]
+        listed! { $($(#[doc = $its_doc] $constant = $its_name, $value;)*)* }
+
+        /// Visits the attenuations of programs that know the attenuation at compile time.
+        #[cfg(feature = "arithmetic")]
+        pub fn attenuations(visitor: &mut impl AttenuationVisitor) {
+            $($(visitor.attenuation::<$constant>();)*)*
+        }
+
+        impl<S: Scalar> Source for CompiledAnyAttenuation<S> {
             fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
                 match self {
                     $(Self::$variant(constants) => {
@@ -114,12 +166,16 @@ macro_rules! any_attenuation {
 
             #[inline]
             fn is_inverse_square<S: Scalar>(constants: &CompiledAnyAttenuation<S>) -> bool {
-                with_attenuation!(constants, inner: Inner => Inner::is_inverse_square::<S>(inner))
+                match constants {
+                    $(CompiledAnyAttenuation::$variant(inner) => <$type>::is_inverse_square::<S>(inner),)*
+                }
             }
 
             #[inline]
             fn is_beyond<S: Scalar, O: Offset<S>>(constants: &CompiledAnyAttenuation<S>, offset: &O) -> bool {
-                with_attenuation!(constants, inner: Inner => Inner::is_beyond::<S, O>(inner, offset))
+                match constants {
+                    $(CompiledAnyAttenuation::$variant(inner) => <$type>::is_beyond::<S, O>(inner, offset),)*
+                }
             }
 
             #[inline]
@@ -129,7 +185,9 @@ macro_rules! any_attenuation {
                 ray: &R,
                 share: R::Share,
             ) -> R::Share {
-                with_attenuation!(constants, inner: Inner => Inner::windowed::<S, O, R>(inner, offset, ray, share))
+                match constants {
+                    $(CompiledAnyAttenuation::$variant(inner) => <$type>::windowed::<S, O, R>(inner, offset, ray, share),)*
+                }
             }
 
             #[inline]
@@ -140,35 +198,15 @@ macro_rules! any_attenuation {
                 share: R::Share,
                 intensity: S::Gain,
             ) -> S::Irradiance {
-                with_attenuation!(constants, inner: Inner => {
-                    Inner::expose::<S, O, R>(inner, offset, ray, share, intensity)
-                })
+                match constants {
+                    $(CompiledAnyAttenuation::$variant(inner) => {
+                        <$type>::expose::<S, O, R>(inner, offset, ray, share, intensity)
+                    })*
+                }
             }
         }
     };
 }
-
-/// Evaluates an expression with the constants of a [`CompiledAnyAttenuation`] and the concrete type
-/// of the attenuation.
-macro_rules! with_attenuation {
-    ([$compiled:expr, $constants:ident, $type:ident, $answer:expr]
-     $($(#[$doc:meta])* $variant:ident($attenuation:ty) = any $any:expr
-       $(, $(#[$its_doc:meta])* $constant:ty = $its_name:literal, $value:expr)*;)*) => {
-        match $compiled {
-            $($crate::attenuation::CompiledAnyAttenuation::$variant($constants) => {
-                #[allow(clippy::wildcard_imports, reason = "the types of the list, wherever it is used")]
-                use $crate::attenuation::*;
-                type $type = $attenuation;
-                $answer
-            })*
-        }
-    };
-    ($compiled:expr, $constants:ident: $type:ident => $answer:expr) => {
-        $crate::models::attenuations!(with_attenuation; [$compiled, $constants, $type, $answer])
-    };
-}
-
-pub(crate) use with_attenuation;
 
 attenuations!(any_attenuation);
 named!(AnyAttenuation);

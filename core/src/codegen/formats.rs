@@ -8,36 +8,13 @@ use crate::number::{
     ramp::FixedRamp,
 };
 use crate::{
-    number::{
-        Scalar,
-        float::{FloatFrame, FloatRamp},
-    },
-    source::{Named, Source, named, written_by_bits},
+    number::float::{FloatFrame, FloatRamp},
+    source::{named, written_by_bits},
 };
 
-/// A number format whose values can be written as constant expressions. All formats implement it.
-pub trait SourceScalar:
-    Scalar<
-        Length: Source,
-        Unit: Source,
-        Weight: Source,
-        Ramp: Source,
-        Frame: Source,
-        Gain: Source,
-        Irradiance: Source,
-    > + Source
-    + Named
-{
-}
-
-impl SourceScalar for f32 {}
 named!(f32);
 written_by_bits!(f32 FloatFrame FloatRamp);
 
-#[cfg(feature = "fixed")]
-impl SourceScalar for Fx16 {}
-#[cfg(feature = "fixed")]
-impl SourceScalar for Fx32 {}
 #[cfg(feature = "fixed")]
 named!(Fx16 Fx32);
 #[cfg(feature = "fixed")]

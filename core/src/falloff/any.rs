@@ -1,17 +1,43 @@
-//! A falloff chosen at run time.
+//! The falloffs of the list: the choice at run time, and a visit of each.
 
 #[allow(clippy::wildcard_imports, reason = "the types of the list")]
 use super::*;
 use super::{choice::choice, power::sound};
+#[cfg(feature = "arithmetic")]
+use crate::models::{Listed, draw, exponent, interpolated, listed, power, squared};
 use crate::{
     effect::Effect,
     error::Error,
     models::{SAMPLES, falloffs},
 };
 
-/// Declares the enums over all falloffs of the list in `models`.
+/// Takes a falloff and its coefficients as their own types.
+#[allow(unreachable_pub, reason = "public with the feature arithmetic")]
+pub trait WithFalloff<S: Scalar> {
+    /// The result.
+    type Output;
+
+    /// Takes the falloff.
+    fn falloff<P: Falloff>(self, falloff: P, curve: P::Compiled<S>) -> Self::Output;
+}
+
+/// A falloff of the list, and its exact function.
+#[cfg(feature = "arithmetic")]
+pub trait ListedFalloff: Listed + Falloff + Into<AnyFalloff> + Send + Sync + 'static {
+    /// Returns the intensity of the [sample](Listed::sample) at `t` in f64, with few operations.
+    fn truth(t: f64) -> f64;
+}
+
+/// A visitor of the falloffs of the list.
+#[cfg(feature = "arithmetic")]
+pub trait FalloffVisitor {
+    /// Visits a falloff.
+    fn falloff<P: ListedFalloff>(&mut self);
+}
+
+/// Declares the enums over all falloffs of the list in `models`, and the visits of the list.
 macro_rules! any_falloff {
-    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
+    ($(#[doc = $doc:literal] $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
        $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
         choice! {
             /// Any falloff, chosen at run time: for a light of [another system](crate::import) or
@@ -21,7 +47,7 @@ macro_rules! any_falloff {
             /// [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
             /// branches once per light.
             #[non_exhaustive]
-            AnyFalloff, CompiledAnyFalloff { $($(#[$doc])* $variant($type),)* }
+            AnyFalloff, CompiledAnyFalloff { $(#[doc = $doc] $variant($type),)* }
         }
 
         impl AnyFalloff {
@@ -42,7 +68,6 @@ macro_rules! any_falloff {
             /// An invalid combination of parameters.
             #[cfg(feature = "arithmetic")]
             pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
-                use crate::models::{draw, exponent};
                 let (index, mut rows) = (index % Self::COUNT, 0..);
                 $(
                     if rows.next() == Some(index) {
@@ -60,31 +85,72 @@ macro_rules! any_falloff {
                     $(Self::$variant(_) => Effect::$variant,)*
                 }
             }
+
+            /// Returns the name of the falloff's type.
+            #[cfg(feature = "arithmetic")]
+            pub fn type_name(&self) -> &'static str {
+                match self {
+                    $(Self::$variant(_) => <$type>::TYPE,)*
+                }
+            }
+        }
+
+        /// Passes a falloff and its coefficients as their own types. If their variants differ, which
+        /// is only possible through `from_parts`, the enums are passed.
+        #[inline]
+        #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
+        pub fn with_falloff<S: Scalar, V: WithFalloff<S>>(
+            falloff: AnyFalloff,
+            curve: CompiledAnyFalloff<S>,
+            visitor: V,
+        ) -> V::Output {
+            match (falloff, curve) {
+                $((AnyFalloff::$variant(falloff), CompiledAnyFalloff::$variant(curve)) => {
+                    visitor.falloff(falloff, curve)
+                })*
+                (falloff, curve) => visitor.falloff(falloff, curve),
+            }
+        }
+
+        $(any_falloff! { @listed #[doc = $doc] $type = $name, $sample, $truth; }
+          $(any_falloff! { @listed #[doc = $doc] $constant = $its_name, Ok($value), $its_truth; })?)*
+
+        /// Visits the falloffs that can be chosen at run time.
+        #[cfg(feature = "arithmetic")]
+        pub fn falloffs(visitor: &mut impl FalloffVisitor) {
+            $(visitor.falloff::<$type>();)*
+        }
+
+        /// Visits the falloffs of programs that know the falloff at compile time.
+        #[cfg(feature = "arithmetic")]
+        pub fn constant_falloffs(visitor: &mut impl FalloffVisitor) {
+            $(visitor.falloff::<any_falloff!(@last $type $(, $constant)?)>();)*
         }
     };
-}
+    (@listed #[doc = $doc:literal] $type:ty = $name:literal, $sample:expr, $truth:expr;) => {
+        #[cfg(feature = "arithmetic")]
+        listed! { #[doc = $doc] $type = $name, $sample; }
 
-/// Evaluates an expression with the concrete types of a compiled cone's falloff and curve. If the
-/// variants of falloff and curve differ, which is only possible through `from_parts`, the
-/// expression is evaluated with the enums.
-macro_rules! with_falloff {
-    ([$cone:expr, $falloff:ident, $curve:ident, $answer:expr]
-     $($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
-       $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
-        match ($cone.falloff, $cone.curve) {
-            $(($crate::falloff::AnyFalloff::$variant($falloff),
-               $crate::falloff::CompiledAnyFalloff::$variant($curve)) => $answer,)*
-            ($falloff, $curve) => $answer,
+        #[cfg(feature = "arithmetic")]
+        impl ListedFalloff for $type {
+            #[inline(always)]
+            fn truth(t: f64) -> f64 {
+                let truth: fn(f64) -> f64 = $truth;
+                truth(t)
+            }
         }
     };
-    ($cone:expr, $falloff:ident, $curve:ident => $answer:expr) => {
-        $crate::models::falloffs!(with_falloff; [$cone, $falloff, $curve, $answer])
-    };
+    (@last $type:ty) => { $type };
+    (@last $type:ty, $constant:ty) => { $constant };
 }
-
-pub(crate) use with_falloff;
 
 falloffs!(any_falloff);
+
+// A power so high that rounding shows: for the price list alone.
+any_falloff! { @listed
+    /// The sixteenth power.
+    Power<16> = "power-16", Ok(Power), |t| squared(squared(squared(squared(t))));
+}
 
 impl AnyFalloff {
     /// Returns the cheapest falloff whose intensity is `t^n`, for `n` in [0, 1024]. `n = 0` gives a step.

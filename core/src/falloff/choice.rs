@@ -92,9 +92,7 @@ macro_rules! choice {
             }
         }
 
-        impl<S: $crate::number::Scalar<Weight: $crate::source::Source> + $crate::source::Source + $crate::source::Named>
-            $crate::source::Source for $compiled<S>
-        {
+        impl<S: $crate::number::Scalar> $crate::source::Source for $compiled<S> {
             fn write(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 match self {
                     $(Self::$variant(curve) => {

@@ -10,7 +10,7 @@ use crate::{
     error::{Error, Expected, Parameter},
     number::{Fraction, Scalar},
     search::bisect,
-    source::{Named, Source, call, name, written_by_bits, written_by_debug},
+    source::{Source, call, name, written_by_bits, written_by_debug},
     trig,
 };
 
@@ -208,7 +208,7 @@ impl<S: Scalar> CompiledCubic<S> {
 written_by_debug!(Smooth);
 written_by_bits!(Cubic);
 
-impl<S: Scalar<Weight: Source> + Named> Source for CompiledCubic<S> {
+impl<S: Scalar> Source for CompiledCubic<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledCubic::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.g, &self.h])

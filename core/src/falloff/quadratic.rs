@@ -10,7 +10,7 @@ use super::{
 use crate::{
     error::{Error, Expected, Parameter},
     number::{Fraction, Scalar},
-    source::{Named, Source, call, name, written_by_bits, written_by_debug},
+    source::{Source, call, name, written_by_bits, written_by_debug},
     trig,
 };
 
@@ -211,7 +211,7 @@ impl<S: Scalar> CompiledQuadratic<S> {
 written_by_debug!(Soft Hard Linear);
 written_by_bits!(Quadratic);
 
-impl<S: Scalar<Weight: Source> + Named> Source for CompiledQuadratic<S> {
+impl<S: Scalar> Source for CompiledQuadratic<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CompiledQuadratic::<{}>::", name::<S>())?;
         call(out, "from_parts", &[&self.g])

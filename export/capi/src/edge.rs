@@ -1,7 +1,10 @@
 //! The falloffs of the library's lights.
 
+use core::fmt::{self, Formatter};
+
 use luminaire::{
     Fx16,
+    codegen::Source,
     falloff::{Curve, Falloff, FittedFalloff, Formula, SoftOrHard},
     number::{Fraction, Scalar, Weight16},
 };
@@ -58,6 +61,19 @@ impl Falloff for Edge {
 
     fn integral(self, u: f32) -> f32 {
         of!(self, falloff => falloff.integral(u))
+    }
+}
+
+/// Never written: the lights of C are words and not source.
+impl Source for Edge {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "{self:?}")
+    }
+}
+
+impl<S: Scalar> Source for CompiledEdge<S> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "{self:?}")
     }
 }
 

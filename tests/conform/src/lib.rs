@@ -16,6 +16,6 @@ mod word;
 
 pub use case::{Case, Input, Inputs, Kind};
 pub use check::Check;
-pub use model::{Evaluate, FORMATS, Model, models};
+pub use model::{Evaluate, FORMATS, Model, each_model};
 pub use text::Text;
 pub use word::{Format, Word};

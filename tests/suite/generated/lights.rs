@@ -1,19 +1,28 @@
 //! Samples of everything that compiles to a format, in every format. The build script writes them,
 //! and the test compares them.
 
-use luminaire::codegen::{Named, SourceScalar};
+use std::marker::PhantomData;
+
+use luminaire::attenuation::{
+    AnyAttenuation, Attenuation, AttenuationVisitor, CutAt, GltfRange, InverseSquare, NoAttenuation,
+    SmoothRange, attenuations,
+};
+use luminaire::falloff::{
+    AnyFalloff, Cubic, Falloff, FalloffVisitor, Knot, ListedFalloff, Power, Quadratic, Soft, SoftOrHard,
+    Step, Table, constant_falloffs,
+};
+use luminaire::models;
 use luminaire::number::Quick;
+use luminaire::specular::{LobeVisitor, Phong, SpecularLobe, lobes};
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, SpotLight,
-    Vec3,
-    codegen::Source,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, Scalar,
+    SpotLight, Vec3,
+    codegen::{Named, Source},
     display::{Exposure, Rgb565Ramp},
     haze::Haze,
     light::CompiledSpotLight,
     projector::{Gobo, Projection, Shadow},
 };
-#[allow(unused_imports, clippy::wildcard_imports, reason = "what the rows of the lists are made of")]
-use luminaire::{attenuation::*, falloff::*, models::*, specular::*};
 
 /// A visitor of the values.
 pub(crate) trait Visit {
@@ -30,7 +39,6 @@ const AXES: [Vec3<f32>; 3] =
 const INTENSITIES: [f32; 3] = [1e-6, 16.0, 1e9];
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.0);
 const PANES: Gobo<'static> = Gobo::of(&[0, 255, 0, 255, 1, 254, 7, 128, 0]);
-const SAMPLES: [u16; 5] = [65_535, 60_000, 31_000, 400, 0];
 const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, -32_768)];
 
 /// The light that a test also checks by itself.
@@ -53,7 +61,7 @@ pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
 }
 
 /// Spotlights of the quick evaluation.
-fn quick<S: SourceScalar + Quick>(visit: &mut impl Visit) -> Result<(), Error> {
+fn quick<S: Quick>(visit: &mut impl Visit) -> Result<(), Error> {
     let cone = Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, Angle::degrees(40.0))?;
     for (index, intensity) in INTENSITIES.into_iter().enumerate() {
         let spot = SpotLight::new(PLACES[index], AXES[index], cone)?.with_intensity(intensity)?;
@@ -77,13 +85,11 @@ fn beams(visit: &mut impl Visit) -> Result<(), Error> {
 }
 
 /// Lights and surfaces whose falloff, attenuation or lobe is a type.
-fn typed<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
-    macro_rules! falloffs {
-        ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
-            $(spots::<S, $type>(visit, $sample)?;)*
-        };
-    }
-    luminaire::constant_falloffs!(falloffs);
+fn typed<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
+    let mut listed = Listed { visit, format: PhantomData::<S> };
+    constant_falloffs(&mut listed);
+    attenuations(&mut listed);
+    lobes::<S>(&mut listed);
     spots::<S, _>(visit, Quadratic::new(0.3))?;
     spots::<S, _>(visit, Ok(Power::<15>))?;
     spots::<S, _>(visit, Ok(Table::of_knots(&KNOTS)))?;
@@ -94,27 +100,39 @@ fn typed<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
             Cone::from_beam_and_field(Angle::degrees(14.0), Angle::degrees(field)).map(|cone| cone.falloff()),
         )?;
     }
-    macro_rules! attenuations {
-        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
-           $(, $(#[$its_doc:meta])* $type:ty = $name:literal, $value:expr)*;)*) => {
-            $($(at_distances::<S, $type>(visit, $value)?;)*)*
-        };
-    }
-    luminaire::attenuations!(attenuations);
     at_distances::<S, _>(visit, Ok(NoAttenuation))?;
     at_distances::<S, _>(visit, GltfRange::new(InverseSquare, None))?;
     let window = GltfRange::new(InverseSquare, Some(8.0))?;
-    at_distances::<S, _>(visit, CutAt::new(window, Some(6.0)))?;
-    macro_rules! lobes {
-        ($($(#[$doc:meta])* $type:ty = $name:literal, $value:expr;)*) => {
-            $(surfaces::<S, $type>(visit, $value)?;)*
-        };
-    }
-    luminaire::lobes!(lobes);
-    Ok(())
+    at_distances::<S, _>(visit, CutAt::new(window, Some(6.0)))
 }
 
-fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
+/// Visits the models of the list, for lights and surfaces in the format `S`.
+struct Listed<'a, S, V> {
+    visit: &'a mut V,
+    format: PhantomData<S>,
+}
+
+const SOUND: &str = "the parameters of the lists are sound";
+
+impl<S: Scalar, V: Visit> FalloffVisitor for Listed<'_, S, V> {
+    fn falloff<P: ListedFalloff>(&mut self) {
+        spots::<S, _>(self.visit, P::sample()).expect(SOUND);
+    }
+}
+
+impl<S: Scalar, V: Visit> AttenuationVisitor for Listed<'_, S, V> {
+    fn attenuation<A: models::Listed + Attenuation>(&mut self) {
+        at_distances::<S, _>(self.visit, A::sample()).expect(SOUND);
+    }
+}
+
+impl<S: Scalar, V: Visit> LobeVisitor<S> for Listed<'_, S, V> {
+    fn lobe<H: models::Listed + SpecularLobe<Constants<S>: Source> + Named>(&mut self) {
+        surfaces::<S, _>(self.visit, H::sample().expect(SOUND)).expect(SOUND);
+    }
+}
+
+fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
     for sample in AnyFalloff::samples() {
         spots::<S, _>(visit, Ok(sample))?;
     }
@@ -150,13 +168,7 @@ fn of_format<S: SourceScalar>(visit: &mut impl Visit) -> Result<(), Error> {
 }
 
 /// Spotlights with a falloff: over the whole cone, around a hotspot, and with a cutoff.
-fn spots<S: SourceScalar, P: Falloff + Source>(
-    visit: &mut impl Visit,
-    falloff: Result<P, Error>,
-) -> Result<(), Error>
-where
-    P::Compiled<S>: Source,
-{
+fn spots<S: Scalar, P: Falloff>(visit: &mut impl Visit, falloff: Result<P, Error>) -> Result<(), Error> {
     let plain = Cone::from_outer(falloff?, Angle::degrees(40.0))?;
     let hotspot = plain.with_inner(Angle::degrees(13.0))?;
     let cut = plain.with_cutoff(Angle::degrees(31.0))?;
@@ -169,13 +181,10 @@ where
 }
 
 /// A spotlight and a point light with an attenuation.
-fn at_distances<S: SourceScalar, A: Attenuation + Named>(
+fn at_distances<S: Scalar, A: Attenuation>(
     visit: &mut impl Visit,
     attenuation: Result<A, Error>,
-) -> Result<(), Error>
-where
-    A::Constants<S>: Source,
-{
+) -> Result<(), Error> {
     let attenuation = attenuation?;
     let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
     let spot = SpotLight::new(PLACES[0], AXES[0], cone)?.with_attenuation(attenuation).with_color(AMBER)?;
@@ -186,13 +195,10 @@ where
 }
 
 /// Materials with a specular lobe, wide and narrow.
-fn surfaces<S: SourceScalar, H: SpecularLobe + Named>(
+fn surfaces<S: Scalar, H: SpecularLobe<Constants<S>: Source> + Named>(
     visit: &mut impl Visit,
     highlight: H,
-) -> Result<(), Error>
-where
-    H::Constants<S>: Source,
-{
+) -> Result<(), Error> {
     for shininess in [8, 1024] {
         let glazed = Material::new(AMBER)?.with_highlight(highlight, Rgb::new(0.5, 0.5, 0.5), shininess)?;
         visit.value(format!("{} {glazed:?}", S::NAME), glazed.compile::<S>());

@@ -2,11 +2,13 @@
 
 use std::sync::LazyLock;
 
-#[allow(clippy::wildcard_imports, reason = "the types of the lists")]
-use luminaire::attenuation::*;
 use luminaire::{
-    Error,
+    attenuation::{self, Attenuation, AttenuationVisitor},
+    codegen::{Named, Source},
     dynamic::{Effect, Effects},
+    falloff::{AnyFalloff, FalloffVisitor, ListedFalloff, constant_falloffs},
+    models::Listed,
+    specular::{self, LobeVisitor, SpecularLobe},
 };
 
 /// Effects of a kind.
@@ -38,6 +40,8 @@ pub(crate) struct Entry {
 const SPOT: &str = "spot-soft-lambert";
 const INVERSE_SQUARE: &str = "spot-soft-lambert-inverse-square";
 const MATTE: &str = "matte";
+/// Why a sample is accepted.
+const SOUND: &str = "the parameters of the lists are sound";
 
 /// The entry of one row in a list of models: falloffs, attenuations or specular lobes.
 fn listed(
@@ -56,64 +60,63 @@ fn listed(
     }
 }
 
-/// The soft spotlight with each falloff.
-fn falloffs() -> Vec<Entry> {
-    macro_rules! rows {
-        ($($(#[doc = $what:literal])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
-            vec![$(listed(
-                ($name, concat!("spot-", $name, "-lambert"), stringify!($type)),
-                Effects::NONE.with(Effect::$variant),
-                SPOT,
-                concat!($($what),*),
-            )),*]
-        };
+/// The entries of the models in the library's lists.
+#[derive(Default)]
+struct Models(Vec<Entry>);
+
+impl Models {
+    fn add<M: Listed>(&mut self, program: String, effects: Effects, over: &'static str) {
+        let names = (M::NAME, &*program.leak(), M::TYPE);
+        self.0.push(listed(names, effects, over, M::DOC));
     }
-    luminaire::constant_falloffs!(rows)
+}
+
+/// The soft spotlight with each falloff.
+impl FalloffVisitor for Models {
+    fn falloff<P: ListedFalloff>(&mut self) {
+        let falloff: AnyFalloff = P::sample().expect(SOUND).into();
+        self.add::<P>(format!("spot-{}-lambert", P::NAME), Effects::NONE.with(falloff.effect()), SPOT);
+    }
 }
 
 /// The soft spotlight with each attenuation. An attenuation that limits the inverse square to a
 /// range is compared with the plain inverse square.
-fn attenuations() -> Vec<Entry> {
-    fn row<A: Attenuation>(
-        names: (&'static str, &'static str, &'static str),
-        value: Result<A, Error>,
-        what: &'static str,
-    ) -> Entry {
-        let attenuation = value.expect("the parameters of the list are sound");
-        let effects = attenuation.effects();
+impl AttenuationVisitor for Models {
+    fn attenuation<A: Listed + Attenuation>(&mut self) {
+        let effects = A::sample().expect(SOUND).effects();
+        let program = format!("spot-soft-lambert-{}", A::NAME);
         if effects.has(Effect::Range) && effects.has(Effect::InverseSquare) {
             let window = effects.iter().filter(|effect| *effect != Effect::InverseSquare);
-            listed(names, window.fold(Effects::NONE, Effects::with), INVERSE_SQUARE, what)
+            self.add::<A>(program, window.fold(Effects::NONE, Effects::with), INVERSE_SQUARE);
         } else {
-            listed(names, effects, SPOT, what)
+            self.add::<A>(program, effects, SPOT);
         }
     }
-    macro_rules! rows {
-        ($($(#[$doc:meta])* $variant:ident($run_time:ty) = any $any:expr
-           $(, $(#[doc = $what:literal])* $type:ty = $name:literal, $value:expr)*;)*) => {
-            vec![$($(row::<$type>(
-                ($name, concat!("spot-soft-lambert-", $name), stringify!($type)),
-                $value,
-                concat!($($what),*),
-            ),)*)*]
-        };
-    }
-    luminaire::attenuations!(rows)
 }
 
 /// A surface with each specular lobe.
-fn lobes() -> Vec<Entry> {
-    macro_rules! rows {
-        ($($(#[doc = $what:literal])* $type:ty = $name:literal, $value:expr;)*) => {
-            vec![$(listed(
-                ($name, $name, stringify!($type)),
-                Effects::NONE.with(Effect::Specular),
-                MATTE,
-                concat!($($what),*),
-            )),*]
-        };
+impl LobeVisitor<f32> for Models {
+    fn lobe<H: Listed + SpecularLobe<Constants<f32>: Source> + Named>(&mut self) {
+        self.add::<H>(H::NAME.to_owned(), Effects::NONE.with(Effect::Specular), MATTE);
     }
-    luminaire::lobes!(rows)
+}
+
+fn falloffs() -> Vec<Entry> {
+    let mut models = Models::default();
+    constant_falloffs(&mut models);
+    models.0
+}
+
+fn attenuations() -> Vec<Entry> {
+    let mut models = Models::default();
+    attenuation::attenuations(&mut models);
+    models.0
+}
+
+fn lobes() -> Vec<Entry> {
+    let mut models = Models::default();
+    specular::lobes(&mut models);
+    models.0
 }
 
 pub(super) static GROUPS: LazyLock<[Group; 7]> = LazyLock::new(|| {

@@ -16,7 +16,6 @@ type Rows = &'static [(&'static str, &'static [&'static str])];
 const TYPES: Rows = &[
     ("Quick", &["QuickFormat"]),
     ("Scalar", &["Format"]),
-    ("SourceScalar", &["Format"]),
     ("Arithmetic", &["Format"]),
     ("Gain", &["Gain"]),
     ("Offset", &["Offset"]),

@@ -7,16 +7,20 @@ mod light;
 mod material;
 mod seam;
 
-#[allow(clippy::wildcard_imports, reason = "the types of the list")]
-use luminaire::falloff::*;
+use core::marker::PhantomData;
+
 use luminaire::{
     Fx16, Fx32,
     attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
-    models::SAMPLES,
+    falloff::{
+        Cubic, FalloffVisitor, Hard, ListedFalloff, Power, Quadratic, Soft, SoftOrHard, Table,
+        constant_falloffs,
+    },
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, MirroredPhong, NoSpecular, Phong},
 };
 
 use crate::case::{Case, Outcome};
+use crate::word::Format;
 
 /// Evaluates a model: reads the inputs of a case and adds its outputs.
 pub type Evaluate = fn(&mut Case<'_>) -> Outcome;
@@ -24,11 +28,20 @@ pub type Evaluate = fn(&mut Case<'_>) -> Outcome;
 /// A model in the formats that it has.
 #[derive(Clone, Copy, Debug)]
 pub struct Model {
-    /// Its name in the file.
+    /// The first word of its name in the file, with a space; empty if `name` is the whole name.
+    pub kind: &'static str,
+    /// The rest of its name in the file.
     pub name: &'static str,
     /// The model in each format, in the order of [`FORMATS`]; only in `f32` if the model belongs to
     /// set-up, and not in `fx32` if the model is of the quick evaluation.
     pub runs: &'static [Evaluate],
+}
+
+impl Model {
+    /// Returns whether this is the model's name in the file.
+    fn is_named(&self, name: &str) -> bool {
+        name.strip_prefix(self.kind) == Some(self.name)
+    }
 }
 
 /// The formats, as the file names them.
@@ -38,13 +51,20 @@ pub const FORMATS: [&str; 3] = ["f32", "fx16", "fx32"];
 pub(crate) fn find(section: &str) -> Option<Evaluate> {
     let (name, format) = section.rsplit_once(' ')?;
     let index = FORMATS.iter().position(|known| *known == format)?;
-    models().find(|model| model.name == name)?.runs.get(index).copied()
+    let mut found = None;
+    each_model(&mut |model| {
+        if model.is_named(name) {
+            found = model.runs.get(index).copied();
+        }
+    });
+    found
 }
 
 /// A model in every format. Its expression refers to the format by the name `$format`.
 macro_rules! each {
     ($name:expr, $format:ident, $case:ident => $outcome:expr) => {
         Model {
+            kind: "",
             name: $name,
             runs: &[
                 |$case| {
@@ -67,7 +87,7 @@ macro_rules! each {
 /// A model of set-up, which is computed in f32 whatever the format.
 macro_rules! once {
     ($name:expr, $case:ident => $outcome:expr) => {
-        Model { name: $name, runs: &[|$case| $outcome] }
+        Model { kind: "", name: $name, runs: &[|$case| $outcome] }
     };
 }
 
@@ -93,22 +113,42 @@ fn range(case: &mut Case<'_>) -> f32 {
     case.number("range")
 }
 
-/// The cone and the falloff of each model in the library's list.
-macro_rules! listed {
-    ($($(#[$doc:meta])* $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr;)*) => {
-        static LISTED: &[Model] = &[
-            $(once!(concat!("cone ", $name), case => falloff::cone::<$type>(case, |_| $sample)),)*
-            $(each!(concat!("falloff ", $name), S, case => falloff::falloff::<S, $type>(case, |_| $sample)),)*
-        ];
-    };
+/// Visits all models: first the cones and falloffs of the library's list. A model in `WRITTEN`
+/// replaces the model of the list with the same name: its parameters are inputs.
+pub fn each_model(visit: &mut dyn FnMut(&Model)) {
+    for kind in ["cone ", "falloff "] {
+        constant_falloffs(&mut Listed { kind, visit });
+    }
+    WRITTEN.iter().for_each(visit);
 }
-luminaire::constant_falloffs!(listed);
 
-/// All models. A model in `WRITTEN` replaces the model of the list with the same name: its
-/// parameters are inputs.
-pub fn models() -> impl Iterator<Item = &'static Model> {
-    let is_written = |model: &&Model| WRITTEN.iter().any(|written| written.name == model.name);
-    LISTED.iter().filter(move |model| !is_written(model)).chain(WRITTEN)
+/// Visits the models of one kind: `cone ` or `falloff `.
+struct Listed<'a> {
+    kind: &'static str,
+    visit: &'a mut dyn FnMut(&Model),
+}
+
+impl FalloffVisitor for Listed<'_> {
+    fn falloff<P: ListedFalloff>(&mut self) {
+        let runs = if self.kind == "cone " { Runs::<P>::CONE } else { Runs::<P>::FALLOFF };
+        let model = Model { kind: self.kind, name: P::NAME, runs };
+        if !WRITTEN.iter().any(|written| model.is_named(written.name)) {
+            (self.visit)(&model);
+        }
+    }
+}
+
+/// The runs of a falloff of the list.
+struct Runs<P>(PhantomData<P>);
+
+impl<P: ListedFalloff> Runs<P> {
+    const CONE: &'static [Evaluate] = &[|case| falloff::cone::<P>(case, |_| P::sample())];
+    const FALLOFF: &'static [Evaluate] =
+        &[Self::falloff::<f32>, Self::falloff::<Fx16>, Self::falloff::<Fx32>];
+
+    fn falloff<S: Format>(case: &mut Case<'_>) -> Outcome {
+        falloff::falloff::<S, P>(case, |_| P::sample())
+    }
 }
 
 static WRITTEN: &[Model] = &[
@@ -129,10 +169,12 @@ static WRITTEN: &[Model] = &[
     each!("spot hard", S, case => light::spot::<S, _>(case, |_| Ok(Hard))),
     each!("spot either-edge", S, case => light::spot::<S, _>(case, |_| Ok(SoftOrHard::Hard))),
     Model {
+        kind: "",
         name: "quick soft",
         runs: &[|case| light::quick::<f32, _>(case, Soft), |case| light::quick::<Fx16, _>(case, Soft)],
     },
     Model {
+        kind: "",
         name: "quick hard",
         runs: &[|case| light::quick::<f32, _>(case, Hard), |case| light::quick::<Fx16, _>(case, Hard)],
     },

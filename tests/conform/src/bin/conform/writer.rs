@@ -8,7 +8,7 @@ use luminaire::{
     Fx16, Fx32,
     number::{Length, Light16, Light32},
 };
-use luminaire_conform::{Case, Evaluate, FORMATS, Input, Inputs, Kind, Word, models};
+use luminaire_conform::{Case, Evaluate, FORMATS, Input, Inputs, Kind, Word, each_model};
 use luminaire_oracle::SplitMix64;
 
 use super::scene::Scene;
@@ -25,11 +25,11 @@ const PREFACE: &str = "\
 /// The whole file.
 pub(crate) fn file() -> String {
     let mut file = PREFACE.to_owned();
-    for model in models() {
+    each_model(&mut |model| {
         for (evaluate, format) in model.runs.iter().zip(FORMATS) {
-            section(&mut file, &format!("{} {format}", model.name), *evaluate);
+            section(&mut file, &format!("{}{} {format}", model.kind, model.name), *evaluate);
         }
-    }
+    });
     file
 }
 
