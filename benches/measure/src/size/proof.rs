@@ -40,11 +40,17 @@ pub(crate) const MORE: [Configuration; 2] = [
 ];
 
 /// Functions without a wrapper, by path or as `Trait::function`, each with the reason.
-const EXEMPT: [(&str, &str); 4] = [
+const EXEMPT: [(&str, &str); 10] = [
     ("Debug::fmt", "text for people: the formatter of the standard library can panic"),
     ("Display::fmt", "text for people: the formatter of the standard library can panic"),
     ("Named::write_name", "source text, which build scripts write on the host"),
     ("Source::write", "source text, which build scripts write on the host"),
+    ("<luminaire::attenuation::AnyAttenuation>::with", "passes the attenuation to code of the caller"),
+    ("luminaire::falloff::with_falloff", "passes the falloff to code of the caller"),
+    ("luminaire::falloff::falloffs", "passes each falloff to code of the caller"),
+    ("luminaire::falloff::constant_falloffs", "passes each falloff to code of the caller"),
+    ("luminaire::attenuation::attenuations", "passes each attenuation to code of the caller"),
+    ("luminaire::specular::lobes", "passes each lobe to code of the caller"),
 ];
 
 /// The types in the programs' library that depend on the format. A call that names one of them is made in
@@ -236,7 +242,7 @@ mod tests {
         let proof = Proof::of(&MAIN, functions(&[common, each])).unwrap();
         assert_eq!(
             proof.to_string(),
-            "arithmetic: 6 functions, 1 wrappers per format and 1 for all, 4 exempt"
+            "arithmetic: 12 functions, 1 wrappers per format and 1 for all, 10 exempt"
         );
         let text = wrappers(&proof.each_format);
         assert!(text.contains("fn Rgb_Format_new() {"), "{text}");
