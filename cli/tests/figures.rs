@@ -126,6 +126,20 @@ impl Records {
         stated
     }
 
+    fn on_page(&self) -> String {
+        let (row, cost) =
+            (self.row("lit-inverse-square.fx16"), self.cost("lit-inverse-square.fx16", "cortex-m0"));
+        let cone = (2.0 * number(&self.prices["meta"]["half_angle"])).round();
+        // Rounded as in the documents, but for an upper bound, which is rounded up.
+        let hundredths = 100.0 * number(&row["error"]["codes"]);
+        let (bound, hundredths) = match row["error"]["kind"].as_str() {
+            Some("searched") => ("the largest error found is", hundredths.round()),
+            _ => ("the error is at most", hundredths.ceil()),
+        };
+        let error = hundredths / 100.0;
+        format!("{cost} instructions on a Cortex-M0; {bound} {error}/255 of full scale ({cone}&deg; cone).")
+    }
+
     fn on_front_page(&self) -> Vec<String> {
         let mut stated = Vec::new();
         let mut say = |words| stated.push(words);
@@ -314,6 +328,7 @@ fn texts_have_the_figures_on_record_and_no_others() {
     let records = Records::read();
     let mut stated = records.in_guide();
     stated.extend(records.in_readme().into_iter().map(|words| (README, words)));
+    stated.push((PAGE, records.on_page()));
     stated.extend(records.on_front_page().into_iter().map(|words| (FRONT, words)));
     stated.extend(SETTINGS.map(|(file, words)| (file, words.to_owned())));
     let (mut found, mut wrong) = (vec![false; stated.len()], Vec::new());

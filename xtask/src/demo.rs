@@ -5,7 +5,7 @@ use std::path;
 use anyhow::{Context, Result};
 
 use crate::arguments::DemoOptions;
-use tools::command;
+use tools::browser;
 use tools::demo::publish::publish;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
@@ -29,12 +29,10 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let view = options.view.as_ref().map(|view| format!("#{view}"));
     let address = server.address() + &view.unwrap_or_default();
     if checking {
-        let mut check = command::cargo("run");
-        check.args(["--package", "browser", "--bin", "check", "--", &address]);
-        if let Some(file) = &options.screenshot {
-            check.arg(path::absolute(file).context("the screenshot has no path")?);
-        }
-        command::run_to_its_end(&mut check)
+        let screenshot = options.screenshot.as_ref().map(path::absolute).transpose();
+        let screenshot = screenshot.context("the screenshot has no path")?;
+        println!("{}", browser::check(&address, screenshot.as_deref(), &progress)?);
+        Ok(())
     } else {
         println!("The demo is at {address} (Ctrl+C ends it)");
         server.wait()

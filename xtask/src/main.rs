@@ -6,13 +6,11 @@
 mod arguments;
 mod contributing;
 mod demo;
+#[cfg(test)]
+mod documents;
 mod features;
 mod lab;
 mod msrv;
-#[cfg(test)]
-mod phrases;
-#[cfg(test)]
-mod readme;
 mod scripts;
 mod semver;
 mod test;

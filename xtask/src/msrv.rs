@@ -17,10 +17,10 @@ const VERSION: &str = "1.85";
 const CRATES: [(&str, &str); 3] =
     [("luminaire", "core"), ("luminaire-render", "render"), ("luminaire-fixtures", "export/fixtures")];
 
-/// Debian's packages of compilers of that version, each with the packages of its standard library.
-const COMPILERS: [(&str, [&str; 2]); 2] = [
-    ("rustc", ["libstd-rust-dev", "libstd-rust-1.85"]),
-    ("rustc-web", ["libstd-rust-web-dev", "libstd-rust-web-1.85"]),
+/// Debian's packages of compilers of that version, each with those of its standard library.
+const PACKAGES: [[&str; 3]; 2] = [
+    ["rustc", "libstd-rust-dev", "libstd-rust-1.85"],
+    ["rustc-web", "libstd-rust-web-dev", "libstd-rust-web-1.85"],
 ];
 
 /// The package of the library that all these compilers are linked with.
@@ -44,18 +44,17 @@ pub(crate) fn run(suite: &mut Suite) {
 }
 
 /// The folder `usr` of the compiler, which is unpacked below `target` and not installed. `None` if
-/// apt does not know the compiler.
+/// apt does not offer it.
 fn unpacked(progress: &Progress) -> Result<Option<PathBuf>> {
     let folder = project::target().join("tools/oldest-compiler");
     let usr = folder.join("usr");
     if usr.join("bin/rustc").exists() {
         return Ok(Some(usr));
     }
-    let Some((packages, version)) = COMPILERS.iter().find_map(offered) else { return Ok(None) };
+    let Some(packages) = PACKAGES.iter().find_map(|packages| offered(packages)) else { return Ok(None) };
     fs::create_dir_all(&folder).with_context(|| format!("cannot create {}", folder.display()))?;
-    let wanted = packages.iter().map(|package| format!("{package}={version}")).chain([LLVM.to_owned()]);
-    let wanted: Vec<_> = ["download".to_owned()].into_iter().chain(wanted).collect();
-    install::apt_get(&wanted.iter().map(String::as_str).collect::<Vec<_>>(), &folder, progress)?;
+    let words: Vec<_> = ["download", LLVM].into_iter().chain(packages.iter().map(String::as_str)).collect();
+    install::apt_get(&words, &folder, progress)?;
     for entry in fs::read_dir(&folder)? {
         let package = entry?.path();
         if package.extension().is_some_and(|extension| extension == "deb") {
@@ -68,17 +67,14 @@ fn unpacked(progress: &Progress) -> Result<Option<PathBuf>> {
     Ok(Some(usr))
 }
 
-/// A compiler's packages and full version, if apt offers it in the promised version.
-fn offered((compiler, library): &(&'static str, [&'static str; 2])) -> Option<([&'static str; 3], String)> {
-    let table = command::answer(Command::new("apt-cache").args(["madison", compiler])).ok()?;
-    let version = version(&table, VERSION)?;
-    Some(([compiler, library[0], library[1]], version.to_owned()))
-}
-
-/// The first version in a table of `apt-cache madison` that begins with `begin`.
-fn version<'a>(table: &'a str, begin: &str) -> Option<&'a str> {
+/// A compiler's packages with their version, as in `rustc=1.85.0+dfsg3-1`, if apt offers the promised
+/// one.
+fn offered(packages: &[&str]) -> Option<Vec<String>> {
+    // A row is `name | version | source`.
+    let table = command::answer(Command::new("apt-cache").args(["madison", packages[0]])).ok()?;
     let mut versions = table.lines().filter_map(|line| line.split('|').nth(1)).map(str::trim);
-    versions.find(|version| version.strip_prefix(begin).is_some_and(|rest| rest.starts_with('.')))
+    let version = versions.find(|version| version.starts_with(&format!("{VERSION}.")))?;
+    Some(packages.iter().map(|package| format!("{package}={version}")).collect())
 }
 
 #[cfg(test)]
@@ -91,13 +87,5 @@ mod tests {
             let manifest = fs::read_to_string(project::root().join(folder).join("Cargo.toml")).unwrap();
             assert!(manifest.contains(&format!("rust-version = \"{VERSION}\"")), "{name}");
         }
-    }
-
-    #[test]
-    fn a_version_is_found_in_the_table_of_apt() {
-        let table = " rustc-web | 1.96.0+dfsg1-1~deb12u2 | http://one\n rustc-web | 1.85.0+dfsg3-1~deb12u3 | http://two\n";
-        assert_eq!(version(table, "1.85"), Some("1.85.0+dfsg3-1~deb12u3"));
-        assert_eq!(version(table, "1.8"), None);
-        assert_eq!(version("", "1.85"), None);
     }
 }

@@ -17,8 +17,22 @@ use crate::{contributing, features, lab, msrv, scripts, semver};
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
 const TOOLS: [&str; 6] = ["browser", "lab", "luminaire-counter", "measure", "tools", "xtask"];
 
-/// How the names of steps begin that are of this program alone.
-const OWN: [&str; 6] = ["documentation", "features", "format", "host", "lint", "scripts"];
+/// How the names of steps begin that are of this program alone: they run without the laboratory.
+const OWN: [&str; 13] = [
+    "bare metal",
+    "contributing",
+    "dependencies",
+    "documentation",
+    "export: C",
+    "features",
+    "format",
+    "fuzz",
+    "host",
+    "lint",
+    "oldest compiler",
+    "scripts",
+    "semver",
+];
 
 /// Runs the tests; the last line on stdout counts them.
 pub(crate) fn run(only: Option<String>, full: bool) -> ExitCode {
@@ -130,12 +144,12 @@ fn sources(suite: &mut Suite, full: bool) {
         progress.run(with(clippy, &["--", "-Dwarnings"]))
     });
     if full {
-        for (name, features) in SETS.iter().chain([&STD, &ALL]) {
-            suite.step(&format!("lint: luminaire with {name}"), |progress| {
+        suite.step("lint: luminaire with each set of features", |progress| {
+            SETS.iter().chain([&STD, &ALL]).try_for_each(|(_, features)| {
                 let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib", "--tests"]);
                 progress.run(with(with(clippy, features), &["--", "-Dwarnings"]))
-            });
-        }
+            })
+        });
         suite.step("features: each, all pairs, all and none", |progress| {
             features::pairs(&features::names()?).iter().try_for_each(|set| {
                 let check =
@@ -180,18 +194,14 @@ fn by_all_compilers(progress: &Progress) -> Result<Tally> {
 /// Checks the crates for bare metal. No code is generated, because the firmware's steps link the
 /// kernel.
 fn bare_metal(suite: &mut Suite) {
-    let check = |progress: &Progress, package: &str, features: &[&str]| {
+    let crates =
+        SETS.map(|(_, features)| ("luminaire", features)).into_iter().chain([("luminaire-render", &[][..])]);
+    suite.step(&format!("bare metal: the crates with each set of features for {BARE_METAL}"), |progress| {
         let toolchain = Toolchain::find(BARE_METAL, progress)?;
-        let cargo = with(toolchain.cargo_check("core,alloc"), &["--lib", "--package", package]);
-        progress.run(with(cargo, features))
-    };
-    for (name, features) in &SETS {
-        suite.step(&format!("bare metal: luminaire with {name} for {BARE_METAL}"), |progress| {
-            check(progress, "luminaire", features)
-        });
-    }
-    suite.step(&format!("bare metal: luminaire-render for {BARE_METAL}"), |progress| {
-        check(progress, "luminaire-render", &[])
+        crates.into_iter().try_for_each(|(package, features)| {
+            let cargo = with(toolchain.cargo_check("core,alloc"), &["--lib", "--package", package]);
+            progress.run(with(cargo, features))
+        })
     });
 }
 

@@ -1,20 +1,19 @@
 //! Pages in a headless Chromium, and the timing of the demo's frames in it. A [script](../drive.mjs) drives
 //! the browser by puppeteer-core; the [tests of the page](../../wasm-demo/tests/browser) start it the same way.
 
-pub mod check;
 pub mod turntable;
 
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::{env, fs};
+use std::path::PathBuf;
+use std::process::Stdio;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, bail};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
+use tools::browser::{find, node};
 use tools::progress::Progress;
-use tools::{install, project};
+use tools::project;
 
 /// What draws the WebGL of pages on a machine without a GPU.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -63,7 +62,7 @@ pub struct Found {
 
 impl Visit<'_> {
     /// Opens the page, waits until it is ready and acts. It is an error if the page complains on its
-    /// console. Installs what is missing: the npm packages, and as root on Debian the browser.
+    /// console.
     pub fn run(&self, acts: &[Act], progress: &Progress) -> Result<Found> {
         let is_mesa = self.web_gl == Some(WebGl::Llvmpipe);
         let mut flags = if is_mesa { MESA.to_vec() } else { vec![NO_GPU] };
@@ -97,29 +96,4 @@ impl Visit<'_> {
         let mut found = self.run(&[Act::Ask(expression.to_owned())], progress)?;
         found.values.pop().context("the page has no answer")
     }
-}
-
-/// Node.js for a script that drives browsers by puppeteer-core, with what it reads of its environment.
-pub fn node(progress: &Progress) -> Result<Command> {
-    install::npm("puppeteer-core", progress)?;
-    let mut node = Command::new(install::node(progress)?);
-    let chromium =
-        find("CHROME", &["chromium", "chromium-browser", "google-chrome"], &["chromium"], progress)?;
-    node.env("MODULES", install::npm_modules()).env("CHROMIUM", chromium);
-    // Below `target`, because a sandboxed browser may have no access to `/tmp`.
-    let folder = project::target().join("browsers");
-    fs::create_dir_all(&folder)?;
-    node.env("TMPDIR", folder);
-    Ok(node)
-}
-
-/// The program that an environment variable names, or the first of these programs on PATH. As root
-/// on Debian, installs the packages if there is none.
-pub fn find(variable: &str, names: &[&str], packages: &[&str], progress: &Progress) -> Result<PathBuf> {
-    if let Some(named) = env::var_os(variable) {
-        ensure!(Path::new(&named).is_file(), "{variable} = {}: expected a program", named.display());
-        return Ok(named.into());
-    }
-    install::program(names, packages, progress)
-        .with_context(|| format!("the environment variable {variable} may name the program"))
 }

@@ -1,6 +1,5 @@
 //! Timing whole frames in a browser, on the scene turntable under each of its loads.
 
-use anyhow::{Context, Result};
 use serde_json::{Value, json};
 
 /// The name of the scene.
@@ -33,20 +32,6 @@ pub struct Frame {
     pub moving: Option<f64>,
 }
 
-/// Pictures a second, drawn by workers.
-#[derive(Clone, Copy, Debug)]
-pub struct Cores {
-    /// How many workers there are.
-    pub workers: u64,
-    /// Of the workers that share each picture.
-    pub together: f64,
-    /// Of as many workers in independent loops, which show nothing.
-    pub apart: f64,
-}
-
-/// Rounds of both, of which the better counts.
-const ROUNDS: u32 = 3;
-
 impl Load {
     /// Arguments of the page's meter for this load.
     pub fn options(&self) -> Value {
@@ -68,27 +53,10 @@ pub fn frame_call(scene: &str, frames: u32, options: &str) -> String {
     format!("luminaire.measureScene({scene}, {frames}, {options})")
 }
 
-/// The expression that counts pictures of a scene, with a moving camera.
-pub fn cores_call(scene: &str, frames: u32, options: &str) -> String {
-    format!("luminaire.measureCores({scene}, {frames}, {ROUNDS}, {options})")
-}
-
 impl Frame {
     /// The value of the first expression.
     pub fn of(found: &Value) -> Self {
         let time = |camera: &str| found[camera]["frameMs"].as_f64();
         Self { at_rest: time("cameraAtRest"), moving: time("cameraMoving") }
-    }
-}
-
-impl Cores {
-    /// The value of the second expression.
-    pub fn of(found: &Value) -> Result<Self> {
-        let rate = |name: &str| found[name].as_f64().with_context(|| format!("no {name} in {found}"));
-        Ok(Self {
-            workers: found["workers"].as_u64().context("no workers")?,
-            together: rate("togetherPerSecond")?,
-            apart: rate("apartPerSecond")?,
-        })
     }
 }

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use browser::{check::check, find};
+use tools::browser::{self, check, find};
 use tools::demo::publish::publish;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;

@@ -5,7 +5,7 @@ use std::fs;
 
 use anyhow::Result;
 
-use browser::check::check;
+use tools::browser::check;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::project;

@@ -2,6 +2,7 @@
 //! build and a web server; and reporting progress.
 
 pub mod board;
+pub mod browser;
 pub mod command;
 pub mod compilers;
 pub mod demo;

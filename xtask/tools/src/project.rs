@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::{env, fs, io, path};
+use std::{env, fs, path};
 
 use anyhow::{Context, Result};
 
@@ -23,30 +23,23 @@ pub fn target() -> PathBuf {
 /// All files below a folder, by their path relative to it, with their content. Files and folders
 /// whose path ends with one of `left_out` are left out.
 pub fn files(folder: &Path, left_out: &[&str]) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
-    fn list(
-        root: &Path,
-        folder: &Path,
-        left_out: &[&str],
-        files: &mut BTreeMap<PathBuf, Vec<u8>>,
-    ) -> io::Result<()> {
-        for entry in fs::read_dir(root.join(folder))? {
+    let (mut files, mut folders) = (BTreeMap::new(), vec![PathBuf::new()]);
+    while let Some(inner) = folders.pop() {
+        let place = folder.join(&inner);
+        for entry in fs::read_dir(&place).with_context(|| format!("cannot read {}", shown(&place)))? {
             let entry = entry?;
-            let path = folder.join(entry.file_name());
+            let path = inner.join(entry.file_name());
             if left_out.iter().any(|name| path.ends_with(name)) {
                 continue;
             }
             if entry.file_type()?.is_dir() {
-                list(root, &path, left_out, files)?;
+                folders.push(path);
             } else {
-                let content = fs::read(root.join(&path))?;
-                files.insert(path, content);
+                let content = fs::read(folder.join(&path));
+                files.insert(path, content.with_context(|| format!("cannot read {}", shown(&place)))?);
             }
         }
-        Ok(())
     }
-    let mut files = BTreeMap::new();
-    list(folder, Path::new(""), left_out, &mut files)
-        .with_context(|| format!("cannot read {}", shown(folder)))?;
     Ok(files)
 }
 

@@ -1,5 +1,6 @@
 //! Runs named steps one after the other, reports each, and sums up.
 
+use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -7,8 +8,7 @@ use std::thread;
 use std::time::Instant;
 
 use anyhow::{Context, Result};
-use serde::Deserialize as _;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
 use crate::tally::Tally;
@@ -19,31 +19,28 @@ use crate::{command, project};
 pub struct Suite {
     only: Option<String>,
     start: Instant,
-    tally: Tally,
-    failures: Vec<String>,
-    /// The processor time of the programs that each step started, in seconds.
-    times: Vec<(String, f64)>,
+    done: Vec<Done>,
     /// Whether other steps run at the same time.
     has_company: bool,
+}
+
+/// A step that has ended.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+struct Done {
+    tally: Tally,
+    /// The processor time of the programs that it started, in seconds.
+    processor: f64,
+    /// Its name, and why it failed.
+    failure: Option<String>,
 }
 
 /// Steps that run one after the other, beside other groups.
 pub type Group<'a> = Box<dyn FnOnce(&mut Suite) + Send + 'a>;
 
-/// Number of the most expensive steps that are listed.
-const LISTED: usize = 15;
-
 impl Suite {
     /// A suite of all steps, or of the steps whose name contains `only`.
     pub fn new(only: Option<String>) -> Self {
-        Self {
-            only,
-            start: Instant::now(),
-            tally: Tally::default(),
-            failures: Vec::new(),
-            times: Vec::new(),
-            has_company: false,
-        }
+        Self { only, start: Instant::now(), done: Vec::new(), has_company: false }
     }
 
     /// Whether a step with this name is to be run.
@@ -83,8 +80,9 @@ impl Suite {
     }
 
     fn run<T>(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<(T, Tally)>) -> Option<T> {
+        let label = format!("{name:.<90} ");
         if !self.has_company {
-            print!("{name:.<90} ");
+            print!("{label}");
             // An error does not matter: the name would only appear later.
             let _ = io::stdout().flush();
         }
@@ -92,25 +90,23 @@ impl Suite {
         let progress = Progress::kept();
         let outcome = work(&progress);
         let (seconds, processor) = (start.elapsed().as_secs_f64(), command::processor_seconds() - before);
-        self.times.push((name.to_owned(), processor));
-        let tally = outcome.as_ref().map_or(Tally::FAILED, |(_, tally)| *tally);
+        let (value, tally, failure) = match outcome {
+            Ok((value, tally)) => {
+                let failed = format!("{} of its tests failed or were ignored", tally.failed);
+                (Some(value), tally, (tally.failed > 0).then_some(failed))
+            }
+            Err(error) => (None, Tally::FAILED, Some(format!("{error:#}"))),
+        };
+        let label = if self.has_company { &*label } else { "" };
+        let verdict = if failure.is_none() { "pass" } else { "FAIL" };
         let tests = if tally.passed + tally.failed == 1 { String::new() } else { format!(" ({tally})") };
-        self.tally += tally;
-        let name_again = if self.has_company { format!("{name:.<90} ") } else { String::new() };
-        if tally.failed == 0 {
-            println!("{name_again}pass {seconds:6.1} s, {processor:6.1} s CPU{tests}");
-        } else {
-            let reason = match &outcome {
-                Ok(_) => format!("{} of its tests failed or were ignored", tally.failed),
-                Err(error) => format!("{error:#}"),
-            };
-            let text = progress.into_text();
-            println!(
-                "{name_again}FAIL {seconds:6.1} s, {processor:6.1} s CPU{tests}\n{text}error: {reason}\n"
-            );
-            self.failures.push(format!("{name}: {reason}"));
+        println!("{label}{verdict} {seconds:6.1} s, {processor:6.1} s CPU{tests}");
+        if let Some(reason) = &failure {
+            println!("{}error: {reason}\n", progress.into_text());
         }
-        outcome.ok().map(|(value, _)| value)
+        let failure = failure.map(|reason| format!("{name}: {reason}"));
+        self.done.push(Done { tally, processor, failure });
+        value
     }
 
     /// Runs groups of steps in parallel, for steps that keep only one processor busy. Each step is
@@ -118,19 +114,17 @@ impl Suite {
     pub fn side_by_side<const N: usize>(&mut self, groups: [Group<'_>; N]) {
         let only = &self.only;
         let run = |group: Group<'_>| {
-            let mut suite = Self { has_company: true, ..Self::new(only.clone()) };
+            let mut suite = Self::new(only.clone()).beside_others();
             group(&mut suite);
-            suite
+            suite.done
         };
-        let ended = thread::scope(|scope| {
+        self.done.extend(thread::scope(|scope| {
             let threads = groups.map(|group| scope.spawn(|| run(group)));
-            threads.map(|thread| thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-        });
-        for mut suite in ended {
-            self.tally += suite.tally;
-            self.failures.append(&mut suite.failures);
-            self.times.append(&mut suite.times);
-        }
+            let join = |thread: thread::ScopedJoinHandle<'_, _>| {
+                thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            threads.map(join).into_iter().flatten().collect::<Vec<_>>()
+        }));
     }
 
     /// Runs steps in another program, whose suite [writes a report](Self::report) to the file that is
@@ -138,17 +132,17 @@ impl Suite {
     pub fn run_elsewhere(&mut self, mut program: Command) {
         let name = command::describe(&program);
         let mut run = || {
-            let report = project::target().join("report.json");
-            program.arg(&report).current_dir(project::root());
-            command::run_to_its_end(&mut program)?;
-            let text = std::fs::read_to_string(&report)?;
-            std::fs::remove_file(&report)?;
-            self.read(&serde_json::from_str(&text).context("it has not written its report")?)
+            let file = project::target().join("report.json");
+            command::run_to_its_end(program.arg(&file).current_dir(project::root()))?;
+            serde_json::from_str(&fs::read_to_string(&file)?).context("it has not written its report")
         };
-        if let Err(error) = run() {
-            println!("{name:.<90} FAIL\nerror: {error:#}\n");
-            self.tally += Tally::FAILED;
-            self.failures.push(format!("{name}: {error:#}"));
+        match run() {
+            Ok(done) => self.done.extend::<Vec<Done>>(done),
+            Err(error) => {
+                println!("{name:.<90} FAIL\nerror: {error:#}\n");
+                let failure = Some(format!("{name}: {error:#}"));
+                self.done.push(Done { tally: Tally::FAILED, processor: 0.0, failure });
+            }
         }
     }
 
@@ -159,43 +153,26 @@ impl Suite {
         self
     }
 
-    /// Writes the counts, failures and times for the suite that [ran this
-    /// program](Self::run_elsewhere).
+    /// Writes the ended steps for the suite that [ran this program](Self::run_elsewhere).
     pub fn report(self, file: &Path) -> Result<()> {
-        let report = json!({
-            "passed": self.tally.passed, "failed": self.tally.failed,
-            "failures": self.failures, "times": self.times,
-        });
-        std::fs::write(file, report.to_string()).with_context(|| format!("cannot write {}", file.display()))
+        let report = serde_json::to_string(&self.done)?;
+        fs::write(file, report).with_context(|| format!("cannot write {}", file.display()))
     }
 
-    fn read(&mut self, report: &Value) -> Result<()> {
-        let count = |name: &str| report[name].as_u64().with_context(|| format!("no number `{name}`"));
-        self.tally += Tally { passed: count("passed")?, failed: count("failed")? };
-        self.failures.extend(Vec::<String>::deserialize(&report["failures"])?);
-        self.times.extend(Vec::<(String, f64)>::deserialize(&report["times"])?);
-        Ok(())
-    }
-
-    /// Prints the most expensive steps, the failures and, as the last line, the counts.
-    pub fn finish(mut self) -> ExitCode {
-        println!("\nthe most expensive steps, in seconds of processor time:");
-        self.times.sort_by(|a, b| b.1.total_cmp(&a.1));
-        for (name, processor) in self.times.iter().take(LISTED) {
-            println!("{processor:7.1} s {name}");
-        }
+    /// Prints the failures and, as the last line, the counts.
+    pub fn finish(self) -> ExitCode {
         println!();
-        for failure in &self.failures {
+        for failure in self.done.iter().filter_map(|done| done.failure.as_ref()) {
             println!("FAIL {failure}");
         }
-        if self.tally == Tally::default() {
+        if self.done.is_empty() {
             println!("no step matches the text of --only");
         }
-        let processor: f64 = self.times.iter().map(|(_, processor)| processor).sum();
+        let processor: f64 = self.done.iter().map(|done| done.processor).sum();
         println!("ran for {:.0} s, {processor:.0} s of processor time", self.start.elapsed().as_secs_f64());
-        println!("{}", self.tally);
-        let well = self.tally.failed == 0 && self.tally.passed > 0;
-        if well { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+        let tally: Tally = self.done.iter().map(|done| done.tally).sum();
+        println!("{tally}");
+        if tally.failed == 0 && tally.passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
     }
 }
 
@@ -205,40 +182,27 @@ mod tests {
 
     use super::*;
 
+    /// What has been run: the sum of the tests, and the failures.
+    fn sum(done: &[Done]) -> (String, Vec<&str>) {
+        let tally: Tally = done.iter().map(|done| done.tally).sum();
+        (tally.to_string(), done.iter().filter_map(|done| done.failure.as_deref()).collect())
+    }
+
     #[test]
-    fn a_failure_is_counted_and_the_next_step_still_runs() {
+    fn steps_are_counted_after_a_failure_and_side_by_side() {
         let mut suite = Suite::new(None);
         suite.step("one", |_| bail!("broken"));
-        suite.step("two", |_| Ok(()));
-        suite.count("many", |_| Ok(Tally { passed: 5, failed: 1 }));
-        assert_eq!(suite.tally, Tally { passed: 6, failed: 2 });
-        assert_eq!(suite.failures, ["one: broken", "many: 1 of its tests failed or were ignored"]);
-    }
-
-    #[test]
-    fn steps_side_by_side_are_counted_together() {
-        let mut suite = Suite::new(None);
         suite.side_by_side([
-            Box::new(|suite| suite.step("one", |_| Ok(()))),
-            Box::new(|suite| suite.step("two", |_| bail!("broken"))),
+            Box::new(|suite| suite.step("two", |_| Ok(()))),
+            Box::new(|suite| suite.count("many", |_| Ok(Tally { passed: 5, failed: 1 }))),
         ]);
-        assert_eq!(suite.tally, Tally { passed: 1, failed: 1 });
-        assert_eq!((suite.failures, suite.times.len()), (vec!["two: broken".to_owned()], 2));
-    }
-
-    #[test]
-    fn a_report_is_added_to_the_suite_that_reads_it() {
-        let mut part = Suite::new(None).beside_others();
-        part.step("one", |_| bail!("broken"));
-        part.count("many", |_| Ok(Tally { passed: 5, failed: 0 }));
-        let (file, times) = (tempfile::NamedTempFile::new().unwrap(), part.times.clone());
-        part.report(file.path()).unwrap();
-        let mut whole = Suite::new(None);
-        let report = std::fs::read_to_string(file.path()).unwrap();
-        whole.read(&serde_json::from_str(&report).unwrap()).unwrap();
-        assert_eq!((whole.tally, whole.times), (Tally { passed: 5, failed: 1 }, times));
-        assert_eq!(whole.failures, ["one: broken"]);
-        assert!(Suite::new(None).read(&Value::Null).is_err());
+        let failures = vec!["one: broken", "many: 1 of its tests failed or were ignored"];
+        assert_eq!(sum(&suite.done), ("6 passed, 2 failed".to_owned(), failures));
+        let file = tempfile::NamedTempFile::new().unwrap();
+        let done = suite.done.len();
+        suite.report(file.path()).unwrap();
+        let read: Vec<Done> = serde_json::from_str(&fs::read_to_string(file.path()).unwrap()).unwrap();
+        assert_eq!((read.len(), sum(&read).0), (done, "6 passed, 2 failed".to_owned()));
     }
 
     #[test]
@@ -247,6 +211,6 @@ mod tests {
         suite.step("browser: the camera moves", |_| Ok(()));
         suite.step("format", |_| bail!("never run"));
         assert_eq!(suite.require("the demo is built", |_| Ok(7)), Some(7));
-        assert_eq!(suite.tally, Tally { passed: 2, failed: 0 });
+        assert_eq!(sum(&suite.done), ("2 passed, 0 failed".to_owned(), Vec::new()));
     }
 }

@@ -1,16 +1,18 @@
 //! Counting what passed and what failed.
 
 use std::fmt;
+use std::iter::Sum;
 use std::ops::AddAssign;
 use std::process::Command;
 
 use anyhow::{Result, bail, ensure};
+use serde::{Deserialize, Serialize};
 
 use crate::command;
 use crate::progress::Progress;
 
 /// Numbers of passed and failed tests. A test that did not run counts in neither.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tally {
     /// Tests that passed.
     pub passed: u64,
@@ -27,12 +29,16 @@ impl Tally {
     /// Adds up the `test result:` lines of `cargo test`. An ignored test counts as failed, because
     /// it was not run.
     pub fn of_cargo_test(output: &str) -> Self {
-        let mut tally = Self::default();
-        for line in output.lines().filter_map(|line| line.trim_start().strip_prefix("test result: ")) {
-            tally.passed += count(line, "passed");
-            tally.failed += count(line, "failed") + count(line, "ignored");
-        }
-        tally
+        let results = output.lines().filter_map(|line| line.trim_start().strip_prefix("test result: "));
+        let tally = |line: &str| {
+            // As in `ok. 12 passed; 0 failed; …`.
+            let words: Vec<_> = line.split([' ', ';']).collect();
+            let count = |word| words.windows(2).find(|pair| pair[1] == word)?[0].parse::<u64>().ok();
+            let [passed, failed, ignored] =
+                ["passed", "failed", "ignored"].map(|word| count(word).unwrap_or_default());
+            Self { passed, failed: failed + ignored }
+        };
+        results.map(tally).sum()
     }
 }
 
@@ -63,16 +69,19 @@ pub fn node_test(test: Command, progress: &Progress) -> Result<Tally> {
     }
 }
 
-/// The number before a word, as in `ok. 12 passed; 0 failed; …`.
-fn count(line: &str, word: &str) -> u64 {
-    let parts = line.split([';', '.']).map(str::trim);
-    parts.filter_map(|part| part.strip_suffix(word)?.trim().parse::<u64>().ok()).sum()
-}
-
 impl AddAssign for Tally {
     fn add_assign(&mut self, other: Self) {
         self.passed += other.passed;
         self.failed += other.failed;
+    }
+}
+
+impl Sum for Tally {
+    fn sum<I: Iterator<Item = Self>>(tallies: I) -> Self {
+        tallies.fold(Self::default(), |mut sum, tally| {
+            sum += tally;
+            sum
+        })
     }
 }
 
@@ -87,32 +96,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_results_of_all_test_programs_are_added() {
+    fn results_of_all_test_programs_are_added_and_an_ignored_test_has_not_passed() {
         let output = "
 running 3 tests
+7 passed; 1 failed
+test result of mine ... ok
 test result: ok. 3 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.00s
 error: test failed, to rerun pass `-p luminaire --lib`
-test result: FAILED. 10 passed; 2 failed; 0 ignored; 0 measured; 4 filtered out; finished in 1.20s
+test result: FAILED. 10 passed; 2 failed; 1 ignored; 0 measured; 4 filtered out; finished in 1.20s
    Doc-tests luminaire
 test result: ok. 7 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.31s
 
 all doctests ran in 0.52s; merged doctests compilation took 0.20s
 ";
-        assert_eq!(Tally::of_cargo_test(output), Tally { passed: 20, failed: 2 });
-    }
-
-    #[test]
-    fn an_ignored_test_has_not_passed() {
-        let output = "test result: ok. 1 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out";
-        assert_eq!(Tally::of_cargo_test(output), Tally { passed: 1, failed: 1 });
-    }
-
-    #[test]
-    fn other_lines_count_for_nothing() {
-        assert_eq!(
-            Tally::of_cargo_test("7 passed; 1 failed\ntest result of mine ... ok\n"),
-            Tally::default()
-        );
-        assert_eq!((Tally { passed: 7, failed: 1 }).to_string(), "7 passed, 1 failed");
+        assert_eq!(Tally::of_cargo_test(output).to_string(), "20 passed, 3 failed");
+        assert_eq!(Tally::of_cargo_test("none"), Tally::default());
     }
 }

@@ -33,23 +33,16 @@ const EVALUATIONS: [&str; 5] = ["fx16-quick", "fx16", "fx32", "f32-quick", "f32"
 /// The stage of the recorded picture that depends on the evaluation of the light.
 const LIGHT: &str = "light";
 
-/// Writes the list into the demo's folder, from the records in `docs`. Without records, the list is
-/// `null`.
+/// Writes the list into the demo's folder, from the records in `docs`.
 pub(super) fn write(docs: &Path, site: &Path) -> Result<()> {
-    let read = |name: &str| -> Result<Option<Value>> {
-        let file = docs.join(name);
-        if !file.exists() {
-            return Ok(None);
-        }
-        let text = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
-        serde_json::from_str(&text).with_context(|| format!("{} is no JSON", file.display()))
-    };
-    let list = match (read("frame.json")?, read("accuracy-vs-cost.json")?) {
-        (Some(frame), Some(prices)) => list(&frame, &prices)?,
-        _ => Value::Null,
-    };
     let file = site.join(FILE);
+    let list = list(&read(docs, "frame.json")?, &read(docs, "accuracy-vs-cost.json")?)?;
     fs::write(&file, list.to_string()).with_context(|| format!("cannot write {}", file.display()))
+}
+
+fn read(docs: &Path, name: &str) -> Result<Value> {
+    let text = fs::read_to_string(docs.join(name)).with_context(|| format!("cannot read {name}"))?;
+    serde_json::from_str(&text).with_context(|| format!("{name} is no JSON"))
 }
 
 /// The chips, each with the instructions and cycles of the recorded picture but for its lit points.
@@ -124,15 +117,12 @@ mod tests {
     use super::*;
     use crate::project;
 
-    fn recorded(name: &str) -> Value {
-        serde_json::from_str(&fs::read_to_string(project::root().join("docs").join(name)).unwrap()).unwrap()
-    }
-
     /// The recorded picture has the light by the quick evaluation of 16 bits, which is estimated
     /// here as for every other evaluation.
     #[test]
     fn the_estimate_of_a_picture_is_near_the_recorded_one() {
-        let (frame, prices) = (recorded("frame.json"), recorded("accuracy-vs-cost.json"));
+        let docs = project::root().join("docs");
+        let [frame, prices] = ["frame.json", "accuracy-vs-cost.json"].map(|name| read(&docs, name).unwrap());
         let list = list(&frame, &prices).unwrap();
         let number = |value: &Value| value.as_f64().unwrap();
         for chip in list["chips"].as_array().unwrap() {
@@ -146,30 +136,5 @@ mod tests {
                 assert!(error.abs() < 0.1, "{name}: {estimated} {unit}, {counted} were counted");
             }
         }
-    }
-
-    #[test]
-    fn the_rest_is_what_costs_no_lit_point() {
-        let frame = json!({
-            "pixels": 100, "light": "10 facing away, 20 outside the cone, 30 in shadow, 40 lit",
-            "boards": CHIPS.iter().map(|chip| (chip.name, json!({
-                "instructions": { "geometry": 1000, "light": 5000 },
-            }))).collect::<BTreeMap<_, _>>(),
-        });
-        let rows = EVALUATIONS.iter().flat_map(|format| {
-            [("away", 3.0), ("outside", 5.0)].map(|(kernel, instructions)| {
-                let cost: BTreeMap<_, _> =
-                    CHIPS.iter().map(|chip| (chip.name, json!({ "instructions": instructions }))).collect();
-                json!({ "kernel": kernel, "stage": "lit", "format": format, "cost": cost })
-            })
-        });
-        let prices = json!({ "rows": rows.collect::<Vec<_>>() });
-        let list = list(&frame, &prices).unwrap();
-        assert_eq!(list["reached"], 70.0);
-        let rest = &list["chips"][0]["rest"]["f32"];
-        assert_eq!(rest, &json!({ "instructions": 1130.0, "cycles": null }));
-        assert!(super::list(&json!({ "light": "10 lit" }), &prices).is_err());
-        let told = super::list(&frame, &json!({ "rows": [] })).unwrap_err().to_string();
-        assert!(told.contains("away in fx16-quick on the cortex-m0"), "{told}");
     }
 }

@@ -15,12 +15,23 @@ const NAMES: [&str; 4] = ["LICEN", "COPYING", "UNLICENSE", "NOTICE"];
 /// Writes the licences of the packages that are linked into the firmware of the board, and of the
 /// emulator. Each text is there once, after the names of what it applies to.
 pub(super) fn write(file: &Path, emulator: &Path) -> Result<()> {
-    let mut metadata = board::in_folder(board::RP2040, command::cargo("metadata"));
+    let cargo = |subcommand| board::in_folder(board::RP2040, command::cargo(subcommand));
+    // Without the dependencies of build scripts, and without macros.
+    let mut tree = cargo("tree");
+    tree.args(["--locked", "--edges=normal,no-proc-macro", "--prefix=none", "--target", board::TARGET]);
+    let tree = command::answer(&mut tree)?;
+    let mut metadata = cargo("metadata");
     metadata.args(["--format-version=1", "--locked", "--filter-platform", board::TARGET]);
     let metadata: Value = serde_json::from_str(&command::answer(&mut metadata)?)?;
     let mut names: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-    // The project's own packages have no source.
-    for package in linked(&metadata)?.into_iter().filter(|package| !package["source"].is_null()) {
+    for package in metadata["packages"].as_array().context("the metadata have no packages")? {
+        let [name, version] = ["name", "version"].map(|field| package[field].as_str().unwrap_or_default());
+        let line = format!("{name} v{version}");
+        // The project's own packages have no source.
+        if package["source"].is_null() || !tree.lines().any(|linked| linked.trim_end_matches(" (*)") == line)
+        {
+            continue;
+        }
         let (name, texts) = texts(package)?;
         for text in texts {
             names.entry(text).or_default().insert(name.clone());
@@ -37,31 +48,6 @@ pub(super) fn write(file: &Path, emulator: &Path) -> Result<()> {
         format!("{}\n\n{}\n\n{line}\n\n", names.join(", "), text.trim_end())
     });
     fs::write(file, all.collect::<String>()).with_context(|| format!("cannot write {}", file.display()))
-}
-
-/// The packages that are linked into the program: its dependencies, but for those of build scripts
-/// and of macros.
-fn linked(metadata: &Value) -> Result<Vec<&Value>> {
-    let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
-    let packages = metadata["packages"].as_array().context("the metadata have no packages")?;
-    let by_id: BTreeMap<_, _> = packages.iter().map(|package| (package["id"].as_str(), package)).collect();
-    let nodes = list(&metadata["resolve"]["nodes"]);
-    let nodes: BTreeMap<_, _> = nodes.iter().map(|node| (node["id"].as_str(), &node["deps"])).collect();
-    let mut waiting = vec![metadata["resolve"]["root"].clone()];
-    let (mut known, mut found) = (BTreeSet::new(), Vec::new());
-    while let Some(id) = waiting.pop() {
-        let id = id.as_str();
-        let package = by_id.get(&id).context("a package is missing")?;
-        let is_macro = list(&package["targets"]).iter().any(|target| target["kind"][0] == "proc-macro");
-        if is_macro || !known.insert(id.map(str::to_owned)) {
-            continue;
-        }
-        found.push(*package);
-        let is_linked = |deps: &&Value| list(&deps["dep_kinds"]).iter().any(|kind| kind["kind"].is_null());
-        let deps = list(nodes.get(&id).context("a package is not resolved")?);
-        waiting.extend(deps.iter().filter(is_linked).map(|dependency| dependency["pkg"].clone()));
-    }
-    Ok(found)
 }
 
 /// The name of a package, and the texts of its licences. A package without any gets the text of a
@@ -101,27 +87,6 @@ fn licenses(folder: &Path) -> Result<Vec<String>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn only_what_is_linked_is_listed() {
-        let package = |id: &str, kind: &str| format!(r#"{{"id":"{id}","targets":[{{"kind":["{kind}"]}}]}}"#);
-        let packages = [("a", "bin"), ("b", "lib"), ("macro", "proc-macro"), ("c", "lib"), ("build", "lib")]
-            .map(|(id, kind)| package(id, kind));
-        let metadata = format!(
-            r#"{{"packages":[{}],"resolve":{{"root":"a","nodes":[
-                {{"id":"a","deps":[{{"pkg":"b","dep_kinds":[{{"kind":null}}]}},
-                    {{"pkg":"macro","dep_kinds":[{{"kind":null}}]}},
-                    {{"pkg":"build","dep_kinds":[{{"kind":"build"}}]}}]}},
-                {{"id":"b","deps":[]}},
-                {{"id":"macro","deps":[{{"pkg":"c","dep_kinds":[{{"kind":null}}]}}]}}]}}}}"#,
-            packages.join(",")
-        );
-        let metadata: Value = serde_json::from_str(&metadata).unwrap();
-        let mut found: Vec<_> =
-            linked(&metadata).unwrap().iter().map(|package| package["id"].clone()).collect();
-        found.sort_by_key(Value::to_string);
-        assert_eq!(found, ["a", "b"]);
-    }
 
     #[test]
     fn a_package_without_a_text_gets_that_of_its_licence() {

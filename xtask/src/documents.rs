@@ -1,0 +1,75 @@
+//! What comments and documents must contain, and must not.
+
+use std::path::Path;
+
+use tools::project;
+
+/// A phrase for which the field has a plainer word, and what to write instead.
+const PHRASES: [(&str, &str); 18] = [
+    (" is told ", "returns, states"),
+    (" are told ", "return, state"),
+    (" is asked ", "is tested, is required"),
+    (" are asked ", "are tested, are required"),
+    (" asks for ", "requires"),
+    (" asked for ", "required"),
+    (" paid for", "computed, costs"),
+    (" held to ", "bounded by"),
+    (" leaves of ", "transmits"),
+    (" so many ", "N"),
+    (" is another ", "has changed"),
+    (" not a number", "NaN"),
+    (" the dearest", "the most expensive"),
+    (" anew", "again"),
+    (" a house", "a layout"),
+    (" calls for ", "needs"),
+    (" call for ", "need"),
+    (" called for ", "needed"),
+];
+
+/// The title of the request that started the project, and a quotation of it. Both may contain a
+/// listed phrase.
+const QUOTED: [&str; 2] = ["only what a scene calls for", "effects called for"];
+
+/// Build folders, and files whose wording is historical or is this list itself.
+const EXEMPT: [&str; 5] = [".git", "target", "node_modules", "CHANGELOG.md", "documents.rs"];
+
+/// The listed phrases in the comments of a Rust file or in the text of a document, each with file, line
+/// number and replacement.
+fn phrases(path: &Path, text: &str) -> Vec<String> {
+    let extension = path.extension().unwrap_or_default();
+    let mut found = Vec::new();
+    for (number, line) in (1..).zip(text.lines()) {
+        let prose = match line.split_once("//") {
+            Some((_, comment)) if extension == "rs" => comment,
+            _ if extension == "md" => line,
+            _ => continue,
+        };
+        let prose = format!(" {} ", prose.to_lowercase());
+        let prose = QUOTED.iter().fold(prose, |prose, quoted| prose.replace(quoted, ""));
+        for (phrase, instead) in PHRASES.iter().filter(|(phrase, _)| prose.contains(phrase)) {
+            found.push(format!("{}:{number}: `{}`: expected {instead}", path.display(), phrase.trim()));
+        }
+    }
+    found
+}
+
+#[test]
+fn comments_and_documents_have_none_of_the_phrases() {
+    assert_eq!(phrases(Path::new("a.rs"), "let a = \" is told \"; // It is told anew.").len(), 2);
+    let files = project::files(project::root(), &EXEMPT).unwrap();
+    let texts = files.iter().filter_map(|(path, content)| Some((path, str::from_utf8(content).ok()?)));
+    let lines: Vec<_> = texts.flat_map(|(path, text)| phrases(path, text)).collect();
+    assert!(lines.is_empty(), "{}", lines.join("\n"));
+}
+
+#[test]
+fn a_block_of_the_readme_is_the_file_that_it_names() {
+    let text = |file: &str| std::fs::read_to_string(project::root().join(file)).unwrap();
+    let readme = text("README.md");
+    // The text of the block whose first line is this one.
+    let block =
+        |first: &str| readme.split_once(&format!("\n{first}\n"))?.1.split_once("```").map(|block| block.0);
+    assert_eq!(block("// src/lib.rs"), Some(&*text("examples/boards/template/src/lib.rs")));
+    let hello = text("core/examples/hello.rs");
+    assert!(hello.ends_with(block("```rust").unwrap()), "expected {hello}");
+}
