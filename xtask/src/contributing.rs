@@ -104,7 +104,7 @@ fn patched(difference: &str) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
     fs::write(&patch, difference)?;
     let mut git = Command::new("git");
     git.arg("apply").arg(&patch).current_dir(&folder).env("GIT_CEILING_DIRECTORIES", project::target());
-    let ended = command::capture(git)?;
+    let ended = command::capture(git, |_| {})?;
     ensure!(ended.success, "the example of CONTRIBUTING.md does not apply:\n{}", ended.output);
     let read = |path: &&str| Ok((PathBuf::from(path), fs::read(folder.join(path))?));
     touched.iter().map(read).collect()

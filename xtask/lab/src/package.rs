@@ -43,11 +43,12 @@ const QUICK: [(&str, &str, &str); 2] = [
     ("src/lib.rs", "CompiledSpotLight", "QuickSpotLight"),
 ];
 
-/// Where the template has the kernel.
-const KERNEL: &str = "path = \"../../core\"";
-
 /// Where the manifests of folders have the crates.
-const IN_FOLDERS: [(&str, &str); 2] = [(KERNEL, "luminaire"), ("path = \"../../capi\"", "luminaire-c")];
+const IN_FOLDERS: [(&str, &str); 3] = [
+    ("path = \"../../core\"", "luminaire"),
+    ("path = \"../../../core\"", "luminaire"),
+    ("path = \"../../export/capi\"", "luminaire-c"),
+];
 
 /// The target of the template: the smallest supported processor.
 const TARGET: &str = "thumbv6m-none-eabi";
@@ -93,10 +94,8 @@ impl Unpacked {
         let mut package = command::cargo("package");
         package.args(["--allow-dirty", "--no-verify"]);
         package.args(CRATES.iter().flat_map(|(name, _)| ["--package", name]));
-        let ended = command::capture(package)?;
-        progress.quote(&ended.output);
-        ensure!(ended.success, "cargo package failed");
-        let warnings = ended.output.lines().filter(|line| line.starts_with("warning"));
+        let output = progress.output(package)?;
+        let warnings = output.lines().filter(|line| line.starts_with("warning"));
         let others: Vec<_> =
             warnings.filter(|line| !ACCEPTED.iter().any(|accepted| line.contains(accepted))).collect();
         ensure!(others.is_empty(), "expected no warning but {ACCEPTED:?}, found {others:?}");

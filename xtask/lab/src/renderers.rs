@@ -53,10 +53,8 @@ pub(crate) fn steps(suite: &mut Suite) {
 /// Draws all pictures and compares them, in a folder that holds the workspace. Returns a row of the table
 /// for each renderer.
 pub(crate) fn pictures(folder: &Path, progress: &Progress) -> Result<Vec<String>> {
-    let ended = command::capture(cargo("test", folder, &["--workspace", "--", "--nocapture"]))?;
-    progress.quote(&ended.output);
-    ensure!(ended.success, "a renderer's test failed");
-    let rows = ended.output.lines().filter(|line| line.starts_with("| "));
+    let output = progress.output(cargo("test", folder, &["--workspace", "--", "--nocapture"]))?;
+    let rows = output.lines().filter(|line| line.starts_with("| "));
     Ok(rows.map(str::to_owned).collect())
 }
 

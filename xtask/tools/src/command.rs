@@ -7,17 +7,17 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::{env, iter};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, ensure};
 use wait4::Wait4 as _;
 
 use crate::project;
 
-/// The result of a program that has ended: its success and its output.
+/// A program that has ended.
 #[derive(Debug)]
 pub struct Ended {
     /// Whether it succeeded.
     pub success: bool,
-    /// The program's stdout and stderr, in the order of writing.
+    /// Its stdout and stderr, in the order of writing.
     pub output: String,
 }
 
@@ -56,29 +56,18 @@ pub fn cargo(subcommand: &str) -> Command {
     command
 }
 
-/// Runs a program and writes all its output to stderr, because stdout is reserved for results.
-pub fn run_live(command: &mut Command) -> Result<()> {
-    run_to_its_end(command.stdout(io::stderr()))
-}
-
 /// Runs a program that must succeed, with the streams that it is given.
-pub fn run_to_its_end(command: &mut Command) -> Result<()> {
+pub fn run(command: &mut Command) -> Result<()> {
     let started = command.stdin(Stdio::null()).spawn();
     let child = started.with_context(|| format!("cannot start {}", describe(command)))?;
     let status = end(child).with_context(|| format!("cannot wait for {}", describe(command)))?;
-    if !status.success() {
-        bail!("{} failed ({status})", describe(command));
-    }
+    ensure!(status.success(), "{} failed ({status})", describe(command));
     Ok(())
 }
 
-/// Runs a program and keeps what it writes to stdout and stderr, in the order of writing.
-pub fn capture(command: Command) -> Result<Ended> {
-    capture_and_tell(command, |_| {})
-}
-
-/// Like [`capture`]; `tell` also receives each piece of output as it is written.
-pub fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended> {
+/// Runs a program and keeps what it writes to stdout and stderr, in the order of writing. `tell` also
+/// receives each piece of output as it is written.
+pub fn capture(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended> {
     let name = describe(&command);
     let (mut reader, writer) = io::pipe().context("cannot make a pipe")?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
@@ -88,13 +77,12 @@ pub fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Res
     drop(command);
     let (mut output, mut part) = (Vec::new(), [0; 4096]);
     loop {
-        match reader.read(&mut part).with_context(|| format!("cannot read what {name} writes"))? {
-            0 => break,
-            length => {
-                tell(&String::from_utf8_lossy(&part[..length]));
-                output.extend_from_slice(&part[..length]);
-            }
+        let length = reader.read(&mut part).with_context(|| format!("cannot read what {name} writes"))?;
+        if length == 0 {
+            break;
         }
+        tell(&String::from_utf8_lossy(&part[..length]));
+        output.extend_from_slice(&part[..length]);
     }
     let status = end(child).with_context(|| format!("cannot wait for {name}"))?;
     Ok(Ended { success: status.success(), output: String::from_utf8_lossy(&output).into_owned() })
@@ -104,10 +92,9 @@ pub fn capture_and_tell(mut command: Command, mut tell: impl FnMut(&str)) -> Res
 pub fn answer(command: &mut Command) -> Result<String> {
     // Its processor time is not counted: it only answers a question.
     let output = command.output().with_context(|| format!("cannot start {}", describe(command)))?;
-    if !output.status.success() {
-        let complaint = String::from_utf8_lossy(&output.stderr);
-        bail!("{} failed ({}): {}", describe(command), output.status, complaint.trim());
-    }
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    let status = output.status;
+    ensure!(status.success(), "{} failed ({status}): {}", describe(command), complaint.trim());
     Ok(String::from_utf8_lossy(&output.stdout).trim_end().to_owned())
 }
 
@@ -141,7 +128,7 @@ mod tests {
 
     #[test]
     fn a_program_that_is_not_there_is_named() {
-        let error = capture(Command::new("no-such-program")).err().unwrap();
+        let error = capture(Command::new("no-such-program"), |_| {}).err().unwrap();
         assert!(error.to_string().contains("no-such-program"), "{error}");
         assert_eq!(on_path(&["no-such-program"]), None);
     }

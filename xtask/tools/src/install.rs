@@ -74,7 +74,7 @@ pub fn apt_get(words: &[&str], folder: &Path, progress: &Progress) -> Result<()>
         // apt's messages are parsed, so they must be English.
         apt.env("DEBIAN_FRONTEND", "noninteractive").env("LC_ALL", "C").current_dir(folder);
         let name = command::describe(&apt);
-        let ended = command::capture_and_tell(apt, |text| progress.quote(text))?;
+        let ended = progress.capture(apt)?;
         if ended.success {
             return Ok(());
         }

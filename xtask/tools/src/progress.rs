@@ -2,12 +2,13 @@
 
 use std::cell::RefCell;
 use std::fmt::Display;
+use std::io;
 use std::process::Command;
 use std::time::Instant;
 
-use anyhow::{Result, bail};
+use anyhow::{Result, ensure};
 
-use crate::command;
+use crate::command::{self, Ended};
 
 /// Where progress is written: to stderr as it happens, or into a text that is shown only if
 /// something fails.
@@ -45,8 +46,7 @@ impl Progress {
         self.quote(&format!("{verb:>12} {what}\n"));
     }
 
-    /// Writes the output of another program.
-    pub fn quote(&self, text: &str) {
+    fn quote(&self, text: &str) {
         match self {
             Self::Live => eprint!("{text}"),
             Self::Kept(kept) => kept.borrow_mut().push_str(text),
@@ -59,20 +59,27 @@ impl Progress {
         Step { progress: self, start: Instant::now() }
     }
 
-    /// Runs a program that must succeed, its output being part of the progress.
+    /// Runs a program that must succeed. Its output is part of the progress, and keeps its colours on a
+    /// terminal.
     pub fn run(&self, mut command: Command) -> Result<()> {
         match self {
-            Self::Live => command::run_live(&mut command),
-            Self::Kept(_) => {
-                let name = command::describe(&command);
-                let ended = command::capture(command)?;
-                self.quote(&ended.output);
-                if !ended.success {
-                    bail!("{name} failed");
-                }
-                Ok(())
-            }
+            // Stdout is reserved for results.
+            Self::Live => command::run(command.stdout(io::stderr())),
+            Self::Kept(_) => self.output(command).map(drop),
         }
+    }
+
+    /// Runs a program that must succeed. Returns its output, which is part of the progress.
+    pub fn output(&self, command: Command) -> Result<String> {
+        let name = command::describe(&command);
+        let ended = self.capture(command)?;
+        ensure!(ended.success, "{name} failed");
+        Ok(ended.output)
+    }
+
+    /// Runs a program that may fail. Its output is part of the progress.
+    pub fn capture(&self, command: Command) -> Result<Ended> {
+        command::capture(command, |text| self.quote(text))
     }
 }
 

@@ -133,7 +133,7 @@ impl Suite {
         let name = command::describe(&program);
         let mut run = || {
             let file = project::target().join("report.json");
-            command::run_to_its_end(program.arg(&file).current_dir(project::root()))?;
+            command::run(program.arg(&file).current_dir(project::root()))?;
             serde_json::from_str(&fs::read_to_string(&file)?).context("it has not written its report")
         };
         match run() {

@@ -8,7 +8,6 @@ use std::process::Command;
 use anyhow::{Result, bail, ensure};
 use serde::{Deserialize, Serialize};
 
-use crate::command;
 use crate::progress::Progress;
 
 /// Numbers of passed and failed tests. A test that did not run counts in neither.
@@ -44,8 +43,7 @@ impl Tally {
 
 /// Runs `cargo test` and adds up its results. It is an error if no test was run.
 pub fn cargo_test(test: Command, progress: &Progress) -> Result<Tally> {
-    let ended = command::capture(test)?;
-    progress.quote(&ended.output);
+    let ended = progress.capture(test)?;
     let mut tally = Tally::of_cargo_test(&ended.output);
     ensure!(tally != Tally::default(), "no test was run");
     // A test program that does not compile, or that crashes, prints no `test result:` line.
@@ -57,10 +55,9 @@ pub fn cargo_test(test: Command, progress: &Progress) -> Result<Tally> {
 
 /// Runs tests by node and adds up its results. It is an error if no test was run.
 pub fn node_test(test: Command, progress: &Progress) -> Result<Tally> {
-    let ended = command::capture(test)?;
-    progress.quote(&ended.output);
+    let output = progress.capture(test)?.output;
     let count = |word: &str| {
-        let lines = ended.output.lines().filter_map(|line| line.split_once(&format!(" {word} ")));
+        let lines = output.lines().filter_map(|line| line.split_once(&format!(" {word} ")));
         lines.filter_map(|(_, number)| number.trim().parse::<u64>().ok()).next_back()
     };
     match (count("pass"), count("fail")) {

@@ -27,10 +27,7 @@ pub fn run(suite: &mut Suite, boards: &[&'static Board]) {
         progress.run(cargo)
     });
     suite.count("firmware: its tests on the host", |progress| {
-        let ended = command::capture(laboratory::firmware(command::cargo("test")))?;
-        progress.quote(&ended.output);
-        ensure!(ended.success, "cargo test failed");
-        Ok(Tally::of_cargo_test(&ended.output))
+        Ok(Tally::of_cargo_test(&progress.output(laboratory::firmware(command::cargo("test")))?))
     });
     suite.step("firmware: built for each board", |progress| {
         laboratory::build_for_all(boards, &["--release", "--bins"], progress)

@@ -8,7 +8,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 
 use super::licenses;
-use super::site::Build;
+use super::shrink::Build;
 use crate::board::RP2040;
 use crate::progress::Progress;
 use crate::{board, install, project, wasm};

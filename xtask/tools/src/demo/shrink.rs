@@ -25,9 +25,27 @@ const ARGUMENTS: [&str; 9] = [
     "--enable-reference-types",
 ];
 
+/// How the demo is built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Build {
+    /// Without the view of the chip, whose firmware and hardware layer are built for another target.
+    Part,
+    /// All of it.
+    Whole,
+    /// All of it as it is published: shrunk by `wasm-opt`.
+    Small,
+}
+
+impl Build {
+    /// Makes a bound module what the page loads.
+    pub(super) fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
+        if self == Self::Small { shrink(module, progress) } else { Ok(()) }
+    }
+}
+
 /// Shrinks the module in place. Without `wasm-opt` the demo works but is larger, so a missing
 /// `wasm-opt` is reported and is no error.
-pub(super) fn shrink(module: &Path, progress: &Progress) -> Result<()> {
+fn shrink(module: &Path, progress: &Progress) -> Result<()> {
     let Some(wasm_opt) = find(progress) else {
         let name = module.display();
         progress.say("Leaving", format_args!("{name}: no wasm-opt (install binaryen, or npm) to shrink it"));

@@ -6,10 +6,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 
-use super::{chip, chips, shrink};
+use super::{chip, chips};
 use crate::progress::Progress;
 use crate::project;
 use crate::wasm;
+
+pub use super::shrink::Build;
 
 /// The picture that other sites show beside a link to the demo.
 pub const PREVIEW: &str = "preview.png";
@@ -22,17 +24,6 @@ pub fn views() -> impl Iterator<Item = &'static str> {
     let navigation = PAGE.split_once("<nav class=\"views\"").and_then(|(_, rest)| rest.split_once("</nav>"));
     let links = navigation.map_or("", |(links, _)| links).split("href=\"#").skip(1);
     links.filter_map(|link| Some(link.split_once('"')?.0))
-}
-
-/// How the demo is built.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Build {
-    /// Without the view of the chip, whose firmware and hardware layer are built for another target.
-    Part,
-    /// All of it.
-    Whole,
-    /// All of it as it is published: shrunk by `wasm-opt`.
-    Small,
 }
 
 /// The view that a [part](Build::Part) of the demo has not.
@@ -72,13 +63,6 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
         if build == Build::Part { Ok(()) } else { chip::write(new, build, progress) }
     })?;
     Ok(site)
-}
-
-impl Build {
-    /// Makes a bound module what the page loads.
-    pub(super) fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
-        if self == Self::Small { shrink::shrink(module, progress) } else { Ok(()) }
-    }
 }
 
 /// Fills a new folder, and replaces `folder` by it once it is complete, because `folder` may be in
