@@ -1,8 +1,7 @@
-//! The worked example of `CONTRIBUTING.md`, applied to a copy of the tree.
+//! The worked examples of `CONTRIBUTING.md`, applied to a copy of the tree.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
@@ -12,30 +11,26 @@ use tools::progress::Progress;
 use tools::project;
 use tools::suite::Suite;
 
-/// Upper bound of the number of files that one edits by hand to add a falloff.
+/// Upper bound of the number of files that one edits by hand to add a model.
 const MOST_FILES: usize = 3;
 
 /// Files and folders that are not copied, by the end of their path.
 const NOT_COPIED: [&str; 4] = [".git", "target", "node_modules", "benches/firmware/effects/src/bin"];
 
-/// Adds the steps: all packages of the copy compile, and its host tests pass, once its bounds are
+/// Adds the steps: all packages of the copy compile, and its host tests pass once its bounds are
 /// recorded.
 pub(crate) fn run(suite: &mut Suite) {
-    suite.step("contributing: the worked example compiles for all packages", |progress| {
-        let tree = Tree::with_the_example()?;
+    suite.step("contributing: the worked examples compile for all packages", |progress| {
+        let tree = Tree::with_the_examples()?;
         progress.run(tree.cargo("", &["check", "--workspace", "--all-targets"]))?;
-        progress.run(
-            tree.cargo(
-                "benches/firmware",
-                &["check", "--workspace", "--all-targets", "--features", "effects"],
-            ),
-        )
+        let check = ["check", "--workspace", "--all-targets", "--features", "effects"];
+        progress.run(tree.cargo("benches/firmware", &check))
     });
-    suite.step("contributing: the worked example passes the host tests", passes);
+    suite.step("contributing: the worked examples pass the host tests", passes);
 }
 
 fn passes(progress: &Progress) -> Result<()> {
-    let tree = Tree::with_the_example()?;
+    let tree = Tree::with_the_examples()?;
     let written: [(&[&str], &str); 2] = [
         (&["run", "-p", "luminaire-conform", "--bin", "conform", "generate"], "tests/conform/vectors.txt"),
         (&["run", "-p", "suite", "--example", "worst-places"], "tests/slow/worst/places.txt"),
@@ -56,15 +51,11 @@ struct Tree {
 }
 
 impl Tree {
-    /// The tree as the example leaves it.
-    fn with_the_example() -> Result<Self> {
-        let page = fs::read_to_string(project::root().join("CONTRIBUTING.md"))?;
-        let example = patched(difference(&page)?)?;
-        ensure!(example.len() <= MOST_FILES, "the example touches {} files", example.len());
+    /// The tree as the examples leave it.
+    fn with_the_examples() -> Result<Self> {
         let tree = Self { folder: project::target().join("contributing") };
-        let mut files = project::files(project::root(), &NOT_COPIED)?;
-        files.extend(example);
-        project::mirror(&files, &tree.folder, &NOT_COPIED)?;
+        project::mirror(&project::files(project::root(), &NOT_COPIED)?, &tree.folder, &NOT_COPIED)?;
+        examples()?.iter().try_for_each(|example| apply(example, &[], &tree.folder))?;
         Ok(tree)
     }
 
@@ -79,56 +70,41 @@ impl Tree {
     }
 }
 
-/// The diff of the worked example on the page.
-fn difference(page: &str) -> Result<&str> {
-    let (_, rest) = page.split_once("```diff\n").context("CONTRIBUTING.md has no example")?;
-    let (difference, _) = rest.split_once("```").context("the example of CONTRIBUTING.md does not end")?;
-    Ok(difference)
+/// The diffs of the worked examples on the page.
+fn examples() -> Result<Vec<String>> {
+    let page = fs::read_to_string(project::root().join("CONTRIBUTING.md"))?;
+    let examples = page.split("```diff\n").skip(1).map(|rest| {
+        let (example, _) = rest.split_once("```").context("an example of CONTRIBUTING.md does not end")?;
+        let touched = example.lines().filter(|line| line.starts_with("+++ b/")).count();
+        ensure!((1..=MOST_FILES).contains(&touched), "an example touches {touched} files");
+        Ok(example.to_owned())
+    });
+    let examples: Vec<_> = examples.collect::<Result<_>>()?;
+    ensure!(!examples.is_empty(), "CONTRIBUTING.md has no example");
+    Ok(examples)
 }
 
-/// The files that a diff touches, with their content after it is applied.
-fn patched(difference: &str) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
-    let touched: Vec<_> = difference.lines().filter_map(|line| line.strip_prefix("+++ b/")).collect();
-    let folder = project::target().join("contributing.example");
-    if folder.exists() {
-        fs::remove_dir_all(&folder)?;
-    }
-    for path in &touched {
-        let (from, to) = (project::root().join(path), folder.join(path));
-        fs::create_dir_all(to.parent().unwrap_or(&to))?;
-        if from.exists() {
-            fs::copy(from, to)?;
-        }
-    }
-    let patch = folder.join("example.diff");
-    fs::write(&patch, difference)?;
+/// Applies a diff to a folder.
+fn apply(difference: &str, options: &[&str], folder: &Path) -> Result<()> {
+    let file = project::target().join("contributing.diff");
+    fs::write(&file, difference)?;
     let mut git = Command::new("git");
-    git.arg("apply").arg(&patch).current_dir(&folder).env("GIT_CEILING_DIRECTORIES", project::target());
+    // The copy is no part of the repository that it is in.
+    git.arg("apply").args(options).arg(&file).current_dir(folder);
+    git.env("GIT_CEILING_DIRECTORIES", project::target());
     let ended = command::capture(git, |_| {})?;
-    ensure!(ended.success, "the example of CONTRIBUTING.md does not apply:\n{}", ended.output);
-    let read = |path: &&str| Ok((PathBuf::from(path), fs::read(folder.join(path))?));
-    touched.iter().map(read).collect()
+    ensure!(ended.success, "an example of CONTRIBUTING.md does not apply:\n{}", ended.output);
+    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use super::*;
 
     #[test]
-    fn an_example_ends_where_its_block_does() {
-        assert_eq!(difference("a\n```diff\n+b\n```\nc\n").unwrap(), "+b\n");
-        assert!(difference("none").is_err());
-    }
-
-    #[test]
-    fn the_example_applies_to_at_most_three_files() {
-        let page = fs::read_to_string(project::root().join("CONTRIBUTING.md")).unwrap();
-        let files = patched(difference(&page).unwrap()).unwrap();
-        assert!(
-            files.len() <= MOST_FILES && files.contains_key(Path::new("core/src/models.rs")),
-            "{files:?}"
-        );
+    fn each_example_applies_and_touches_at_most_three_files() {
+        for example in examples().unwrap() {
+            apply(&example, &["--check"], project::root()).unwrap();
+        }
     }
 }

@@ -78,22 +78,6 @@ mod tests {
     }
 
     #[test]
-    fn targets_are_taken_one_by_one() {
-        let Request::Firmware(options) = parse("firmware --target cortex-m0 --target rv32imc").unwrap()
-        else {
-            panic!("another command");
-        };
-        assert_eq!(
-            options.boards.iter().map(|board| board.name).collect::<Vec<_>>(),
-            ["cortex-m0", "rv32imc"]
-        );
-        let Request::Conform(options) = parse("conform --target host --target wasm").unwrap() else {
-            panic!("another command");
-        };
-        assert_eq!(options.targets.len(), 2);
-    }
-
-    #[test]
     fn a_refused_word_is_named_with_what_is_expected() {
         for (line, name) in [
             ("tset", "tset"),
