@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use crate::name::printable;
-
 /// A light, a name or a language that cannot be exported.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ExportError {
@@ -39,4 +37,14 @@ impl From<luminaire::Error> for ExportError {
         let (value, expected) = rest.split_once(": expected ").unwrap_or((rest, "a valid light"));
         Self::new(parameter, value, expected)
     }
+}
+
+/// Returns a text with the characters escaped that a terminal does not print: a message repeats what
+/// it refuses.
+pub fn printable(text: &str) -> String {
+    let escaped = |c: char| match c {
+        '\'' | '"' | '\\' => c.to_string(),
+        _ => c.escape_debug().to_string(),
+    };
+    text.chars().map(escaped).collect()
 }

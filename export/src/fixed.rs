@@ -1,6 +1,6 @@
 //! Lights as C in the integers of the 16-bit format.
 
-mod attenuation;
+pub(crate) mod attenuation;
 mod curve;
 
 use std::fmt::Write;
@@ -10,12 +10,12 @@ use luminaire::codegen::{Parts, Tables};
 use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Rgb};
 
-pub(crate) use self::attenuation::FixedAttenuation;
 use self::attenuation::{Law, Precision, gain_of};
 use crate::error::ExportError;
+use crate::head::head;
+use crate::models;
 use crate::name::global;
 use crate::trace::Trace;
-use crate::{head, models};
 
 /// The shared functions, without the tables.
 const HEADER: &str = include_str!("../c/luminaire_fx16.h");

@@ -63,13 +63,10 @@
 //! slope]`: a line starts at `u = place / 65536` and rises by `slope / 32768` per unit of `place`.
 #![forbid(unsafe_code)]
 
-// Modules, lowest first: `name`, `error`, `language`, `trace`, `json`, `fixed`, `shader`, `models`, `rust`,
-// `script`. The three before `models` take an attenuation from there, which is an object of their
-// traits.
-
 mod arduino;
 mod error;
 mod fixed;
+mod head;
 mod json;
 mod language;
 mod models;
@@ -83,10 +80,10 @@ use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Fx32};
 
 pub use crate::arduino::arduino;
-pub use crate::error::ExportError;
+pub use crate::error::{ExportError, printable};
 pub use crate::fixed::c_header;
 pub use crate::language::Language;
-pub use crate::name::{check_text, printable};
+pub use crate::name::check_text;
 use crate::shader::Syntax;
 
 /// Returns a light as source of a language.
@@ -113,22 +110,6 @@ pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Res
         Language::RustFixed32 => rust::export::<Fx32>(&light, name),
         Language::RustFixed16 => rust::export::<Fx16>(&light, name),
     }
-}
-
-/// Returns the lines of the comment that begins a file.
-fn head(light: &AnyLight, name: &str) -> Vec<String> {
-    let version = env!("CARGO_PKG_VERSION");
-    let mut lines = vec![format!("The light {name}, written by luminaire-export {version}: do not edit.")];
-    if let AnyLight::Spot(spot) = light {
-        let cone = spot.cone();
-        let [beam, field, outer] = [cone.beam(), cone.field(), cone.outer()].map(|angle| angle.to_degrees());
-        let falloff = cone.falloff().effect().name();
-        lines.push(format!(
-            "A spotlight: falloff {falloff}, full angles in degrees: beam {beam:.2}, field {field:.2}, outer {outer:.2}."
-        ));
-    }
-    lines.push("Lengths have the unit of the scene; light is linear, and 1 is full scale.".to_owned());
-    lines
 }
 
 #[cfg(doctest)]

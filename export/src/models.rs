@@ -2,9 +2,9 @@
 
 use luminaire::attenuation::AnyAttenuation;
 
-use crate::fixed::FixedAttenuation;
-use crate::json::DescribedAttenuation;
-use crate::shader::FloatAttenuation;
+use crate::fixed::attenuation::FixedAttenuation;
+use crate::json::attenuation::DescribedAttenuation;
+use crate::shader::attenuation::FloatAttenuation;
 
 /// An attenuation that can be exported.
 pub(crate) trait Exported: FloatAttenuation + FixedAttenuation + DescribedAttenuation {}

@@ -32,16 +32,6 @@ pub(crate) fn check_identifier(name: &str) -> Result<(), ExportError> {
     Err(ExportError::new("name", name, expected))
 }
 
-/// Returns a text with the characters escaped that a terminal does not print: a message repeats what
-/// it refuses.
-pub fn printable(text: &str) -> String {
-    let escaped = |c: char| match c {
-        '\'' | '"' | '\\' => c.to_string(),
-        _ => c.escape_debug().to_string(),
-    };
-    text.chars().map(escaped).collect()
-}
-
 /// Returns the global name of a part of a light: `key_irradiance`, and `luminaire_key_FineCurve` of
 /// what is not for users.
 ///

@@ -8,7 +8,7 @@ use luminaire::light::{CompiledCone, CompiledPointLight, CompiledSpotLight};
 use luminaire::{PointLight, Rgb, Scalar, SpotLight};
 
 use crate::error::ExportError;
-use crate::head;
+use crate::head::head;
 
 /// Returns a module with the constant `LIGHT` in the format `S`.
 pub(crate) fn export<S: Scalar>(light: &AnyLight, name: &str) -> Result<String, ExportError> {

@@ -6,8 +6,9 @@ use luminaire::falloff::AnyFalloff;
 use luminaire::{Angle, Cone, Fx16, Rgb};
 
 use crate::error::ExportError;
+use crate::head::head;
+use crate::models;
 use crate::rust::{attenuation_type, falloff_source};
-use crate::{head, models};
 
 /// The parts of a script that depend on the kind of a light.
 struct Parts {

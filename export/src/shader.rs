@@ -1,18 +1,18 @@
 //! Lights as functions in `f32`: GLSL, WGSL and C.
 
-mod attenuation;
+pub(crate) mod attenuation;
 mod expression;
 mod falloff;
 mod light;
+mod names;
 mod syntax;
 
 use luminaire::dynamic::AnyLight;
 
-pub(crate) use self::attenuation::FloatAttenuation;
-use self::light::Names;
+use self::names::Names;
 pub(crate) use self::syntax::Syntax;
 use crate::error::ExportError;
-use crate::head;
+use crate::head::head;
 
 /// Returns the functions of a light.
 pub(crate) fn export(light: &AnyLight, name: &str, syntax: Syntax) -> Result<String, ExportError> {

@@ -5,7 +5,7 @@ use luminaire::number::Knot;
 use super::expression::{
     Builtin, Constant, Expression, Function, Statement, Type, Value, call, clamp, if_less, name, number,
 };
-use super::light::Names;
+use super::names::Names;
 use crate::error::ExportError;
 use crate::trace::{Operation, Trace};
 

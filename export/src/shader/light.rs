@@ -10,25 +10,10 @@ use super::expression::{
     number, quotient, vector,
 };
 use super::falloff;
+use super::names::Names;
 use crate::error::ExportError;
 use crate::models;
-use crate::name::global;
 use crate::trace::Trace;
-
-/// The names of a light's constants and functions.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Names<'a>(pub(crate) &'a str);
-
-impl Names<'_> {
-    /// Returns a name.
-    pub(crate) fn of(&self, part: &str) -> String {
-        global(self.0, part)
-    }
-
-    fn constant(&self, part: &str, doc: &'static str, value: Value) -> Constant {
-        Constant { doc, name: self.of(part), value }
-    }
-}
 
 /// Returns the functions of a light.
 pub(super) fn program(names: Names<'_>, light: &AnyLight) -> Result<Program, ExportError> {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::expression::{Builtin, Constant, Expression, Function, Program, Statement, Type, Value};
-use super::light::Names;
+use super::names::Names;
 
 /// A language with `f32`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
