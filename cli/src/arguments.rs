@@ -6,7 +6,7 @@ use luminaire::falloff::AnyFalloff;
 use luminaire_export::Language;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
-use crate::model::{self, Law, Window};
+use crate::words::{self, Law, Window};
 
 /// Spotlights from the angles of a data sheet: their cheapest evaluation on a chip, and their source in
 /// other languages.
@@ -105,7 +105,7 @@ pub(crate) struct Export {
     /// soft, hard, linear, smooth, step, quadratic=A, cubic=A,D, power=N, inverted-power=N,
     /// real-power=P, inverted-real-power=P or
     /// table=SAMPLES from 65535 on the axis [default: soft]
-    #[arg(long, value_parser = model::falloff)]
+    #[arg(long, value_parser = words::falloff)]
     pub(crate) falloff: Option<AnyFalloff>,
     #[command(flatten)]
     pub(crate) spot: Spot,

@@ -7,6 +7,7 @@ mod arguments;
 mod model;
 mod show;
 mod text;
+mod words;
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
