@@ -64,6 +64,19 @@ pub struct Control {
     pub is_logarithmic: bool,
 }
 
+impl Control {
+    /// A control with a linear slider, from the least value over that of the start to the largest.
+    pub(crate) const fn linear(label: &'static str, unit: &'static str, range: [f32; 3]) -> Self {
+        let [least, start, most] = range;
+        Self { label, unit, least, most, start, is_logarithmic: false }
+    }
+
+    /// A control with a logarithmic slider, from the least value over that of the start to the largest.
+    pub(crate) const fn logarithmic(label: &'static str, unit: &'static str, range: [f32; 3]) -> Self {
+        Self { is_logarithmic: true, ..Self::linear(label, unit, range) }
+    }
+}
+
 /// Bounds of the largest errors over the pixels of a picture of 100 x 100 pixels at the start of
 /// the control, in linear codes. They are exhaustive over these points.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -29,14 +29,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
         hard edge of the crate. Two of its coefficients are divided by (1 - cr)^2, the first is not.",
     no_better: "With the division both pictures are the same.",
     agrees_at: None,
-    control: Control {
-        label: "Half angle",
-        unit: "°",
-        least: 10.0,
-        most: 75.0,
-        start: 30.0,
-        is_logarithmic: false,
-    },
+    control: Control::linear("Half angle", "°", [10.0, 30.0, 75.0]),
     bounds: Bounds { faulty: 13_000.0, ours: 0.5 },
     beam,
 };
@@ -47,13 +40,8 @@ fn beam(degrees: f32) -> Result<Beam, Error> {
     let d = (1.0 - cr) * (1.0 - cr);
     let [a0, a1, a2] = [cr * (cr - 2.0), 2.0 / d, -1.0 / d];
     let exact = oracle::Cone::new(hard, oracle::versine(degrees.into()));
-    Ok(Beam {
-        view,
-        ours: view.spot(Cone::from_outer(Hard, HalfAngle::degrees(degrees))?)?,
-        exact: Box::new(move |versine, _| exact.falloff(versine)),
-        faulty: Box::new(move |seen| {
-            let cosine = seen.cosine();
-            (a0 + a1 * cosine + a2 * cosine * cosine).max(0.0)
-        }),
+    Beam::of_cone(view, Cone::from_outer(Hard, HalfAngle::degrees(degrees))?, exact, move |seen| {
+        let cosine = seen.cosine();
+        (a0 + a1 * cosine + a2 * cosine * cosine).max(0.0)
     })
 }

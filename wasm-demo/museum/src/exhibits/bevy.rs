@@ -21,14 +21,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
         rather than cures the loss of precision.",
     no_better: "From 0.81 degrees on the clamp does nothing, and the formula is within a code of the truth.",
     agrees_at: Some(2.0),
-    control: Control {
-        label: "Half angle",
-        unit: "°",
-        least: 0.05,
-        most: 10.0,
-        start: 0.5,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Half angle", "°", [0.05, 0.5, 10.0]),
     bounds: Bounds { faulty: 210.0, ours: 0.5 },
     beam: |degrees| cone(degrees, 1e-4),
 };

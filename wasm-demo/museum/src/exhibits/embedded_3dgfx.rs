@@ -35,14 +35,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "Where any crate of the program links std, the root is the processor’s, and the cone is \
         right. The range is 10 km here, and the light is shown before it is rounded to RGB565.",
     agrees_at: None,
-    control: Control {
-        label: "Half angle",
-        unit: "°",
-        least: 3.0,
-        most: 40.0,
-        start: 10.0,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Half angle", "°", [3.0, 10.0, 40.0]),
     bounds: Bounds { faulty: 254.0, ours: 0.5 },
     beam,
 };
@@ -52,18 +45,12 @@ fn beam(degrees: f32) -> Result<Beam, Error> {
     // micromath's cosine, too: its error is at most 0.002.
     let [inner, outer] = [0.0, degrees].map(|degrees: f32| F32(degrees.to_radians()).cos().0);
     let exact = oracle::Cone::new(soft, oracle::versine(degrees.into()));
-    Ok(Beam {
-        view,
-        ours: view.spot(Cone::from_outer(Soft, HalfAngle::degrees(degrees))?)?,
-        exact: Box::new(move |versine, _| exact.falloff(versine)),
-        faulty: Box::new(move |seen| {
-            let cosine = seen.cosine_at(F32(seen.squared_distance()).sqrt().0);
-            if cosine <= outer {
-                return 0.0;
-            }
-            let factor =
-                if inner > outer { ((cosine - outer) / (inner - outer)).clamp(0.0, 1.0) } else { 1.0 };
-            factor * factor
-        }),
+    Beam::of_cone(view, Cone::from_outer(Soft, HalfAngle::degrees(degrees))?, exact, move |seen| {
+        let cosine = seen.cosine_at(F32(seen.squared_distance()).sqrt().0);
+        if cosine <= outer {
+            return 0.0;
+        }
+        let factor = if inner > outer { ((cosine - outer) / (inner - outer)).clamp(0.0, 1.0) } else { 1.0 };
+        factor * factor
     })
 }

@@ -28,14 +28,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "From 14 degrees on both pictures are within a code. Before, the inner angle of at least \
         half a degree is to be seen.",
     agrees_at: Some(20.0),
-    control: Control {
-        label: "Half angle",
-        unit: "°",
-        least: 0.1,
-        most: 20.0,
-        start: 0.5,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Half angle", "°", [0.1, 0.5, 20.0]),
     bounds: Bounds { faulty: 250.0, ours: 0.5 },
     beam,
 };

@@ -34,14 +34,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "With inner = outer the cone is level, and both are right. A data sheet’s lumens are \
         seldom known to 10 %.",
     agrees_at: None,
-    control: Control {
-        label: "Inner angle, share of the outer",
-        unit: "%",
-        least: 0.0,
-        most: 95.0,
-        start: 0.0,
-        is_logarithmic: false,
-    },
+    control: Control::linear("Inner angle, share of the outer", "%", [0.0, 0.0, 95.0]),
     bounds: Bounds { faulty: 150.0, ours: 0.6 },
     beam,
 };

@@ -29,14 +29,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "A number without its convention cannot be checked by anybody: if the file means the full \
         angle, the crate draws the wrong beam, too.",
     agrees_at: None,
-    control: Control {
-        label: "Half angle of the file",
-        unit: "°",
-        least: 5.0,
-        most: 35.0,
-        start: 20.0,
-        is_logarithmic: false,
-    },
+    control: Control::linear("Half angle of the file", "°", [5.0, 20.0, 35.0]),
     bounds: Bounds { faulty: 140.0, ours: 0.5 },
     beam,
 };
@@ -45,10 +38,7 @@ fn beam(degrees: f32) -> Result<Beam, Error> {
     let view = View::spot_on_wall(f64::from(2.0 * degrees));
     let faulty = clamped_span(1.0 / 1024.0, 0.0, 2.0 * degrees.to_radians());
     let exact = oracle::Cone::new(soft, oracle::versine(degrees.into()));
-    Ok(Beam {
-        view,
-        ours: view.spot(Cone::from_outer(Soft, HalfAngle::degrees(degrees))?)?,
-        exact: Box::new(move |versine, _| exact.falloff(versine)),
-        faulty: Box::new(move |seen| faulty(seen.cosine())),
+    Beam::of_cone(view, Cone::from_outer(Soft, HalfAngle::degrees(degrees))?, exact, move |seen| {
+        faulty(seen.cosine())
     })
 }

@@ -28,14 +28,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
         reaches full intensity.",
     no_better: "From 2.6 degrees on the formula is right, and errs as little as the crate’s 16 bits.",
     agrees_at: Some(5.0),
-    control: Control {
-        label: "Half angle",
-        unit: "°",
-        least: 0.1,
-        most: 20.0,
-        start: 1.0,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Half angle", "°", [0.1, 1.0, 20.0]),
     bounds: Bounds { faulty: 240.0, ours: 0.5 },
     beam,
 };
@@ -49,10 +42,7 @@ pub(super) fn cone(degrees: f32, least: f32) -> Result<Beam, Error> {
     let view = View::spot_on_wall(degrees.into());
     let faulty = clamped_span(least, 0.0, degrees.to_radians());
     let exact = oracle::Cone::new(soft, oracle::versine(degrees.into()));
-    Ok(Beam {
-        view,
-        ours: view.spot(Cone::from_outer(Soft, HalfAngle::degrees(degrees))?)?,
-        exact: Box::new(move |versine, _| exact.falloff(versine)),
-        faulty: Box::new(move |seen| faulty(seen.cosine())),
+    Beam::of_cone(view, Cone::from_outer(Soft, HalfAngle::degrees(degrees))?, exact, move |seen| {
+        faulty(seen.cosine())
     })
 }

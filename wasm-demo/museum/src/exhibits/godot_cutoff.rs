@@ -29,14 +29,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "The crate skips exact zeros only, which saves less. At an energy of 1 the edge is a \
         quarter of a code, and nobody sees it.",
     agrees_at: Some(1.0),
-    control: Control {
-        label: "Energy",
-        unit: "",
-        least: 1.0,
-        most: 1000.0,
-        start: 200.0,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Energy", "", [1.0, 200.0, 1000.0]),
     bounds: Bounds { faulty: 45.0, ours: 1.0 },
     beam,
 };

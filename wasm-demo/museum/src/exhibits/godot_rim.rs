@@ -32,14 +32,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "Outside of this middle twentieth both are the same. In its very point the crate’s 16 bits \
         lose up to 16 codes, too: the slope there is infinite, and no format bounds the error.",
     agrees_at: Some(1.0),
-    control: Control {
-        label: "Angle attenuation",
-        unit: "",
-        least: 1.0,
-        most: 10.0,
-        start: 4.0,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Angle attenuation", "", [1.0, 4.0, 10.0]),
     bounds: Bounds { faulty: 15.0, ours: 17.0 },
     beam,
 };

@@ -27,14 +27,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
         crate’s own: it now stores one minus the cosine of small angles.",
     no_better: "The size of a wide cone is right: from 10 degrees on the error is under a code.",
     agrees_at: Some(30.0),
-    control: Control {
-        label: "Half angle",
-        unit: "°",
-        least: 0.5,
-        most: 30.0,
-        start: 1.3,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Half angle", "°", [0.5, 1.3, 30.0]),
     bounds: Bounds { faulty: 100.0, ours: 0.5 },
     beam,
 };
@@ -48,13 +41,8 @@ fn beam(degrees: f32) -> Result<Beam, Error> {
     let view = View::spot_on_wall(degrees.into());
     let [outer, inner] = [degrees, 0.0].map(|degrees| half(libm::cosf(degrees.to_radians())));
     let exact = oracle::Cone::new(smooth, oracle::versine(degrees.into()));
-    Ok(Beam {
-        view,
-        ours: view.spot(Cone::from_outer(Smooth, HalfAngle::degrees(degrees))?)?,
-        exact: Box::new(move |versine, _| exact.falloff(versine)),
-        // An edge of no width is undefined. Processors give 0 for the points inside.
-        faulty: Box::new(
-            move |seen| if outer == inner { 0.0 } else { smoothstep(outer, inner, seen.cosine()) },
-        ),
+    // An edge of no width is undefined. Processors give 0 for the points inside.
+    Beam::of_cone(view, Cone::from_outer(Smooth, HalfAngle::degrees(degrees))?, exact, move |seen| {
+        if outer == inner { 0.0 } else { smoothstep(outer, inner, seen.cosine()) }
     })
 }

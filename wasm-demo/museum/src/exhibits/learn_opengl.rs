@@ -28,14 +28,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "Away from the ring the formula is right. At 1 degree it is exact, and the crate’s 16 \
         bits put a pixel at the edge on the wrong side: no format bounds an error at a step.",
     agrees_at: Some(1.0),
-    control: Control {
-        label: "Half angle",
-        unit: "°",
-        least: 0.05,
-        most: 20.0,
-        start: 0.1,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Half angle", "°", [0.05, 0.1, 20.0]),
     bounds: Bounds { faulty: f64::INFINITY, ours: 0.5 },
     beam,
 };
@@ -44,13 +37,8 @@ fn beam(degrees: f32) -> Result<Beam, Error> {
     let view = View::spot_on_wall(degrees.into());
     let [cut_off, outer_cut_off] = [degrees, degrees].map(|degrees| libm::cosf(degrees.to_radians()));
     let exact = oracle::Cone::new(step, oracle::versine(degrees.into()));
-    Ok(Beam {
-        view,
-        ours: view.spot(Cone::from_outer(Step, HalfAngle::degrees(degrees))?)?,
-        exact: Box::new(move |versine, _| exact.falloff(versine)),
-        faulty: Box::new(move |seen| {
-            let epsilon = cut_off - outer_cut_off;
-            ((seen.cosine() - outer_cut_off) / epsilon).clamp(0.0, 1.0)
-        }),
+    Beam::of_cone(view, Cone::from_outer(Step, HalfAngle::degrees(degrees))?, exact, move |seen| {
+        let epsilon = cut_off - outer_cut_off;
+        ((seen.cosine() - outer_cut_off) / epsilon).clamp(0.0, 1.0)
     })
 }

@@ -31,14 +31,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "micromath promises an approximation, which is small and fast. At an exponent of 1, where \
         the error is 18 codes, it may do; an integer exponent needs no power function at all.",
     agrees_at: None,
-    control: Control {
-        label: "Exponent",
-        unit: "",
-        least: 1.0,
-        most: 128.0,
-        start: 32.0,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Exponent", "", [1.0, 32.0, 128.0]),
     bounds: Bounds { faulty: 55.0, ours: 0.5 },
     beam,
 };

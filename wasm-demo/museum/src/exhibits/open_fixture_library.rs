@@ -32,14 +32,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "Of one angle alone nobody can say which it is. The crate takes it by name: from_beam, \
         from_field or from_beam_and_field.",
     agrees_at: None,
-    control: Control {
-        label: "Zoom",
-        unit: "%",
-        least: 0.0,
-        most: 100.0,
-        start: 100.0,
-        is_logarithmic: false,
-    },
+    control: Control::linear("Zoom", "%", [0.0, 100.0, 100.0]),
     bounds: Bounds { faulty: 95.0, ours: 0.5 },
     beam,
 };
@@ -56,10 +49,7 @@ fn beam(zoom: f32) -> Result<Beam, Error> {
     let faulty = clamped_span(1.0 / 1024.0, 0.0, outer(entered));
     let versine = oracle::versine(f64::from(meant) / 2.0) / (1.0 - core::f64::consts::FRAC_1_SQRT_2);
     let exact = oracle::Cone::new(soft, versine);
-    Ok(Beam {
-        view,
-        ours: view.spot(Cone::from_beam(Soft, Angle::degrees(meant))?)?,
-        exact: Box::new(move |versine, _| exact.falloff(versine)),
-        faulty: Box::new(move |seen| faulty(seen.cosine())),
+    Beam::of_cone(view, Cone::from_beam(Soft, Angle::degrees(meant))?, exact, move |seen| {
+        faulty(seen.cosine())
     })
 }

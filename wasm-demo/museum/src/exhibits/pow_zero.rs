@@ -35,7 +35,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "Any attenuation over 0 is safe in both. Some drivers define the power as 1, and then the \
         light has no range; some as 0, and then it is right by luck.",
     agrees_at: None,
-    control: Control { label: "Range", unit: "m", least: 1.0, most: 4.4, start: 3.0, is_logarithmic: false },
+    control: Control::linear("Range", "m", [1.0, 3.0, 4.4]),
     bounds: Bounds { faulty: f64::INFINITY, ours: 0.5 },
     beam,
 };

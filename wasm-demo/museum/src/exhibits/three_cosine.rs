@@ -28,14 +28,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "From 1.5 degrees on the crate’s 16 bits err as much as the cosine in f32: both by less than \
         a quarter of a code, which nobody sees.",
     agrees_at: Some(3.0),
-    control: Control {
-        label: "Half angle",
-        unit: "°",
-        least: 0.02,
-        most: 20.0,
-        start: 0.05,
-        is_logarithmic: true,
-    },
+    control: Control::logarithmic("Half angle", "°", [0.02, 0.05, 20.0]),
     bounds: Bounds { faulty: 150.0, ours: 0.5 },
     beam,
 };
@@ -45,10 +38,7 @@ fn beam(degrees: f32) -> Result<Beam, Error> {
     // JavaScript computes the cosine in f64, the shader receives it in f32.
     let cone_cosine = libm::cos(f64::from(degrees).to_radians()) as f32;
     let exact = oracle::Cone::new(smooth, oracle::versine(degrees.into()));
-    Ok(Beam {
-        view,
-        ours: view.spot(Cone::from_outer(Smooth, HalfAngle::degrees(degrees))?)?,
-        exact: Box::new(move |versine, _| exact.falloff(versine)),
-        faulty: Box::new(move |seen| smoothstep(cone_cosine, 1.0, seen.cosine())),
+    Beam::of_cone(view, Cone::from_outer(Smooth, HalfAngle::degrees(degrees))?, exact, move |seen| {
+        smoothstep(cone_cosine, 1.0, seen.cosine())
     })
 }

@@ -28,14 +28,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "On the axis both agree. The file here samples a power of the cosine at every degree; \
         between two samples a straight line is as far from the truth as one measures.",
     agrees_at: None,
-    control: Control {
-        label: "Field angle of the file",
-        unit: "°",
-        least: 20.0,
-        most: 120.0,
-        start: 60.0,
-        is_logarithmic: false,
-    },
+    control: Control::linear("Field angle of the file", "°", [20.0, 60.0, 120.0]),
     bounds: Bounds { faulty: 55.0, ours: 0.6 },
     beam,
 };

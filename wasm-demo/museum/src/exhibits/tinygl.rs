@@ -34,14 +34,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     no_better: "Without the option the library is right. With a quadratic coefficient of 0, OpenGL’s \
         default, only the estimate’s own error is left, which is a few codes.",
     agrees_at: None,
-    control: Control {
-        label: "Quadratic attenuation",
-        unit: "",
-        least: 0.0,
-        most: 4.0,
-        start: 1.0,
-        is_logarithmic: false,
-    },
+    control: Control::linear("Quadratic attenuation", "", [0.0, 1.0, 4.0]),
     bounds: Bounds { faulty: 230.0, ours: 0.6 },
     beam,
 };
