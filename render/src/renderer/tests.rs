@@ -228,41 +228,6 @@ fn a_block_is_left_out_only_where_no_light_arrives() {
 }
 
 #[test]
-fn most_blocks_outside_a_narrow_beam_are_left_out() {
-    let mut renderer = Renderer::<f32>::new(960, 540).unwrap();
-    renderer.draw_geometry(&stage::scene().unwrap(), &stage::camera());
-    let spot = stage::lights().unwrap()[0];
-    let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(8.0)).unwrap();
-    let reach = crate::light::reach::Reach::new(&spot.with_cone(cone).into());
-    let blocks = renderer.geometry.blocks.iter().zip(&renderer.geometry.bounds);
-    let drawn: Vec<_> = blocks.filter(|(_, bounds)| bounds.is_some()).map(|(block, _)| block).collect();
-    let missed = drawn.iter().filter(|block| block.is_missed(&reach)).count();
-    let share = missed as f32 / drawn.len() as f32;
-    assert!((0.8..0.97).contains(&share), "{share} of the blocks are left out");
-}
-
-/// The light computed by the kernel from `Renderer::surface` is bit-identical to the renderer's
-/// light.
-#[test]
-fn surfaces_are_what_is_lit() {
-    let (scene, lights) = (stage::scene().unwrap(), stage::lights().unwrap());
-    let mut renderer = renderer::<f32>(&scene, &stage::camera());
-    renderer.draw_light(&lights).unwrap();
-    let lights = lights.map(|light| light.compile::<f32>().unwrap());
-    for (x, y) in (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y))) {
-        let expected = renderer.surface(x, y).map_or(Rgb::default(), |(point, normal, material)| {
-            let sum = lights.iter().fold(scene.ambient(), |sum, light| {
-                let arriving = light.irradiance(point, normal);
-                sum.zip(light.color(), |sum, color| sum + arriving * color)
-            });
-            sum.zip(material.albedo(), |sum, albedo| sum * albedo)
-        });
-        assert_eq!(renderer.linear(x, y), Some(expected), "{x} {y}");
-    }
-    assert_eq!((renderer.surface(SIZE.0, 0), renderer.surface(0, SIZE.1)), (None, None));
-}
-
-#[test]
 fn costs_of_all_pixels_add_up_to_the_time_of_the_pass() {
     use std::sync::atomic::{AtomicU32, Ordering};
     static LOOKS: AtomicU32 = AtomicU32::new(0);

@@ -2,7 +2,7 @@
 //! not needed is not computed.
 
 use luminaire::{
-    Angle, Cone, Error, Fx16, Fx32, Rgb, SpotLight, Vec3,
+    Angle, Cone, Error, Rgb, SpotLight, Vec3,
     dynamic::AnyLight,
     falloff::SoftOrHard,
     haze::{Haze, ViewRay},
@@ -51,37 +51,6 @@ fn pixels() -> impl Iterator<Item = (usize, usize)> {
 fn bits<S: Format>(renderer: &Renderer<S>) -> Vec<Option<[u32; 3]>> {
     let channels = |Rgb { red, green, blue }: Rgb<f32>| [red, green, blue].map(f32::to_bits);
     pixels().map(|(x, y)| renderer.linear(x, y).map(channels)).collect()
-}
-
-/// Computing only the needed effects is bit-identical to computing all, also after single fixtures
-/// have moved.
-#[test]
-fn what_is_called_for_is_everything() -> Result<(), Error> {
-    fn assert_format<S: Format>() -> Result<(), Error> {
-        for scene in [stage::scene().unwrap(), hazy()?] {
-            let mut fixtures = fixtures()?;
-            let mut planned = renderer::<S>(&scene, &fixtures);
-            for step in 0..4 {
-                let mut everything = planned.clone();
-                everything.draw_everything(&fixtures)?;
-                assert_eq!(bits(&planned), bits(&everything), "{} after {step} steps", S::NAME);
-                let fresh = renderer::<S>(&scene, &fixtures);
-                assert_eq!(bits(&planned), bits(&fresh), "{} after {step} steps", S::NAME);
-                let AnyLight::Spot(spot) = *fixtures[step % 3].light() else { panic!("they are spotlights") };
-                let axis = spot.axis().map(|c| c + 0.05);
-                let moved = SpotLight::new(spot.position(), axis, spot.cone())?
-                    .with_color(spot.color())?
-                    .with_intensity(spot.intensity())?;
-                fixtures[step % 3] = Fixture::from(moved).with_shadow(64)?;
-                planned.draw_shadows(&scene, &fixtures).expect("held");
-                planned.draw_light(&fixtures)?;
-            }
-        }
-        Ok(())
-    }
-    assert_format::<f32>()?;
-    assert_format::<Fx32>()?;
-    assert_format::<Fx16>()
 }
 
 /// The light of a pixel is the arriving light times the transmittance of gobo and shadow, bit for

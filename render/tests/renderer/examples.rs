@@ -1,7 +1,6 @@
 //! The effects that each example needs.
 
-use luminaire_render::scenes::{Example, turntable};
-use std::collections::BTreeSet;
+use luminaire_render::scenes::Example;
 
 /// The effects of each example at any time, with the names of the price list.
 const CALLED_FOR: [(Example, &str); 8] = [
@@ -40,26 +39,6 @@ fn each_example_calls_for_what_it_shows() {
 fn as_many_lights_hang_as_the_summaries_say() {
     let counts: Vec<_> = Example::ALL.iter().map(|example| example.setup().unwrap().fixtures.len()).collect();
     assert_eq!(counts, [1, 1, 3, 64, 8, 8, 11, 26]);
-}
-
-#[test]
-fn shadows_are_called_for_where_they_are_asked_for() {
-    let mut setup = turntable(4).unwrap();
-    assert_eq!(setup.fixtures.len(), 4);
-    setup.fixtures = setup.fixtures.into_iter().map(|fixture| fixture.with_shadow(512)).collect();
-    let effects = setup.effects_at(0.0).unwrap().to_string();
-    assert_eq!(effects, "ambient, diffuse, specular, spot, soft, inverse-square, shadow");
-}
-
-#[test]
-fn names_tell_examples_apart() {
-    let names: BTreeSet<_> = Example::ALL.iter().map(|example| example.name()).collect();
-    let titles: BTreeSet<_> = Example::ALL.iter().map(|example| example.title()).collect();
-    assert_eq!((names.len(), titles.len()), (Example::ALL.len(), Example::ALL.len()));
-    for &example in Example::ALL {
-        assert_eq!(Example::named(example.name()), Some(example));
-    }
-    assert_eq!(Example::named("Grid"), None);
 }
 
 #[test]
