@@ -2,8 +2,6 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as support from "../web/support.js";
 
-test("the module with a vector instruction is valid", () => support.requireSimd());
-
 test("the size and the workers are whole numbers, or left out", () => {
   const found = support.requested("?width=320&height=180&workers=0&rest=0");
   assert.deepEqual(found, { width: 320, height: 180, workers: 0, rests: false, refused: [] });

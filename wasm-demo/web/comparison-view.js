@@ -1,12 +1,12 @@
 // The comparison: two forms of one beam, each compared with f64.
-import { Comparison } from "./pkg/comparison.js";
+import { Comparison, initSync } from "./pkg/comparison.js";
 import { remember } from "./address.js";
-import { start } from "./comparison-module.js";
 import { Divider } from "./divider.js";
 import { element, encircle, find } from "./elements.js";
 import { ErrorScale } from "./error-scale.js";
 import { hasFailed, refusalOf } from "./failure.js";
 import { Ledger } from "./ledger.js";
+import { compile } from "./module.js";
 import { degrees, exact } from "./numbers.js";
 import { plain } from "./plain.js";
 import { PriceList } from "./price-list.js";
@@ -64,7 +64,8 @@ export class ComparisonView {
 
   /** Loads the module and the price list. */
   static async open() {
-    const [prices] = await Promise.all([PriceList.load(), start()]);
+    const [prices, module] = await Promise.all([PriceList.load(), compile(new URL("pkg/comparison_bg.wasm", import.meta.url))]);
+    initSync({ module });
     return new ComparisonView(prices);
   }
 

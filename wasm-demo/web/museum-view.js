@@ -1,9 +1,9 @@
 // The museum: faulty spotlights of other projects, beside the exact light and the crate's.
-import { Museum } from "./pkg/comparison.js";
+import { Museum, initSync } from "./pkg/comparison.js";
 import { remember } from "./address.js";
-import { start } from "./comparison-module.js";
 import { copyOf, element as byId, encircle, find } from "./elements.js";
 import { aside, hasFailed, refusalOf } from "./failure.js";
+import { compile } from "./module.js";
 import { colours, counted, exact, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
 import { ToldDial } from "./told-dial.js";
@@ -69,7 +69,9 @@ export class MuseumView {
   drawn = 0;
 
   static async open() {
-    await Promise.all([start(), styled()]);
+    const [module] = await Promise.all([compile(new URL("pkg/comparison_bg.wasm", import.meta.url)), styled()]);
+    // After the comparison this changes nothing.
+    initSync({ module });
     return new MuseumView();
   }
 

@@ -66,9 +66,9 @@ export class Share {
    */
   async equip({ module }) {
     if (this.#fixedPoint) return;
-    /** @type {typeof import("./fixed-point.js")} */
-    const { start } = await load("fixed-point.js");
-    const { Painter, memory } = start(module);
+    /** @type {typeof import("./pkg/fixed_point.js")} */
+    const { initSync, Painter } = await load("pkg/fixed_point.js");
+    const { memory } = initSync({ module });
     this.#fixedPoint = { painter: new Painter(...this.#place), memory };
   }
 

@@ -7,31 +7,6 @@ import {
   show, tab, until,
 } from "./visit.mjs";
 
-/** The roles of what a visitor operates. */
-const ROLES = [
-  "application", "button", "checkbox", "ColorWell", "combobox", "link", "radio", "searchbox", "slider", "spinbutton",
-  "textbox",
-];
-
-quick("every control has a name, also while the picture plays", async () => {
-  await open("?workers=0&rest=0&width=64&height=36#stage?scene=show&play=both", { plays: true });
-  await isShown("handle-aim");
-  for (const view of VIEWS) {
-    if (view !== "stage") await go(`#${view}`);
-    // The browser computes names some time after a change.
-    let unnamed;
-    for (let tries = 0; tries < 50 && unnamed?.length !== 0; tries += 1) {
-      const all = (node) => [node, ...(node.children ?? []).flatMap(all)];
-      const controls = all(await tab.accessibility.snapshot()).filter(({ role }) => ROLES.includes(role));
-      must(controls.length, (count) => count > 4, `controls of ${view}`);
-      unnamed = controls.filter(({ name }) => !name?.trim()).map(({ role, value }) => ({ role, value }));
-    }
-    assert.deepEqual(unnamed, [], `controls without a name in ${view}`);
-  }
-  const aim = await ask(() => ["aria-label", "aria-valuenow"].map((name) => document.getElementById("handle-aim").getAttribute(name)));
-  must(aim, (aim) => aim.every(Boolean), "an aim with a name and a value");
-}, { only: "Chromium" });
-
 /** axe-core finds no fault: neither against the criteria of WCAG 2.2, A and AA, nor against best practice. */
 async function axeFindsNothing(place) {
   const axe = readFileSync(join(process.env.MODULES, "axe-core/axe.min.js"), "utf8");

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 
 import {
-  EXPECT, PAGE, STILL, VIEWS, ask, assert, change, drag, enter, exists, follow, isLit, isShown, more, must, open, place, press, quick, requests,
+  EXPECT, STILL, VIEWS, ask, assert, change, enter, exists, follow, isLit, isShown, more, must, open, press, quick, requests,
   settle, shows, tab, until, words, works,
 } from "./visit.mjs";
 
@@ -137,58 +137,7 @@ more(
   MAY_COMPLAIN,
 );
 
-// The address.
-
-/** A browser that accepts a hundred addresses in ten seconds, as Safari does, of which five are left. */
-const LIMITED = `{
-  const write = history.replaceState.bind(history);
-  let left = 5;
-  history.replaceState = (...what) => {
-    if (left === 0) throw new DOMException("more than 100 times per 10 seconds", "SecurityError");
-    left -= 1;
-    setTimeout(() => { left += 1; }, 10000);
-    write(...what);
-  };
-}`;
-
-/** Fails if the page shows a message. */
-async function isWell() {
-  await works();
-  assert.ok(!(await shows("trouble")), await words("trouble"));
-}
-
-more("the address is written when the visitor pauses", async () => {
-  await open("#compare?left=f32-cosine&right=f32&half=10", { script: LIMITED });
-  const says = (hash) => until((hash) => location.hash === hash, hash);
-  // Waits only for the next picture, not until the page has settled.
-  const enterQuickly = (id, value) =>
-    ask((id, value) => {
-      window.probe.enter(id, value);
-      return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(true))));
-    }, id, String(value));
-  for (let half = 1; half <= 20; half += 1) await enterQuickly("half-angle-number", half / 4);
-  await isWell();
-  await says("#compare?left=f32-cosine&right=f32&half=5");
-  // A pending address of one view must not overwrite the address of the next view.
-  await enterQuickly("half-angle-number", 7);
-  await ask(() => void (location.hash = "#stage?scene=bare-spot&play=none"));
-  await settle();
-  await says("#stage?v=1&scene=bare-spot&play=none");
-  // Forty pictures of a drag, one address.
-  const middle = await place("#view");
-  for (let step = 0; step < 40; step += 1) await drag(middle, [step % 2 === 0 ? 4 : -4, 0]);
-  await enterQuickly("format", "fx32");
-  await isWell();
-  await until(() => location.hash.includes("format=fx32"));
-});
-
 // The network.
-
-quick("the page asks nobody but its own server", async () => {
-  await open();
-  assert.ok(requests.some((address) => address.endsWith(".wasm")), `expected WebAssembly, found ${requests}`);
-  assert.deepEqual(requests.filter((address) => !["data:", "blob:", PAGE].some((start) => address.startsWith(start))), []);
-});
 
 quick(
   "the page's policy forbids all other code and data",

@@ -120,18 +120,6 @@ quick("a refused field angle gives a message and leaves the picture alone", asyn
   assert.equal(await words("light-error"), "", `a field angle of ${good}`);
 });
 
-more("bad intensities, zooms and colours give a message and leave the picture alone", async () => {
-  await open();
-  await refuses("light-intensity-number", "intensity", ["-1", "1e40"]);
-  await enter("light-fixture", "ARRI L7-C");
-  await refuses("light-zoom-number", "zoom", ["5", "5000", "-15"]);
-  // A colour picker holds nothing but a colour, so the input is changed to a text field.
-  await ask(() => void (document.getElementById("light-color").type = "text"));
-  await refuses("light-color", "color", ["red", "#fff", "#gggggg", ""]);
-  await change("a good colour", () => enter("light-color", "#ff0000"));
-  assert.equal(await words("light-error"), "", "a good colour");
-});
-
 /** A field that is cleared is about to be filled. A field that is left shows the value in force. */
 async function forgives(id, error) {
   const told = async () => [await words(error), await ask((id) => document.getElementById(id).getAttribute("aria-invalid") === "true", id)];
@@ -203,22 +191,14 @@ quick("a light is aimed by mouse, as one step", async () => {
   assert.ok(await isDisabled("undo"), "a drag takes more than one undo");
 });
 
-more("the wheel over the pool zooms its light and keeps its flux", async () => {
+more("the wheel over the pool zooms its light", async () => {
   await open(ONE);
   const aim = await handle("handle-aim");
-  const flux = async () => (await words("light-photometry")).match(/^(.*?) lm,/)[1];
-  const before = { field: await number("light-field-number"), candela: await number("light-intensity-number"), flux: await flux() };
-  const notch = (event) => (window.notches = event.deltaY / [100, 3, 1][event.deltaMode]);
-  await ask(`void addEventListener("wheel", ${notch}, true)`);
+  const before = await number("light-field-number");
   await focus("handle-aim");
   await tab.mouse.move(...aim);
   await change("the wheel", () => tab.mouse.wheel({ deltaY: 100 }));
-  const notches = await ask(() => window.notches);
-  must(notches, (notches) => Math.abs(notches) > 0.1, "a turn");
-  const zoom = (await number("light-field-number")) / before.field;
-  near([zoom], [1.08 ** notches], 0.002);
-  near([before.candela / (await number("light-intensity-number"))], [zoom ** 2], 0.01);
-  assert.equal(await flux(), before.flux);
+  must(await number("light-field-number"), (field) => field > before, `a field angle over ${before}`);
 });
 
 quick("a light is selected in the picture and moved by keys", async () => {

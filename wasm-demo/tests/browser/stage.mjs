@@ -74,14 +74,6 @@ more("rest ends with a change", async () => {
   assert.equal(await ask(width), 960, "a picture that plays");
 });
 
-more("the picture has the size that the address asks for", async () => {
-  for (const [query, width, height] of [["?rest=0", 960, 540], ["?width=320&height=180", 320, 180]]) {
-    await open(query + STILL);
-    const size = await ask(() => (({ width, height }) => [width, height])(document.getElementById("view")));
-    assert.deepEqual([...size, (await survey()).pixels], [width, height, width * height]);
-  }
-});
-
 more("a picture that the canvas refused is shown with the next draw", async () => {
   await open();
   const before = await drawn();
@@ -364,22 +356,6 @@ more("the map shows how many lights were evaluated, with a legend", async () => 
   assert.equal(await words("map-end"), "64 lights");
   await enter("map-subject", "nothing");
   assert.ok(!(await shows("map")), "the map stays");
-});
-
-more("scenes are measured, pass by pass", async () => {
-  await open("#stage?play=none&scene=pocket");
-  const asked = { width: 320, height: 180, spots: 3, without: ["specular"] };
-  const found = await ask((asked) => window.luminaire.measureScene("turntable", 3, asked), asked);
-  const { lights, width, cameraMoving, cameraAtRest } = found;
-  assert.deepEqual([lights, width], [3, 320], "another scene was measured");
-  assert.deepEqual([cameraMoving.shadowsMs, cameraAtRest.geometryMs], [null, null], "shadows, and geometry at rest, are drawn");
-  const passes = ["geometryMs", "lightingMs", "encodeMs", "transferMs", "showMs", "frameMs"];
-  must(cameraMoving, (times) => passes.every((pass) => times[pass] !== null && times[pass] >= 0), "a time of each pass");
-  must(cameraAtRest, ({ frameMs, lightingMs }) => frameMs > lightingMs, "a frame that takes longer than its light");
-  const still = await ask(() => window.luminaire.measureScene("bare-spot", 2));
-  assert.equal(still.cameraAtRest, null, "where nothing moves, something is drawn");
-  await settle();
-  assert.equal(await ask(() => window.luminaire.scene), "pocket");
 });
 
 /** Fails unless the times of the passes add up to that of the frame, but for those that are marked as kept. */

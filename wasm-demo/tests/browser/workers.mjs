@@ -102,14 +102,6 @@ long("no task of the other views takes longer than 50 ms", async () => {
   for (const view of Object.keys(ACTS).filter((view) => VIEWS.includes(view.match(/\w+/)?.[0]))) await isFree(view, ACTS[view]);
 });
 
-more("drawing takes no more memory from picture to picture", async () => {
-  await open("?width=320&height=180#stage?scene=show&play=both&effects=shadow", { plays: true });
-  const memory = async () => (await draws(60), ask(() => window.luminaire.memory()));
-  const before = await memory();
-  must(before, () => before > 1e6, "memory of over a megabyte");
-  assert.equal(await memory(), before);
-});
-
 long("five minutes of the show take no more memory", async () => {
   await open("?width=320&height=180#stage?scene=show", { plays: true });
   const client = await tab.createCDPSession();
