@@ -57,53 +57,13 @@ impl fmt::Debug for Code {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{desk::Desk, job};
+    use crate::job;
     use luminaire_render::scenes::Example;
-
-    fn job_of(desk: &Desk) -> String {
-        job::write((96, 54), None, desk.state(), desk.rig().lights())
-    }
-
-    #[test]
-    fn every_light_of_every_scene_is_written_as_the_crate_writes_it() {
-        let mut code = Code::new();
-        for &scene in Example::ALL {
-            let desk = Desk::new(scene).unwrap();
-            let job = job_of(&desk);
-            for (number, original) in scene.setup().unwrap().fixtures.iter().enumerate() {
-                if original.sweeps() {
-                    continue;
-                }
-                for &language in Language::ALL {
-                    let expected = export(*original.light(), &format!("light_{}", number + 1), language);
-                    let found = code.source(&job, number, language.name());
-                    assert_eq!(
-                        found.map_err(|refusal| refusal.to_string()),
-                        expected.map_err(|error| error.to_string()),
-                        "{scene:?} {number} {language}"
-                    );
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn the_code_has_the_settings_of_the_light_and_not_its_switch_or_exposure() {
-        let mut desk = Desk::new(Example::ThreePoint).unwrap();
-        let mut code = Code::new();
-        let mut json = |desk: &Desk| code.source(&job_of(desk), 0, "json").unwrap();
-        let before = json(&desk);
-        desk.set("exposure", 2.0).unwrap();
-        desk.change_light(0, |setting| setting.is_on = false).unwrap();
-        assert_eq!(json(&desk), before);
-        desk.set_number(0, "field", 12.0).unwrap();
-        assert_ne!(json(&desk), before);
-    }
 
     #[test]
     fn what_cannot_be_written_is_refused_in_words() {
         let mut code = Code::new();
-        let job = job_of(&Desk::new(Example::ThreePoint).unwrap());
+        let job = job::write_opened(Example::ThreePoint, (96, 54));
         for (light, language, words) in [
             (0, "basic", "language = basic: expected one of json, glsl"),
             (99, "json", "light = 99: expected a number from 0"),

@@ -120,133 +120,83 @@ fn renderer<S: luminaire_render::Format>(
     Ok(Box::new(Renderer::<S>::of_stripes(width as usize, height as usize, stripes)?))
 }
 
-/// A renderer behind a trait object that hides its format: the choice costs one indirect call per
-/// pass, and none per pixel.
-pub(crate) trait Draw {
-    /// Draws the geometry if scene or camera has changed. Returns whether it was drawn.
-    fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool;
-    /// Draws the shadow maps whose scene or fixture has changed. Returns whether any was drawn.
-    fn draw_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<bool, DrawError>;
-    /// Draws those maps that are dealt to the renderer's stripes. Returns the indices of their
-    /// fixtures.
-    fn draw_own_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<Vec<usize>, DrawError>;
-    /// Returns the bits of a fixture's shadow map; empty without a map.
-    fn shadow_map(&self, fixture: usize) -> Vec<u32>;
-    /// Takes a fixture's shadow map from another renderer.
-    fn take_shadow_map(
-        &mut self,
-        scene: &Scene,
-        fixtures: &[Fixture],
-        number: usize,
-        depths: &[u32],
-    ) -> Result<(), DrawError>;
-    /// Switches anti-aliasing on or off, from the next `draw_geometry` on.
-    fn set_antialiased(&mut self, antialiased: bool);
-    /// Returns the marks of the pixels beside edges.
-    fn edge_marks(&self) -> Vec<u64>;
-    /// Lights the geometry if anything has changed. Returns whether it was lit.
-    fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error>;
-    /// Lights the whole picture with every effect, needed or not.
-    fn draw_everything(&mut self, fixtures: &[Fixture]) -> Result<(), Error>;
-    /// Changes the display format, from the next `encode` on.
-    fn set_display(&mut self, display: Display);
-    /// Encodes the light for the display: RGBA, sRGB, eight bits.
-    fn encode(&mut self) -> &[u8];
-    /// The last encoded picture.
-    fn pixels(&self) -> &[u8];
-    /// Returns the counts of the last lighting pass.
-    fn account(&self) -> Account;
-    /// Returns how many lights were evaluated at a pixel when it was last lit; `None` outside the
-    /// picture.
-    fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16>;
-    /// Returns whether the last lighting pass re-lit a pixel; `None` outside the picture.
-    fn is_relit(&self, x: usize, y: usize) -> Option<bool>;
-    /// Measures what each pixel costs by a clock, from the next lighting pass on.
-    fn set_clock(&mut self, clock: Option<fn() -> f64>);
-    /// Returns what the last lighting pass took for a pixel, by the clock; `None` outside the
-    /// picture.
-    fn cost(&self, x: usize, y: usize) -> Option<f64>;
-    /// Returns the linear light from a pixel to the eye; `None` outside the picture.
-    fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>>;
+/// Declares the trait [`Draw`] and implements it by the methods of a renderer that have the same names.
+macro_rules! draw {
+    (
+        changes { $($(#[$act_text:meta])* fn $act:ident($($given:ident: $of:ty),*) $(-> $done:ty)?;)+ }
+        tells { $($(#[$ask_text:meta])* fn $ask:ident($($asked:ident: $by:ty),*) -> $told:ty;)+ }
+    ) => {
+        /// A renderer behind a trait object that hides its format: the choice costs one indirect call
+        /// per pass, and none per pixel.
+        pub(crate) trait Draw {
+            $($(#[$act_text])* fn $act(&mut self, $($given: $of),*) $(-> $done)?;)+
+            $($(#[$ask_text])* fn $ask(&self, $($asked: $by),*) -> $told;)+
+            /// Returns the bits of a fixture's shadow map; empty without a map.
+            fn shadow_map(&self, fixture: usize) -> Vec<u32>;
+            /// Returns the marks of the pixels beside edges.
+            fn edge_marks(&self) -> Vec<u64>;
+        }
+
+        impl<S: luminaire_render::Format> Draw for Renderer<S> {
+            $(fn $act(&mut self, $($given: $of),*) $(-> $done)? {
+                self.$act($($given),*)
+            })+
+            $(fn $ask(&self, $($asked: $by),*) -> $told {
+                self.$ask($($asked),*)
+            })+
+
+            fn shadow_map(&self, fixture: usize) -> Vec<u32> {
+                self.shadow_map(fixture).map_or(Vec::new(), Iterator::collect)
+            }
+
+            fn edge_marks(&self) -> Vec<u64> {
+                self.edge_marks().collect()
+            }
+        }
+    };
 }
 
-impl<S: luminaire_render::Format> Draw for Renderer<S> {
-    fn draw_geometry(&mut self, scene: &Scene, camera: &Camera) -> bool {
-        self.draw_geometry(scene, camera)
+draw! {
+    changes {
+        /// Draws the geometry if scene or camera has changed. Returns whether it was drawn.
+        fn draw_geometry(scene: &Scene, camera: &Camera) -> bool;
+        /// Draws the shadow maps whose scene or fixture has changed. Returns whether any was drawn.
+        fn draw_shadows(scene: &Scene, fixtures: &[Fixture]) -> Result<bool, DrawError>;
+        /// Draws those maps that are dealt to the renderer's stripes. Returns the indices of their
+        /// fixtures.
+        fn draw_own_shadows(scene: &Scene, fixtures: &[Fixture]) -> Result<Vec<usize>, DrawError>;
+        /// Takes a fixture's shadow map from another renderer.
+        fn take_shadow_map(
+            scene: &Scene, fixtures: &[Fixture], number: usize, depths: &[u32]
+        ) -> Result<(), DrawError>;
+        /// Switches anti-aliasing on or off, from the next `draw_geometry` on.
+        fn set_antialiased(antialiased: bool);
+        /// Lights the geometry if anything has changed. Returns whether it was lit.
+        fn draw_light(fixtures: &[Fixture]) -> Result<bool, Error>;
+        /// Lights the whole picture with every effect, needed or not.
+        fn draw_everything(fixtures: &[Fixture]) -> Result<(), Error>;
+        /// Changes the display format, from the next `encode` on.
+        fn set_display(display: Display);
+        /// Measures what each pixel costs by a clock, from the next lighting pass on.
+        fn set_clock(clock: Option<fn() -> f64>);
+        /// Encodes the light for the display: RGBA, sRGB, eight bits.
+        fn encode() -> &[u8];
     }
-
-    fn draw_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<bool, DrawError> {
-        self.draw_shadows(scene, fixtures)
-    }
-
-    fn draw_own_shadows(&mut self, scene: &Scene, fixtures: &[Fixture]) -> Result<Vec<usize>, DrawError> {
-        self.draw_own_shadows(scene, fixtures)
-    }
-
-    fn shadow_map(&self, fixture: usize) -> Vec<u32> {
-        self.shadow_map(fixture).map_or(Vec::new(), Iterator::collect)
-    }
-
-    fn take_shadow_map(
-        &mut self,
-        scene: &Scene,
-        fixtures: &[Fixture],
-        number: usize,
-        depths: &[u32],
-    ) -> Result<(), DrawError> {
-        self.take_shadow_map(scene, fixtures, number, depths)
-    }
-
-    fn set_antialiased(&mut self, antialiased: bool) {
-        self.set_antialiased(antialiased);
-    }
-
-    fn edge_marks(&self) -> Vec<u64> {
-        self.edge_marks().collect()
-    }
-
-    fn draw_light(&mut self, fixtures: &[Fixture]) -> Result<bool, Error> {
-        self.draw_light(fixtures)
-    }
-
-    fn draw_everything(&mut self, fixtures: &[Fixture]) -> Result<(), Error> {
-        self.draw_everything(fixtures)
-    }
-
-    fn set_display(&mut self, display: Display) {
-        self.set_display(display);
-    }
-
-    fn encode(&mut self) -> &[u8] {
-        self.encode()
-    }
-
-    fn pixels(&self) -> &[u8] {
-        self.pixels()
-    }
-
-    fn account(&self) -> Account {
-        self.account()
-    }
-
-    fn lights_evaluated(&self, x: usize, y: usize) -> Option<u16> {
-        self.lights_evaluated(x, y)
-    }
-
-    fn is_relit(&self, x: usize, y: usize) -> Option<bool> {
-        self.is_relit(x, y)
-    }
-
-    fn set_clock(&mut self, clock: Option<fn() -> f64>) {
-        self.set_clock(clock);
-    }
-
-    fn cost(&self, x: usize, y: usize) -> Option<f64> {
-        self.cost(x, y)
-    }
-
-    fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>> {
-        self.linear(x, y)
+    tells {
+        /// The last encoded picture.
+        fn pixels() -> &[u8];
+        /// Returns the counts of the last lighting pass.
+        fn account() -> Account;
+        /// Returns how many lights were evaluated at a pixel when it was last lit; `None` outside the
+        /// picture.
+        fn lights_evaluated(x: usize, y: usize) -> Option<u16>;
+        /// Returns whether the last lighting pass re-lit a pixel; `None` outside the picture.
+        fn is_relit(x: usize, y: usize) -> Option<bool>;
+        /// Returns what the last lighting pass took for a pixel, by the clock; `None` outside the
+        /// picture.
+        fn cost(x: usize, y: usize) -> Option<f64>;
+        /// Returns the linear light from a pixel to the eye; `None` outside the picture.
+        fn linear(x: usize, y: usize) -> Option<Rgb<f32>>;
     }
 }
 

@@ -8,48 +8,6 @@
 //! wall in two forms and measures the error of each against f64. [`Museum`] shows faulty spotlights
 //! of other projects.
 //!
-//! The modules, lowest first:
-//!
-//! - `refusal`: the texts of refusals by this crate and the kernel
-//! - `decimal`: numbers from text
-//! - `fixture`: stage fixtures for the page and for addresses
-//! - `edge`: the falloffs to choose from
-//! - `format`: the number format, from a run-time choice to a type
-//! - `photometry`: lux for full scale
-//! - `design`: the angles that a cone is designed from
-//! - `light`: a light for the page, as plain values
-//! - `curve`: the intensity of a light over the angle, and curves to compare it with
-//! - `setting`: the visitor's settings of one light
-//! - `clock`, `canvas`, `panic`: the browser's services
-//! - `times`: times of the passes of a picture
-//! - `display`: conversion of light to displayed codes
-//! - `false_colour`: false colours for errors, and their scale
-//! - `map`: false colours of the number of evaluated lights
-//! - `viewpoint`: the visitor's offset from the scene's camera
-//! - `state`: everything that the visitor has set, as one value
-//! - `parameter`: the table of the state's parameters
-//! - `address`: the state as text
-//! - `scene_state`: state of a scene for the page, as plain values
-//! - `rig`: a scene with the settings of a state
-//! - `desk`: the state, its scene, and earlier states to return to
-//! - `aim`: the lights in the picture, and what a pointer moves
-//! - `dial`: the ends of a light's dials
-//! - `add`: the light that a visitor adds
-//! - `job`: a picture to draw, as text for a worker
-//! - `equality`: comparison of the scene's picture with the one of all effects
-//! - `painter`: the JavaScript class that draws a share of a picture
-//! - `code`: the JavaScript class that writes lights as source of other languages
-//! - `composite`: the JavaScript class that puts the shares of a picture together
-//! - `stage`: the JavaScript class of the stage
-//! - `wall`: the scene of the comparison
-//! - `picture`: the wall lit in one form, behind a trait object
-//! - `difference`: error of a picture against f64
-//! - `form`: the formats and formulas to compare
-//! - `side`: one side of the comparison
-//! - `divided`: the difference between two pictures of one scene
-//! - `comparison`: the JavaScript class of the comparison
-//! - `museum`: the JavaScript class of the museum
-//!
 //! The features are parts of the crate. The packages of `modules` compile each as a WebAssembly module
 //! of its own, so that the first picture waits only for what it needs:
 //!

@@ -99,20 +99,6 @@ fn an_effect_is_left_out_and_put_back_in() {
 }
 
 #[test]
-fn a_scene_without_an_effect_offers_no_switch_for_it() {
-    let offered = |scene: Example| {
-        let desk = desk(scene);
-        let switches = desk.rig().switches(desk.state()).into_iter().filter(|switch| switch.offered);
-        switches.map(|switch| switch.effect).collect::<Vec<_>>().join(" ")
-    };
-    assert_eq!([Example::BareSpot, Example::Grid].map(offered), ["shadow haze dither", "haze dither"]);
-    let mut desk = desk(Example::BareSpot);
-    let before = effects(&desk);
-    desk.switch("gobo", true).unwrap();
-    assert_eq!(effects(&desk), before);
-}
-
-#[test]
 fn haze_dither_and_shadows_are_added_and_taken_away() {
     let mut desk = desk(Example::Turntable);
     let look =
@@ -183,16 +169,6 @@ fn both_angles_are_given_and_stay_as_they_were_given() {
     let state = light(&desk, 0);
     number(&mut desk, "fit-field", state.field).unwrap();
     near(angles(&desk), (state.beam, state.field));
-}
-
-#[test]
-fn every_edge_can_be_chosen() {
-    let mut desk = desk(Example::BareSpot);
-    number(&mut desk, "field", 20.0).unwrap();
-    for edge in crate::edge::all().map(|edge| edge.effect().name()) {
-        choice(&mut desk, "edge", edge).unwrap();
-        assert!(light(&desk, 0).edge == edge && (light(&desk, 0).field - 20.0).abs() < 1e-3, "{edge}");
-    }
 }
 
 /// The light at the centre rises as the flux is gathered in a narrower cone: by the ratio of the
