@@ -8,7 +8,7 @@ use crate::{
     photometry::full_scale,
     refusal::Refusal,
     setting::Setting,
-    state::EXPOSURES,
+    state::{EXPOSURE_STEP, EXPOSURES},
 };
 use luminaire::{Vec3, attenuation::Attenuation, dynamic::AnyLight, projector::Fixture};
 use luminaire_render::Surfaces;
@@ -226,7 +226,7 @@ impl Desk {
         let [least, most] = EXPOSURES;
         // In the steps of the slider.
         let stops = (full_scale(self.state().scene) / lux).log2();
-        self.set("exposure", ((4.0 * stops).round() / 4.0).max(least).min(most))
+        self.set("exposure", ((stops / EXPOSURE_STEP).round() * EXPOSURE_STEP).max(least).min(most))
     }
 
     /// Moves a light and its aim back to where the scene has them.

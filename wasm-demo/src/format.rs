@@ -206,18 +206,6 @@ mod tests {
     use luminaire::falloff::{Soft, SoftOrHard};
 
     #[test]
-    fn a_format_has_its_own_name() {
-        for format in Format::ALL {
-            assert_eq!(Format::named(format.name()), Ok(format));
-        }
-        let refusal = Format::named("f16").unwrap_err().to_string();
-        assert!(
-            refusal.contains("number format = \"f16\"") && refusal.contains("fx16, fx32 or f32"),
-            "{refusal}"
-        );
-    }
-
-    #[test]
     fn the_curve_passes_its_marks_in_every_format() {
         let cone = Cone::from_field(Soft, Angle::degrees(30.0)).unwrap().with_falloff(SoftOrHard::Soft);
         let half = |angle: Angle| angle.to_degrees() / 2.0;

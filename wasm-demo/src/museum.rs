@@ -285,13 +285,4 @@ mod tests {
         assert!(palette.colours().iter().all(|&colour| colour != UNDEFINED));
         assert_eq!(shown(&[0.0, f32::NAN, 2.0]), [0, 0, 0, 255, 0, 190, 120, 255, 255, 255, 255, 255]);
     }
-
-    #[test]
-    fn exhibits_are_found_by_name_and_others_refused() {
-        for exhibit in &ALL {
-            assert_eq!(named(exhibit.name).unwrap().name, exhibit.name);
-        }
-        let refusal = named("none").unwrap_err().to_string();
-        assert!(refusal.contains("exhibit = \"none\""), "{refusal}");
-    }
 }

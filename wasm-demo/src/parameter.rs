@@ -6,7 +6,7 @@ use crate::{
     format::Format,
     map::Subject,
     refusal::{Refusal, one_of},
-    state::{EXPOSURES, SWITCHABLE, State, switch_of, switchable},
+    state::{EXPOSURE_STEP, EXPOSURES, SWITCHABLE, State, switch_of, switchable},
     viewpoint::Viewpoint,
 };
 use luminaire::dynamic::Effect;
@@ -64,7 +64,7 @@ pub(crate) const PARAMETERS: [Parameter; 15] = [
         name: "exposure",
         kind: Kind::Number {
             range: EXPOSURES,
-            step: 0.25,
+            step: EXPOSURE_STEP,
             unit: "stops",
             symbol: "EV",
             get: |state| state.exposure,
@@ -113,7 +113,7 @@ pub(crate) enum Kind {
     Choice {
         choices: &'static [[&'static str; 2]],
         get: fn(&State) -> &'static str,
-        set: for<'a> fn(&mut State, Option<&'a str>) -> Result<(), Refusal>,
+        set: fn(&mut State, Option<&str>) -> Result<(), Refusal>,
     },
     /// A text of an address, which no single control sets.
     Text { get: fn(&State) -> String, set: fn(&mut State, &str) -> Result<(), Refusal> },

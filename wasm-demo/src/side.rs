@@ -177,17 +177,6 @@ mod tests {
     }
 
     #[test]
-    fn a_refused_beam_has_no_picture() {
-        let mut refused = side(Form::Fx16, 0.1);
-        let mut pixels = [7; 40 * 40 * 4];
-        let palette = Palette::new();
-        assert!(!refused.show(&mut pixels));
-        assert!(!refused.show_difference(&palette, Scale::holding(1.0), &mut pixels));
-        assert!(pixels.iter().all(|&byte| byte == 7));
-        assert_eq!((refused.largest(), refused.light()), (None, None));
-    }
-
-    #[test]
     fn the_pictures_show_light_and_errors() {
         let side = side(Form::Cosine, 0.05);
         let (mut picture, mut errors) = ([0; 40 * 40 * 4], [0; 40 * 40 * 4]);

@@ -17,6 +17,9 @@ pub(crate) const SWITCHABLE: [(Effect, &str); 5] = [
 /// near its light.
 pub(crate) const EXPOSURES: [f32; 2] = [-14.0, 6.0];
 
+/// Step of the exposure's slider in stops.
+pub(crate) const EXPOSURE_STEP: f32 = 0.25;
+
 /// Largest number of lights.
 pub(crate) const LIGHTS: usize = 80;
 

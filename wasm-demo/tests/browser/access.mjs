@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import {
-  EVERY_PANEL, STATES, STILL, VIEWS, ask, assert, exists, follow, go, isOpen, isShown, long, more, must, open, press, quick, redraw, resize, settle,
+  EVERY_PANEL, STATES, STILL, VIEWS, ask, assert, exists, follow, isOpen, isShown, long, more, must, open, press, quick, redraw, resize, settle,
   show, tab, until,
 } from "./visit.mjs";
 
