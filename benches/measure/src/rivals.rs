@@ -26,10 +26,6 @@ const LIBRARY: [&str; 2] = ["three.module.js", "three.core.js"];
 const PAGE: [(&str, &str); 2] =
     [("index.html", include_str!("rivals/page.html")), ("rival.js", include_str!("rivals/rival.js"))];
 
-/// Number of frames that are timed, and of those before them, in which three.js compiles its shaders.
-const FRAMES: u32 = 25;
-const WARM_UP: u32 = 8;
-
 /// The options of `rivals`.
 #[derive(Debug, Default, PartialEq, clap::Args)]
 pub struct RivalsOptions {
@@ -104,7 +100,7 @@ fn file(load: &Load) -> String {
 /// The demo's median times: with the camera at rest, and moving.
 fn ours(server: &Server, progress: &Progress) -> Result<Vec<(f64, f64)>> {
     let address = format!("{}#stage?scene=three-point&play=none", server.address());
-    let acts: Vec<_> = LOADS.iter().map(|load| Act::Ask(load.frame_call(FRAMES))).collect();
+    let acts: Vec<_> = LOADS.iter().map(|load| Act::Ask(load.frame_call(scene::FRAMES))).collect();
     let found = Visit { address: &address, ..Visit::default() }.run(&acts, progress)?;
     let time = |(load, found): (&Load, _)| match Frame::of(found) {
         Frame { at_rest: Some(at_rest), moving: Some(moving) } => Ok((at_rest, moving)),

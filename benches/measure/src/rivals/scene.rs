@@ -5,7 +5,9 @@ use luminaire::dynamic::AnyLight;
 use luminaire_render::scenes::{Setup, turntable};
 use serde_json::{Value, json};
 
-use super::{FRAMES, WARM_UP};
+/// Number of frames that are timed, and of those before them, in which three.js compiles its shaders.
+pub(super) const FRAMES: u32 = 25;
+const WARM_UP: u32 = 8;
 
 /// Scene time between frames in seconds, and yaw of a turning camera between frames in radians, as
 /// in the demo's own measurement.
