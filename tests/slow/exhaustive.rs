@@ -14,13 +14,12 @@ use luminaire::{
     display::{Rgb565, encode_srgb},
     light::CompiledCone,
 };
-use support::with_every_shape;
 use support::{
     bounds::{self, REFUSE},
     every::{self, Seen},
     falloffs::{self, STRICT, Shape},
     format::Format,
-    oracle, sweep,
+    oracle, sweep, with_every_shape,
 };
 
 /// The half angles in degrees of the cones.
@@ -125,10 +124,6 @@ where
     broken
 }
 
-fn assert_kept(broken: Vec<String>) {
-    assert!(broken.is_empty(), "{}", broken.join("\n"));
-}
-
 /// Checks the four falloffs that the 32-bit formats are tested with over every versine.
 fn four<S: Countable>() -> Vec<String>
 where
@@ -148,17 +143,17 @@ where
 
 #[test]
 fn f32_keeps_its_rows_over_every_bit_pattern() {
-    assert_kept(four::<f32>());
+    bounds::assert_kept(&four::<f32>());
 }
 
 #[test]
 fn fx32_keeps_its_rows_over_every_versine() {
-    assert_kept(four::<Fx32>());
+    bounds::assert_kept(&four::<Fx32>());
 }
 
 #[test]
 fn fx16_keeps_its_rows_over_every_versine() {
-    assert_kept(with_every_shape!(broken::<Fx16> -> Vec<String>).concat());
+    bounds::assert_kept(&with_every_shape!(broken::<Fx16> -> Vec<String>).concat());
 }
 
 /// A versine below zero, which rounding may make of a point on the axis, is on the axis.
@@ -205,7 +200,7 @@ fn fx32_keeps_its_roundings_over_every_fraction() {
 
     let mut broken = Broken(fraction_error(&Shape::plain("power-15", Power::<15>, oracle::power_15)));
     constant_falloffs(&mut broken);
-    assert_kept(broken.0);
+    bounds::assert_kept(&broken.0);
 }
 
 /// How far a displayed code is from the exact one before it is rounded, in eight bits, in the five

@@ -16,6 +16,7 @@ use luminaire::{
 };
 use support::{
     format::Format,
+    in_every_format,
     oracle::{self, DVec3, climb},
     shapes::{self, tables},
     sweep,
@@ -418,7 +419,5 @@ fn assert_steep<S: Format>() {
 
 #[test]
 fn steep_shapes_are_held_at_their_narrowest() {
-    assert_steep::<f32>();
-    assert_steep::<Fx32>();
-    assert_steep::<Fx16>();
+    in_every_format!(assert_steep);
 }

@@ -1,4 +1,4 @@
-//! Air light in haze against the oracle, row by row of `support/haze.rs`, and the laws that it
+//! Air light in haze against the oracle, row by row of `tests/bounds.csv`, and the laws that it
 //! keeps.
 //!
 //! `cargo test --test slow haze:: -- --nocapture --test-threads 1` prints the measured rows.
@@ -13,15 +13,15 @@ use luminaire::{
     falloff::{Falloff, Power, Soft},
     haze::{BeamScattering, Haze, ViewRay},
 };
-use support::with_every_shape;
 use support::{
     bounds,
     falloffs::Shape,
-    haze::{self, HALF_ANGLES, Row},
+    haze::HALF_ANGLES,
     in_scattering::Beam,
     oracle::{self, DVec3},
     sweep,
     views::{distances, exact, exactly, near_beam, place, view},
+    with_every_shape,
 };
 
 const DENSITY: f32 = 0.5;
@@ -99,16 +99,6 @@ fn shaped<P: Falloff>(rng: &mut Rng, shape: &Shape<P>, half: f32) -> Pair<P, Inv
     )
 }
 
-/// Prints a measured row and compares it with the table.
-fn broken(table: &[Row], name: &str, measured: &[f64]) -> Vec<String> {
-    println!("{name:16} {}", measured.iter().map(|e| format!("{e:.1e}")).collect::<Vec<_>>().join(", "));
-    let Some(row) = table.iter().find(|row| row.name == name) else {
-        return vec![format!("{name} has no row")];
-    };
-    let checked = measured.iter().zip(row.errors).enumerate();
-    checked.filter_map(|(i, (&e, bound))| bounds::check(&format!("{name} {i}"), e, bound).err()).collect()
-}
-
 fn cones_broken<P: Falloff>(shape: &Shape<P>) -> Vec<String> {
     let measured = HALF_ANGLES.map(|half| {
         largest(
@@ -128,7 +118,7 @@ fn every_cone_keeps_its_row() {
     let mut broken: Vec<_> = with_every_shape!(cones_broken -> Vec<String>).into_iter().flatten().collect();
     let shape = Shape::plain("power-128", Power::<128>, |t| t.powi(128));
     broken.extend(cones_broken(&shape));
-    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    bounds::assert_kept(&broken);
 }
 
 /// The largest errors of a distance model, along rays that end.
@@ -152,7 +142,8 @@ fn distance_broken<A: Attenuation>(
             },
         )
     });
-    broken(&haze::DISTANCES, name, &measured)
+    println!("{name:16} {}", bounds::shown(&measured));
+    bounds::broken("haze attenuation", name, "f32", &measured)
 }
 
 #[test]
@@ -175,5 +166,5 @@ fn every_distance_model_keeps_its_row() {
         distance_broken("cut at", cut, range, oracle::Attenuation::InverseSquare),
     ]
     .concat();
-    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    bounds::assert_kept(&broken);
 }

@@ -26,7 +26,7 @@ use support::{
     bounds,
     critical::Frame,
     every::is_full,
-    haze::{CRITICAL, HALF_ANGLES},
+    haze::HALF_ANGLES,
     in_scattering::Beam,
     oracle::{self},
     sweep,
@@ -111,16 +111,16 @@ fn rays_near_critical_directions_keep_their_rows() {
         .map(|half| largest(half, InverseSquare, oracle::Attenuation::InverseSquare, f64::INFINITY));
     let windowed =
         HALF_ANGLES.map(|half| largest(half, window, oracle::Attenuation::FilamentRange(6.0), 6.0));
-    for (row, measured) in CRITICAL.iter().zip([square, windowed]) {
-        println!("{} {}", row.name, measured.map(|e| format!("{e:.1e}")).join(", "));
-        for (measured, bound) in measured.into_iter().zip(row.errors) {
-            // The quick run sees the first of these rays: too few to tell that a bound is loose.
-            let kept = if is_full() { bounds::check(row.name, measured, bound) } else { Ok(()) };
-            assert!(
-                measured <= bound && kept.is_ok(),
-                "{}: {measured:.2e}, not {bound:.2e}: {kept:?}",
-                row.name
-            );
+    for (name, measured) in [("inverse square", square), ("Filament range", windowed)] {
+        println!("{name} {}", bounds::shown(&measured));
+        if is_full() {
+            bounds::assert_kept(&bounds::broken("haze critical", name, "f32", &measured));
         }
+        // The quick run sees the first of these rays: too few to tell that a bound is loose.
+        let bounds = bounds::of("haze critical", name, "f32").expect("a row");
+        assert!(
+            measured.iter().zip(&bounds).all(|(error, bound)| error <= bound),
+            "{measured:?}, expected {bounds:?}"
+        );
     }
 }

@@ -6,8 +6,7 @@ use luminaire::{
     Cone, Fx16, Fx32, HalfAngle,
     falloff::{Falloff, Soft, Step},
 };
-use support::with_every_shape;
-use support::{falloffs::Shape, format::Format, oracle, sweep};
+use support::{falloffs::Shape, format::Format, oracle, sweep, with_every_shape};
 
 const HALF_A_STEP: f64 = 1.0 / 510.0;
 

@@ -1,6 +1,6 @@
-//! Powers as edge falloffs, with integer and non-integer exponents up to the largest: the figures that
-//! set-up computes and the intensities, compared with f64.
-//! `cargo test --test slow powers:: -- --nocapture --test-threads 1` prints the errors.
+//! Powers as edge falloffs, with integer and non-integer exponents up to the largest: the figures
+//! that set-up computes and the intensities, compared with f64. `cargo test --test slow powers:: --
+//! --nocapture --test-threads 1` prints the errors.
 
 use luminaire::{
     Angle, Cone, Fx16, Fx32,

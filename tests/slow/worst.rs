@@ -4,10 +4,10 @@
 //! `cargo run -p suite --example worst-places > tests/slow/worst/places.txt` repeats the search.
 
 use luminaire::{Fx16, Fx32, falloff::Falloff};
-use support::with_every_shape;
 use support::{
     falloffs::Shape,
     format::Format,
+    with_every_shape,
     worst::{self, Find},
 };
 

@@ -8,13 +8,13 @@ use luminaire::{
     falloff::{Soft, Step},
     projector::{Gobo, ProjectedPoint, Projection},
 };
-use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
     bounds::{self, REFUSE},
     every,
     format::Format,
-    gobos::{ROWS, transmission},
+    gobos::transmission,
+    in_every_format,
     squares::Square,
     sweep,
 };
@@ -78,19 +78,25 @@ fn error_of_points<S: Format>(side: usize, half_degrees: f32) -> f64 {
 
 #[test]
 fn transmissions_keep_their_rows() {
-    fn error<S: Format>(side: usize, half: Option<f32>) -> f64 {
-        half.map_or_else(|| error_of_places::<S>(side), |half| error_of_points::<S>(side, half))
+    for side in [7, 64, 256] {
+        let measured =
+            [error_of_places::<f32>(side), error_of_places::<Fx32>(side), error_of_places::<Fx16>(side)];
+        bounds::assert_row("gobo", &format!("place side {side}"), measured);
     }
-    let mut broken = Vec::new();
-    for row in &ROWS {
-        let (side, half) = (row.side, row.half);
-        let measured = [error::<f32>(side, half), error::<Fx32>(side, half), error::<Fx16>(side, half)];
-        println!("{:22} [{}]", row.name, measured.map(|error| format!("{error:.2e}")).join(", "));
-        for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
-            broken.extend(bounds::check(&format!("{} in {format}", row.name), measured, bound).err());
-        }
+    for (name, half) in [
+        ("0.1 degrees", 0.1),
+        ("1 degree", 1.0),
+        ("7.5 degrees", 7.5),
+        ("30 degrees", 30.0),
+        ("80 degrees", 80.0),
+    ] {
+        let measured = [
+            error_of_points::<f32>(64, half),
+            error_of_points::<Fx32>(64, half),
+            error_of_points::<Fx16>(64, half),
+        ];
+        bounds::assert_row("gobo", &format!("{name} side 64"), measured);
     }
-    assert_that!(broken.is_empty(), broken.join("\n"));
 }
 
 /// The conversion of a sum of weighted bytes to the format is exact at both ends, never falls, and
@@ -132,9 +138,7 @@ fn an_even_pane_has_one_transmission() {
             }
         }
     }
-    assert_even::<f32>();
-    assert_even::<Fx32>();
-    assert_even::<Fx16>();
+    in_every_format!(assert_even);
 }
 
 /// Outside the projection, and in the outer half of a border texel, the value of the border texel
@@ -185,37 +189,7 @@ fn clear_glass_changes_no_bit() {
         }
         assert!(lit > 5_000, "only {lit} points are lit");
     }
-    assert_clear::<f32>();
-    assert_clear::<Fx32>();
-    assert_clear::<Fx16>();
-}
-
-/// A projection that is turned by 90 degrees shows the pattern turned by 90 degrees.
-#[test]
-fn a_quarter_of_a_turn_turns_the_pattern() {
-    fn assert_turns<S: Format>() {
-        let mut rng = Rng::with_seed(90);
-        let pattern: [u8; 64] = std::array::from_fn(|_| rng.u8(..));
-        // Clockwise: the old first column, from the bottom up, is the new first row.
-        let turned: [u8; 64] = std::array::from_fn(|part| pattern[8 * (7 - part % 8) + part / 8]);
-        for _ in 0..50 {
-            let (_, projection, square) = projection::<S>(&mut rng, 20.0);
-            let quarter =
-                projection.turned(Angle::degrees(90.0)).expect("sound").compile::<S>().expect("held");
-            let (upright, quarter) = (projection.compile::<S>().expect("held"), quarter);
-            for _ in 0..1_000 {
-                let point = sweep::single(square.point([rng.f64(), rng.f64(), 3.0])).map(S::length);
-                let (by_square, by_pattern) = (Gobo::of(&pattern).on(quarter), Gobo::of(&turned).on(upright));
-                let apart = by_square.at(point).exact() - by_pattern.at(point).exact();
-                // A position may differ by a step in each direction, and a fraction may be rounded
-                // the other way.
-                assert_that!(apart.abs() < 2.0 * (8.0 / 65_536.0 + 1.0 / 4_096.0), apart);
-            }
-        }
-    }
-    assert_turns::<f32>();
-    assert_turns::<Fx32>();
-    assert_turns::<Fx16>();
+    in_every_format!(assert_clear);
 }
 
 /// A gobo appears on a wall as stored, seen from behind the light: the first row is at the top, and

@@ -4,15 +4,11 @@ use fastrand::Rng;
 use luminaire::{
     Cone, Fx16, Fx32, HalfAngle, Length, Scalar, SpotLight, Vec3,
     codegen::Gain16,
-    falloff::{Falloff, Hard, Soft},
+    falloff::Soft,
     haze::{BeamScattering16, Haze},
     number::Light16,
 };
-use support::assert_that;
-use support::{
-    haze16::{BOUNDS, HALF_ANGLES, Lights},
-    oracle::{self, DVec3, climb::Search},
-};
+use support::{assert_that, oracle::DVec3};
 
 fn haze(density: f32) -> Haze {
     Haze::new(density).expect("a sound density")
@@ -28,26 +24,12 @@ fn beam(degrees: f32, intensity: f32, radius: f32) -> BeamScattering16<Soft> {
 }
 
 /// The light of a line of sight, in linear codes.
-fn seen<P: Falloff>(beam: &BeamScattering16<P>, eye: [f32; 3], surface: [f32; 3]) -> f32 {
+fn seen(beam: &BeamScattering16<Soft>, eye: [f32; 3], surface: [f32; 3]) -> f32 {
     255.0 * Fx16::light_to_f32(beam.in_scattering(Fx16::point(eye), Fx16::point(surface)))
 }
 
-/// The long search (`tests/slow/haze16.rs`), for a short time.
-#[test]
-fn rays_keep_their_bound() {
-    let search = Search { starts: 300, climbs: 2, steps: 50, seed: 16 };
-    let [(_, soft), (_, hard), _] = BOUNDS;
-    for half in HALF_ANGLES {
-        let errors = [
-            Lights::new(Soft, oracle::soft, half).largest(search),
-            Lights::new(Hard, oracle::hard, half).largest(search),
-        ];
-        assert_that!(errors[0] <= soft && errors[1] <= hard, half, errors);
-    }
-}
-
-/// Far away, a light as many times as bright looks the same: the light of a line of sight is inverse
-/// to its distance. The largest distance is beyond the points whose units are finest.
+/// Far away, a light as many times as bright looks the same: the light of a line of sight is
+/// inverse to its distance. The largest distance is beyond the points whose units are finest.
 #[test]
 fn a_scene_of_any_size_looks_the_same() {
     for (eye, surface) in [
@@ -120,8 +102,8 @@ fn lines_past_the_light_may_be_long() {
     }
 }
 
-/// A line of sight through the light, or one whose end is exactly on the axis, looks like one beside
-/// it.
+/// A line of sight through the light, or one whose end is exactly on the axis, looks like one
+/// beside it.
 #[test]
 fn exact_directions_look_like_those_beside_them() {
     let beam = beam(60.0, 6.0, 0.125);

@@ -9,11 +9,9 @@ use luminaire::{
     haze::{BeamScattering, Haze, RayBundle, ViewRay},
     light::CompiledCone,
 };
-use support::assert_that;
 use support::{
     arbitrary::bits,
-    bounds,
-    haze::LAWS,
+    assert_that, bounds,
     in_scattering::Beam,
     oracle::{self, DVec3},
     sweep,
@@ -77,8 +75,8 @@ fn twice_the_density_is_exactly_twice_the_light() {
     });
 }
 
-/// Both sides of a beam contain the eye and the light, and touch the cone: the sine of their angle to
-/// the axis is that of the outer angle.
+/// Both sides of a beam contain the eye and the light, and touch the cone: the sine of their angle
+/// to the axis is that of the outer angle.
 #[test]
 fn sides_touch_the_beam() {
     on_many(|_, spot, view| {
@@ -109,9 +107,7 @@ fn unit_of_light(spot: &SpotLight<Soft>, view: &ViewRay) -> f64 {
 }
 
 fn assert_within(name: &str, measured: f64) {
-    println!("{name}: {measured:.2e}");
-    let (_, bound) = LAWS.into_iter().find(|(law, _)| *law == name).expect("every law has a bound");
-    bounds::check(name, measured, bound).expect("the stated difference");
+    bounds::assert_figure("haze law", name, measured);
 }
 
 #[test]

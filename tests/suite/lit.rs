@@ -1,5 +1,5 @@
 //! Accuracy of distance models, highlights and the complete lit point in all three formats against
-//! the f64 reference, row by row of `support/prices.rs`.
+//! the f64 reference, row by row of `tests/bounds.csv`.
 //!
 //! `cargo test --test suite lit:: -- --nocapture` prints the measured rows.
 
@@ -7,32 +7,19 @@ use fastrand::Rng;
 use luminaire::{
     AmbientLight, Cone, Fx16, Fx32, Material, PointLight, Rgb, Vec3,
     attenuation::{
-        Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+        Attenuation, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
     },
     display::{clip, encode_srgb},
     falloff::Soft,
     light::SurfacePoint,
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, NoSpecular, Phong, SpecularLobe},
 };
-use support::assert_that;
 use support::{
     bounds,
     format::Format,
     oracle::{self, Classic, DVec3, Lobe},
-    prices::{self, Row},
     sweep,
 };
-
-/// Compares the measured errors of the three formats with the row of a model.
-fn assert_row(table: &[Row], model: &str, measured: [f64; 3]) {
-    println!("{model:16} {}", measured.map(|error| format!("{error:.2e}")).join("  "));
-    let row = table.iter().find(|row| row.model == model).expect("every model has a row");
-    let mut broken = Vec::new();
-    for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
-        broken.extend(bounds::check(&format!("{model} {format}"), measured, bound).err());
-    }
-    assert_that!(broken.is_empty(), broken.join("\n"));
-}
 
 /// A random direction less than an angle off an axis.
 fn direction_within(rng: &mut Rng, axis: DVec3, radians: f64) -> DVec3 {
@@ -87,7 +74,7 @@ fn assert_distance<A: Attenuation>(
         distance_error::<Fx32, A>(model, oracle),
         distance_error::<Fx16, A>(model, oracle),
     ];
-    assert_row(&prices::DISTANCE, name, measured);
+    bounds::assert_row("attenuation", name, measured);
 }
 
 #[test]
@@ -132,35 +119,6 @@ fn filament_range_keeps_its_row() {
     assert_distance("Filament range", model, oracle::Attenuation::FilamentRange);
 }
 
-/// A cut-off changes no bit within its range, and the light is zero beyond. At the range itself,
-/// the squared distance as rounded by the format decides.
-fn assert_cut<S: Format>() {
-    let mut rng = Rng::with_seed(44);
-    for _ in 0..20_000 {
-        let (place, range) = (sweep::position(&mut rng), range(&mut rng));
-        let whole = PointLight::new(sweep::single(place)).expect("a sound light");
-        let cut = whole.with_attenuation(CutAt::new(InverseSquare, Some(range)).expect("sound"));
-        let way = sweep::direction(&mut rng);
-        let fraction = rng.f64() * 2.0;
-        let site = place + f64::from(range) * fraction * way;
-        let site = sweep::single(sweep::on_grid(site)).map(S::length);
-        let normal = sweep::single(-way).map(S::from_f32);
-        let cut = cut.compile::<S>().expect("held").irradiance(site, normal);
-        if fraction > 1.000_2 {
-            assert_eq!(cut, S::Irradiance::default());
-        } else if fraction < 0.999_8 {
-            assert_eq!(cut, whole.compile::<S>().expect("held").irradiance(site, normal));
-        }
-    }
-}
-
-#[test]
-fn a_cut_is_a_cut() {
-    assert_cut::<f32>();
-    assert_cut::<Fx32>();
-    assert_cut::<Fx16>();
-}
-
 /// A specular lobe against its reference, near the mirror direction and far from it.
 fn highlight_error<S: Format, H: SpecularLobe>(oracle: Lobe, shininess: u32) -> f64 {
     let mut rng = Rng::with_seed(75);
@@ -198,7 +156,7 @@ fn assert_highlight<H: SpecularLobe>(name: &str, oracle: Lobe, shininesses: [u32
             highlight_error::<Fx32, H>(oracle, shininess),
             highlight_error::<Fx16, H>(oracle, shininess),
         ];
-        assert_row(&prices::HIGHLIGHT, &format!("{name} {shininess}"), measured);
+        bounds::assert_row("lobe", &format!("{name} {shininess}"), measured);
     }
 }
 
@@ -253,19 +211,19 @@ fn a_highlight_ends_where_it_says() {
 /// The difference form against the power, over the angle between the two directions.
 #[test]
 fn lyons_form_is_as_near_to_the_power_as_is_stated() {
-    for (squarings, row) in prices::LYON {
-        for (shininess, bound) in [16.0_f64, 64.0, 256.0].into_iter().zip(row) {
-            let largest = (0..=100_000)
-                .map(|i| {
-                    let cosine = f64::from(i) / 100_000.0;
-                    let factor = shininess / f64::from(1 << squarings);
-                    let lyon = (1.0 - factor * (1.0 - cosine)).max(0.0).powi(1 << squarings);
-                    (lyon - cosine.powf(shininess)).abs()
-                })
-                .fold(0.0, f64::max);
-            println!("lyon {squarings} squarings, shininess {shininess}: {largest:.2e}");
-            bounds::check("difference-form", largest, bound).expect("the stated difference");
-        }
+    for squarings in [2, 3, 4] {
+        let largest = [16.0_f64, 64.0, 256.0].map(|shininess| {
+            let off = (0..=100_000).map(|i| {
+                let cosine = f64::from(i) / 100_000.0;
+                let factor = shininess / f64::from(1 << squarings);
+                let lyon = (1.0 - factor * (1.0 - cosine)).max(0.0).powi(1 << squarings);
+                (lyon - cosine.powf(shininess)).abs()
+            });
+            off.fold(0.0, f64::max)
+        });
+        println!("difference form, {squarings} squarings: {}", bounds::shown(&largest));
+        let name = format!("{squarings} squarings");
+        bounds::assert_kept(&bounds::broken("difference form", &name, "f64", &largest));
     }
 }
 
@@ -334,6 +292,6 @@ fn lit_errors<S: Format>() -> [f64; 2] {
 fn the_lit_point_keeps_its_rows() {
     let [float, wide, narrow] = [lit_errors::<f32>(), lit_errors::<Fx32>(), lit_errors::<Fx16>()];
     let column = |i: usize| [float[i], wide[i], narrow[i]];
-    assert_row(&prices::LIT, "lit point, linear", column(0));
-    assert_row(&prices::LIT, "lit point, codes", column(1));
+    bounds::assert_row("lit point", "linear", column(0));
+    bounds::assert_row("lit point", "codes", column(1));
 }

@@ -1,5 +1,6 @@
 //! Accuracy of every operation of the seam in all three formats against f64, row by row of
-//! `support/operations.rs`.
+//! `tests/bounds.csv`. `LUMINAIRE_FULL=1 cargo test --test suite -- operations:: setup::
+//! --nocapture --test-threads 1` prints the measured ones.
 //!
 //! Operands are values that the format has stored, so that an error is that of the operation alone.
 //! Errors of scalars and of light are in steps of the format, errors of gains are relative, and
@@ -12,11 +13,10 @@ use luminaire::{
     falloff::{Linear, Soft},
     number::{Arithmetic, Fraction, Gain, Light16, Light32, Offset, Ray, Share},
 };
-use support::assert_that;
 use support::{
     bounds,
     format::Format,
-    operations::ROWS,
+    in_every_format,
     oracle::{self, DVec3},
     sweep,
 };
@@ -27,22 +27,13 @@ fn largest(mut error: impl FnMut(&mut Rng) -> f64) -> f64 {
     (0..20_000 * sweep::effort()).map(|_| error(&mut rng)).fold(0.0, f64::max)
 }
 
-/// Compares the measured errors of the three formats with the row of an operation.
-fn assert_row(operation: &str, measured: [f64; 3]) {
-    println!("{operation:32} {}", measured.map(|error| format!("{error:.2e}")).join("  "));
-    let Some(row) = ROWS.iter().find(|row| row.operation == operation) else {
-        panic!("{operation} has no row");
-    };
-    let mut broken = Vec::new();
-    for ((format, measured), bound) in ["f32", "fx32", "fx16"].iter().zip(measured).zip(row.bounds) {
-        broken.extend(bounds::check(&format!("{operation} {format}"), measured, bound).err());
-    }
-    assert_that!(broken.is_empty(), broken.join("\n"));
-}
-
 macro_rules! assert_in_every_format {
     ($name:literal, $error:ident) => {
-        assert_row($name, [largest($error::<f32>), largest($error::<Fx32>), largest($error::<Fx16>)])
+        bounds::assert_row(
+            "operation",
+            $name,
+            [largest($error::<f32>), largest($error::<Fx32>), largest($error::<Fx16>)],
+        )
     };
 }
 
@@ -119,7 +110,7 @@ fn scalars_keep_their_rows() {
     assert_in_every_format!("times", times);
     assert_in_every_format!("minus", difference);
     assert_in_every_format!("smooth", smooth);
-    assert_in_every_format!("to f32, relative", to_f32);
+    assert_in_every_format!("to f32 relative", to_f32);
 }
 
 fn gain<S: Format>(rng: &mut Rng) -> f64 {
@@ -149,10 +140,10 @@ fn gain_fraction<S: Format>(rng: &mut Rng) -> f64 {
 
 #[test]
 fn gains_keep_their_rows() {
-    assert_in_every_format!("gain, relative", gain);
-    assert_in_every_format!("gain by, relative", gain_by);
-    assert_in_every_format!("gain plus, relative", gain_plus);
-    assert_in_every_format!("inverse capped, relative", inverse_capped);
+    assert_in_every_format!("gain relative", gain);
+    assert_in_every_format!("gain by relative", gain_by);
+    assert_in_every_format!("gain plus relative", gain_plus);
+    assert_in_every_format!("inverse capped relative", inverse_capped);
     assert_in_every_format!("fraction of a gain", gain_fraction);
 }
 
@@ -240,13 +231,13 @@ fn light_keeps_its_rows() {
     assert_in_every_format!("expose", expose);
     assert_in_every_format!("filter", filter);
     assert_in_every_format!("add light", add_light);
-    assert_in_every_format!("light to f32, relative", light_to_f32);
-    assert_in_every_format!("light to gain, relative", light_to_gain);
+    assert_in_every_format!("light to f32 relative", light_to_f32);
+    assert_in_every_format!("light to gain relative", light_to_gain);
     assert_in_every_format!("amplify", amplify);
     assert_in_every_format!("clip", clip);
     assert_in_every_format!("exposure", exposure);
     assert_in_every_format!("ambient light and glow", glow);
-    assert_in_every_format!("light, filter and sum", colored);
+    assert_in_every_format!("light filter and sum", colored);
 }
 
 fn axis<S: Format>(rng: &mut Rng) -> f64 {
@@ -313,13 +304,13 @@ fn power<S: Format>(rng: &mut Rng) -> f64 {
 
 #[test]
 fn directions_keep_their_rows() {
-    assert_in_every_format!("axis, radians", axis);
-    assert_in_every_format!("normal unit, radians", normal_unit);
-    assert_in_every_format!("mirror, radians", mirror);
-    assert_in_every_format!("direction between, radians", direction_between);
+    assert_in_every_format!("axis radians", axis);
+    assert_in_every_format!("normal unit radians", normal_unit);
+    assert_in_every_format!("mirror radians", mirror);
+    assert_in_every_format!("direction between radians", direction_between);
     assert_in_every_format!("incidence", incidence);
-    assert_in_every_format!("versine between, of the outer", versine_between);
-    assert_in_every_format!("versine, of the outer", versine);
+    assert_in_every_format!("versine between of the outer", versine_between);
+    assert_in_every_format!("versine of the outer", versine);
     assert_in_every_format!("power 32", power);
 }
 
@@ -344,8 +335,8 @@ fn squared_distance<S: Format>(rng: &mut Rng) -> f64 {
     relative(value::<S>(offset.squared_distance(), 6), way.length_squared())
 }
 
-/// Lambert's cosine, in steps. A surface that faces away by more than a step is detected; in `Fx32`,
-/// which tests 15 bits of the offset, by more than 0.001.
+/// Lambert's cosine, in steps. A surface that faces away by more than a step is detected; in
+/// `Fx32`, which tests 15 bits of the offset, by more than 0.001.
 fn ray_cosine<S: Format>(rng: &mut Rng) -> f64 {
     let ((offset, way), normal) = (offset::<S>(rng), normal::<S>(rng));
     let exact = -way.normalize().dot(S::exact_normal(normal));
@@ -397,13 +388,13 @@ fn parallel_light_keeps_its_row() {
 
 #[test]
 fn rays_keep_their_rows() {
-    assert_in_every_format!("ray direction, of the stated", ray_direction);
-    assert_in_every_format!("ray direction, its length", ray_length);
-    assert_in_every_format!("ray distance, relative", ray_distance);
-    assert_in_every_format!("squared distance, relative", squared_distance);
+    assert_in_every_format!("ray direction of the stated", ray_direction);
+    assert_in_every_format!("ray direction its length", ray_length);
+    assert_in_every_format!("ray distance relative", ray_distance);
+    assert_in_every_format!("squared distance relative", squared_distance);
     assert_in_every_format!("ray cosine", ray_cosine);
-    assert_in_every_format!("ray versine, of the outer", ray_versine);
-    assert_in_every_format!("ray expose, relative", ray_expose);
+    assert_in_every_format!("ray versine of the outer", ray_versine);
+    assert_in_every_format!("ray expose relative", ray_expose);
 }
 
 /// In fixed point a light in a colour is the product, rounded once and at most the largest light:
@@ -443,7 +434,5 @@ fn a_gain_and_nothing_is_the_gain() {
             }
         }
     }
-    assert_neutral::<f32>();
-    assert_neutral::<Fx32>();
-    assert_neutral::<Fx16>();
+    in_every_format!(assert_neutral);
 }

@@ -6,19 +6,23 @@ use luminaire::codegen::{FloatFrame, Frame16, Frame32};
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, SpotLight, Vec3,
     error::{Expected, Parameter},
-    falloff::{Power, Soft, Step},
+    falloff::{Power, Step},
     projector::{CompiledProjection, ProjectedPoint, Projection},
 };
-use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
+    assert_that,
     bounds::{self, REFUSE},
     format::Format,
-    squares::{NARROWEST, ROWS, Square},
+    in_every_format,
+    squares::Square,
     sweep,
 };
 
 const SIDE: f64 = 65_536.0;
+
+/// In place of a half angle: the narrowest cone of a format.
+const NARROWEST: f32 = 0.0;
 
 fn spot(position: [f32; 3], axis: [f32; 3], degrees: f32) -> SpotLight<Step> {
     let [position, axis] = [position, axis].map(|[x, y, z]| Vec3::new(x, y, z));
@@ -69,19 +73,17 @@ fn errors<S: Format>(half_degrees: f32) -> [f64; 2] {
 
 #[test]
 fn places_keep_their_rows() {
+    const HALF_ANGLES: [f32; 11] = [0.01, 0.1, 0.5, 1.0, 2.0, 3.5, 7.5, 15.0, 30.0, 60.0, 80.0];
+    let named = HALF_ANGLES.map(|half| (format!("{half} degrees"), half));
     let mut broken = Vec::new();
-    for row in &ROWS {
-        let measured = [errors::<f32>(row.half), errors::<Fx32>(row.half), errors::<Fx16>(row.half)];
-        let [place, depth] = [0, 1].map(|i| measured.map(|errors| errors[i]));
-        let shown = [place, depth].map(|errors| errors.map(|e| format!("{e:.2e}")).join(", "));
-        println!("{:5}: [{}], [{}]", row.half, shown[0], shown[1]);
-        for (index, format) in ["f32", "fx32", "fx16"].iter().enumerate() {
-            let name = |what| format!("{what} at {} degrees in {format}", row.half);
-            broken.extend(bounds::check(&name("place"), place[index], row.place[index]).err());
-            broken.extend(bounds::check(&name("depth"), depth[index], row.depth[index]).err());
+    for (name, half) in [("narrowest".to_owned(), NARROWEST)].into_iter().chain(named) {
+        let measured = [errors::<f32>(half), errors::<Fx32>(half), errors::<Fx16>(half)];
+        println!("{name}: {:?}", measured.map(|errors| bounds::shown(&errors)));
+        for (format, measured) in ["f32", "fx32", "fx16"].into_iter().zip(measured) {
+            broken.extend(bounds::broken("square", &name, format, &measured));
         }
     }
-    assert_that!(broken.is_empty(), broken.join("\n"));
+    bounds::assert_kept(&broken);
 }
 
 /// The directions right and up on the squares of lights that point along the axes of the world, and
@@ -124,41 +126,6 @@ fn roundings_do_not_turn_a_square_that_points_straight_down() {
     }
 }
 
-/// The vectors are orthonormal and right-handed, however the square is rolled. Searched.
-#[test]
-fn a_frame_is_square() {
-    let mut rng = Rng::with_seed(90);
-    let mut worst = 0.0_f64;
-    for _ in 0..20_000 * sweep::effort() {
-        let axis = sweep::single(sweep::direction(&mut rng));
-        let spot = spot([0.0; 3], [axis.x, axis.y, axis.z], 40.0);
-        let square = rolled(&spot, 720.0 * rng.f32() - 360.0).expect("sound");
-        let [r, u, s] = [square.right(), square.up(), square.axis()].map(f32::exact_direction);
-        let volume = r.dot(s.cross(u));
-        let angles = [r.dot(u), u.dot(s), s.dot(r)];
-        let lengths = [r.length_squared() - 1.0, u.length_squared() - 1.0, volume - 1.0];
-        worst = angles.into_iter().chain(lengths).map(f64::abs).fold(worst, f64::max);
-    }
-    println!("frame: {worst:.2e}");
-    bounds::check("frame", worst, 5.1e-7).unwrap_or_else(|broken| panic!("{broken}"));
-}
-
-/// Tangents of all half angles up to the widest, relative. Searched.
-#[test]
-fn tangents_keep_their_figure() {
-    let mut rng = Rng::with_seed(80);
-    let worst = (0..20_000 * sweep::effort()).map(|_| {
-        let degrees = 160.0 * rng.f32();
-        let cone = Cone::from_outer(Soft, Angle::degrees(degrees)).expect("sound");
-        let spot = SpotLight::new(Vec3::default(), Vec3::new(0.0, 0.0, 1.0), cone).expect("sound");
-        let tangent = Projection::of(&spot).expect("not too wide").tangent();
-        (f64::from(tangent) / f64::from(degrees / 2.0).to_radians().tan() - 1.0).abs()
-    });
-    let worst = worst.fold(0.0, f64::max);
-    println!("tangent: {worst:.2e}");
-    bounds::check("tangent", worst, 1.1e-6).unwrap_or_else(|broken| panic!("{broken}"));
-}
-
 /// Rolls by quarter turns only exchange and negate components, so they turn a pattern exactly.
 #[test]
 fn quarters_of_a_turn_are_exact() {
@@ -185,9 +152,7 @@ fn quarters_of_a_turn_are_exact() {
             }
         }
     }
-    assert_turns::<f32>();
-    assert_turns::<Fx32>();
-    assert_turns::<Fx16>();
+    in_every_format!(assert_turns);
 }
 
 /// Off the square a position is exact up to a distance of one side, and saturates there.
@@ -214,9 +179,7 @@ fn places_off_the_square_are_off_it() {
             }
         }
     }
-    assert_off::<f32>();
-    assert_off::<Fx32>();
-    assert_off::<Fx16>();
+    in_every_format!(assert_off);
 }
 
 /// A format whose frames can be built from any bits.
@@ -270,9 +233,7 @@ fn every_bit_pattern_has_a_place() {
             }
         }
     }
-    assert_answers::<f32>();
-    assert_answers::<Fx32>();
-    assert_answers::<Fx16>();
+    in_every_format!(assert_answers);
 }
 
 /// Points on or behind the light, and NaN, are off the square, at depth 0.
@@ -288,9 +249,7 @@ fn what_has_no_place_is_off_the_square() {
         }
     }
     let points = [[0.0, 0.0, 2.0], [0.0, 0.0, 3.0], [1.0, 0.0, 2.0], [0.0, -5.0, 9.0]];
-    assert_none::<f32>(&points);
-    assert_none::<Fx32>(&points);
-    assert_none::<Fx16>(&points);
+    in_every_format!(assert_none(&points));
     assert_none::<f32>(&[[f32::NAN, 0.0, 0.0], [0.0, 0.0, f32::NEG_INFINITY], [f32::NAN; 3]]);
     // On the axis of a light that points down, and as far away as numbers allow.
     let square = square([0.0, -1.0, 0.0]).compile::<f32>().expect("held");

@@ -1,5 +1,5 @@
 //! Accuracy of set-up against f64: angles, cones, flux and the properties of falloffs, row by row
-//! of `support/operations.rs`. Set-up computes in f32, whatever the format of the light.
+//! of `tests/bounds.csv`. Set-up computes in f32, whatever the format of the light.
 
 use fastrand::Rng;
 use luminaire::{
@@ -7,25 +7,16 @@ use luminaire::{
     attenuation::{Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, SmoothRange},
     falloff::{Falloff, Formula, Step},
 };
-use support::assert_that;
-use support::with_every_shape;
 use support::{
-    bounds,
+    assert_that, bounds,
     falloffs::Shape,
     format::Format,
-    operations::FIGURES,
     oracle::{self, half_degrees},
-    sweep,
+    sweep, with_every_shape,
 };
 
-/// Compares a measured error with the bound of a figure.
 fn assert_figure(name: &str, measured: f64) {
-    println!("{name:40} {measured:.2e}");
-    let Some(figure) = FIGURES.iter().find(|figure| figure.name == name) else {
-        panic!("{name} has no bound");
-    };
-    let kept = bounds::check(name, measured, figure.bound);
-    assert!(kept.is_ok(), "{}", kept.unwrap_err());
+    bounds::assert_figure("set-up", name, measured);
 }
 
 pub(crate) fn relative(found: f32, exact: f64) -> f64 {
@@ -142,7 +133,8 @@ fn the_steepness_is_the_largest_slope() {
     with_every_shape!(assert_steepness);
 }
 
-/// The factors of attenuations in f64, from which all errors are measured, at places of round value.
+/// The factors of attenuations in f64, from which all errors are measured, at places of round
+/// value.
 #[test]
 fn the_f64_form_of_an_attenuation_is_its_formula() -> Result<(), Error> {
     let smooth = SmoothRange::new(8.0)?;
@@ -301,19 +293,7 @@ fn axes_and_ranges_keep_their_figures() {
         ];
         worst = std::array::from_fn(|i| worst[i].max(errors[i]));
     }
-    assert_figure("direction of an axis, radians", worst[0]);
+    assert_figure("direction of an axis radians", worst[0]);
     assert_figure("length of an axis", worst[1]);
     assert_figure("range of a spotlight between points", worst[2]);
-}
-
-#[test]
-fn inner_products_keep_their_figure() {
-    let mut rng = Rng::with_seed(4);
-    let mut worst = 0.0_f64;
-    for _ in 0..20_000 * sweep::effort() {
-        let [a, b] = [0; 2].map(|_| sweep::single(sweep::direction(&mut rng)));
-        let exact = f32::exact_direction(a).dot(f32::exact_direction(b));
-        worst = worst.max((f64::from(a.dot(b)) - exact).abs());
-    }
-    assert_figure("inner product of unit vectors", worst);
 }

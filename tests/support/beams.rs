@@ -2,7 +2,7 @@
 //! `|l - s|^2 / 2`, over the half angle of a soft cone.
 
 use super::format::Format;
-use super::{bounds, operations, oracle, sweep};
+use super::{bounds, oracle, sweep};
 use fastrand::Rng;
 use luminaire::{
     Cone, Scalar, Vec3,
@@ -69,18 +69,16 @@ pub fn versine_bound<S: Scalar>(half_degrees: f64) -> f64 {
     let own =
         bounds::of("falloff", "soft", S::NAME).expect("the soft edge has a row")[0] * f64::from(S::STEP);
     let lengths = ["length of an axis", "outer versine from the outer angle"].map(figure).iter().sum::<f64>();
-    direction + 0.5 * (operation::<S>("ray direction, its length") + lengths) + own
+    direction + 0.5 * (operation::<S>("ray direction its length") + lengths) + own
 }
 
 fn figure(name: &str) -> f64 {
-    operations::FIGURES.iter().find(|figure| figure.name == name).expect("a figure of that name").bound
+    bounds::of("set-up", name, "f32").expect("a figure of that name")[0]
 }
 
 /// The bound of an operation in a format.
 pub fn operation<S: Scalar>(name: &str) -> f64 {
-    let row = operations::ROWS.iter().find(|row| row.operation == name).expect("a row of that name");
-    let format = ["f32", "fx32", "fx16"].iter().position(|format| *format == S::NAME);
-    row.bounds[format.expect("a format of the table")]
+    bounds::of("operation", name, S::NAME).expect("a row of that name")[0]
 }
 
 /// The narrowest half angle in degrees of a soft cone that a format holds.

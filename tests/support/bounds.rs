@@ -9,7 +9,18 @@
 //! | `lit` | position and normal to irradiance, with Lambert's cosine and the inverse square, of a light that reaches full scale about where the point is | the larger of full scale and the light on the axis there | the same | searched |
 //! | `exhaustive` | versine to intensity, every versine | steps of the format | `slow::exhaustive::CONES` | exhaustive |
 //! | `fractions` | `t` to intensity, every fraction of 30 bits | steps of `Fx32` | one | exhaustive |
+//! | `operation` | one operation of the seam | steps of the format, relative or radians, by its name; 0 is exact | one | searched |
+//! | `set-up` | one result of set-up, which is f32 whatever the format | relative, or by its name | one | searched |
+//! | `attenuation` | a point light at 0.02 to 1.1 times its range, at full scale at half of it if it falls so | the larger of full scale and the light without a window | one | searched |
+//! | `lobe` | a highlight, from directions and a normal as stored, by its shininess | full scale | one | searched |
+//! | `lit point` | the classic equation with ambient light, a spotlight and a highlight: linear, and in codes before rounding | full scale, sRGB codes | one | searched |
+//! | `difference form` | Lyon's form and the power that it approximates, in exact arithmetic | full scale | shininess 16, 64, 256 | searched |
+//! | `square` | a place on the projected square, from the middle of its step; its depth | sides; relative | these two | searched |
+//! | `gobo` | the transmittance of random texels, at a place or a point | full scale | one | searched |
 //! | `haze` | air light of 1,800 rays, by the inverse square | what is seen there, or across the axis as near to the light where that is more | [`haze::HALF_ANGLES`](super::haze::HALF_ANGLES) | searched |
+//! | `haze attenuation`, `haze critical` | the same of the soft edge with another attenuation, and along rays near critical directions | the same | the same | searched |
+//! | `haze law` | what a law allows for rounding | relative | one | searched |
+//! | `seen linear`, `seen codes` | from an exact position and axis to the display | 1/255; sRGB codes before rounding | [`limits::CONES`](super::limits::CONES) | searched |
 //!
 //! `LUMINAIRE_BLESS=1 LUMINAIRE_FULL=1 cargo test --test suite --test slow -- accuracy::
 //! exhaustive:: haze::every_cone` writes the rows that are missing or do not hold.
@@ -94,6 +105,33 @@ pub fn broken(table: &str, shape: &str, format: &str, measured: &[f64]) -> Vec<S
     rows.insert(key, measured.iter().copied().map(headroom).collect());
     write(&rows);
     Vec::new()
+}
+
+/// Errors with three digits each.
+pub fn shown(errors: &[f64]) -> String {
+    errors.iter().map(|error| format!("{error:.2e}")).collect::<Vec<_>>().join(", ")
+}
+
+/// Asserts that no row is broken.
+#[track_caller]
+pub fn assert_kept(broken: &[String]) {
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// Asserts that one error in each of `f32`, `Fx32` and `Fx16` keeps the bound of its row.
+#[track_caller]
+pub fn assert_row(table: &str, shape: &str, measured: [f64; 3]) {
+    println!("{table} {shape}: {}", shown(&measured));
+    let formats = ["f32", "fx32", "fx16"].into_iter().zip(measured);
+    let broken: Vec<_> = formats.flat_map(|(format, error)| broken(table, shape, format, &[error])).collect();
+    assert_kept(&broken);
+}
+
+/// Asserts that an error that has one format alone keeps the bound of its row.
+#[track_caller]
+pub fn assert_figure(table: &str, shape: &str, measured: f64) {
+    println!("{table} {shape}: {measured:.2e}");
+    assert_kept(&broken(table, shape, "f32", &[measured]));
 }
 
 /// Returns an error if a measured error exceeds its bound, or if the bound is loose; the message

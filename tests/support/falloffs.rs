@@ -80,8 +80,8 @@ impl<const N: u32> Shape<Power<N>> {
     }
 }
 
-/// A [`Shape`] whose falloff is chosen at run time, for laws that do not depend on how it is chosen:
-/// one type for all shapes compiles in a fraction of the time.
+/// A [`Shape`] whose falloff is chosen at run time, for laws that do not depend on how it is
+/// chosen: one type for all shapes compiles in a fraction of the time.
 pub struct AnyShape {
     pub name: &'static str,
     cone: Box<dyn Fn(f32) -> Cone<AnyFalloff>>,

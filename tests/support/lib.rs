@@ -12,13 +12,10 @@ pub mod falloffs;
 pub mod format;
 pub mod gobos;
 pub mod haze;
-pub mod haze16;
 pub mod imports;
 pub mod in_scattering;
 pub mod limits;
-pub mod operations;
 pub mod originals;
-pub mod prices;
 pub mod shadows;
 pub mod shapes;
 pub mod squares;
@@ -43,7 +40,18 @@ macro_rules! assert_that {
     };
 }
 
-/// Asserts that a value is in a range. The message says of what, what was found and what was expected.
+/// Calls a generic function in every format.
+#[macro_export]
+macro_rules! in_every_format {
+    ($function:ident $(($($argument:expr),* $(,)?))?) => {
+        $function::<f32>($($($argument),*)?);
+        $function::<::luminaire::Fx32>($($($argument),*)?);
+        $function::<::luminaire::Fx16>($($($argument),*)?);
+    };
+}
+
+/// Asserts that a value is in a range. The message says of what, what was found and what was
+/// expected.
 #[track_caller]
 pub fn assert_in<T: PartialOrd + Debug>(what: &dyn Debug, found: T, range: impl RangeBounds<T> + Debug) {
     assert!(range.contains(&found), "{what:?}: found {found:?}, expected {range:?}");

@@ -1,7 +1,5 @@
-//! The square that a spotlight projects, in f64 and as plainly as it can be written; and the table
-//! of its error bounds.
+//! The square that a spotlight projects, in f64 and as plainly as it can be written.
 
-use super::bounds::REFUSE;
 use super::format::Format;
 use super::oracle::DVec3;
 use luminaire::{SpotLight, attenuation::Attenuation, falloff::Falloff};
@@ -64,38 +62,3 @@ impl Square {
         self.position + depth * self.axis + right * self.right + up * self.up
     }
 }
-
-/// The bounds at one half angle, in `f32`, `Fx32` and `Fx16`, in this order: of a place, from the
-/// middle of its step, in sides; and of the depth, relative. Measured and held as in
-/// [`bounds`](super::bounds), two-sided and searched; `LUMINAIRE_FULL=1 cargo test --test suite
-/// projection:: -- --nocapture --test-threads 1` prints the measured ones.
-pub struct Row {
-    /// In degrees; [`NARROWEST`] stands for a different angle in each format.
-    pub half: f32,
-    pub place: [f64; 3],
-    pub depth: [f64; 3],
-}
-
-/// The narrowest cone of a format.
-pub const NARROWEST: f32 = 0.0;
-
-const fn row(half: f32, place: [f64; 3], depth: [f64; 3]) -> Row {
-    Row { half, place, depth }
-}
-
-/// Half a step is 7.6e-6 of a side.
-#[rustfmt::skip]
-pub const ROWS: [Row; 12] = [
-    row(NARROWEST, [7.0e-4, 8.1e-6, 8.5e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
-    row(0.01,      [2.5e-4, 7.9e-6, REFUSE], [2.4e-7, 1.6e-5, REFUSE]),
-    row(0.1,       [3.0e-5, 7.9e-6, REFUSE], [2.4e-7, 1.6e-5, REFUSE]),
-    row(0.5,       [1.2e-5, 7.9e-6, 7.7e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
-    row(1.0,       [9.9e-6, 7.9e-6, 4.1e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
-    row(2.0,       [9.0e-6, 7.9e-6, 2.4e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
-    row(3.5,       [8.4e-6, 7.9e-6, 1.7e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
-    row(7.5,       [8.2e-6, 7.9e-6, 1.2e-4], [2.4e-7, 1.6e-5, 1.3e-4]),
-    row(15.0,      [8.1e-6, 7.9e-6, 1.1e-4], [2.4e-7, 1.6e-5, 1.4e-4]),
-    row(30.0,      [8.0e-6, 7.9e-6, 1.1e-4], [2.4e-7, 1.6e-5, 1.5e-4]),
-    row(60.0,      [8.0e-6, 7.9e-6, 1.8e-4], [3.1e-7, 1.6e-5, 2.7e-4]),
-    row(80.0,      [8.2e-6, 8.1e-6, 4.5e-4], [6.3e-7, 1.6e-5, 8.0e-4]),
-];

@@ -95,7 +95,7 @@ impl<P: Falloff> BeamScattering16<P> {
     ///
     /// The error is at most 0.6 linear codes for soft, hard and smooth falloffs with half angles
     /// from 3 to 80 degrees, in a beam that is at most at full scale as near to the light as the
-    /// line of sight passes (searched: `tests/slow/haze16.rs`). Both ends of the line of sight are
+    /// line of sight passes (searched: `tests/suite/haze16_error.rs`). Both ends of the line of sight are
     /// then at least one radius away from the light's body.
     pub fn in_scattering(&self, eye: Vec3<Length>, surface: Vec3<Length>) -> Light16 {
         let zoom = self.falloff.ramp.zoom;
