@@ -57,8 +57,8 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// Any specular lobe gives sound light under a directional light: a lobe sees nothing else of a light.
-/// The sum with ambient and emitted light stays sound up to the display.
+/// Any specular lobe gives sound light under a directional light: a lobe sees nothing else of a
+/// light. The sum with ambient and emitted light stays sound up to the display.
 pub fn highlights_answer<S: Format>(words: &[u32]) {
     let _: Option<()> = highlight::<S>(&mut Words::new(words));
 }

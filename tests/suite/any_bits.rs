@@ -15,10 +15,12 @@ use luminaire::{
     },
     specular::{BlinnPhong, DifferenceForm, NoSpecular, Phong, SpecularLobe},
 };
-use support::arbitrary::{bits, vector};
-use support::assert_that;
-use support::format::Format;
-use support::sweep;
+use support::{
+    arbitrary::{bits, vector},
+    assert_that,
+    format::Format,
+    in_every_format, sweep,
+};
 
 /// A format whose constants can be made of any bits.
 trait Raw: Format {
@@ -88,8 +90,8 @@ fn assert_lights<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
     }
 }
 
-/// Asserts that a light answers on glossy surfaces. A lobe sees the direction of the light alone, so
-/// one kind of light is enough.
+/// Asserts that a light answers on glossy surfaces. A lobe sees the direction of the light alone,
+/// so one kind of light is enough.
 fn assert_shines<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
     for _ in 0..20 {
         let surface = any_surface(rng);
@@ -238,9 +240,7 @@ fn assert_any_bits_zoom<S: Raw>() {
 
 #[test]
 fn any_bits_zoom() {
-    assert_any_bits_zoom::<f32>();
-    assert_any_bits_zoom::<Fx32>();
-    assert_any_bits_zoom::<Fx16>();
+    in_every_format!(assert_any_bits_zoom);
 }
 
 fn assert_any_bits_make_a_light<S: Raw>() {

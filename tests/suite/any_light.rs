@@ -175,18 +175,6 @@ fn points_near_a_bright_light_are_as_each() -> Result<(), Error> {
     Ok(())
 }
 
-#[test]
-fn a_fixture_calls_for_what_it_carries() -> Result<(), Error> {
-    const BARS: Gobo<'static> = Gobo::of(&[255, 0, 255, 0]);
-    let fixture = Fixture::from(spot(Soft)?);
-    let carries = |fixture: &Fixture, effect| fixture.effects().has(effect);
-    assert!(!carries(&fixture, Effect::Gobo) && !carries(&fixture, Effect::Shadow));
-    let barred = fixture.with_gobo(BARS, Angle::degrees(30.0))?;
-    assert!(carries(&barred, Effect::Gobo) && !carries(&barred, Effect::Shadow));
-    assert!(carries(&barred.with_shadow(16)?, Effect::Shadow));
-    Ok(())
-}
-
 /// Number of samples per ray at which the transmittance is evaluated.
 const PLACES: usize = 16;
 
@@ -407,8 +395,8 @@ fn a_shadow_map_has_a_side_that_can_be() -> Result<(), Error> {
     Ok(())
 }
 
-/// Gobos and shadow maps cover the square around the cone of a spotlight, so a light without such a square
-/// has none.
+/// Gobos and shadow maps cover the square around the cone of a spotlight, so a light without such a
+/// square has none.
 #[test]
 fn what_projects_no_square_is_refused() -> Result<(), Error> {
     const BARS: Gobo<'static> = Gobo::of(&[255, 0, 255, 0]);

@@ -12,7 +12,7 @@ use support::{
     arbitrary::{bits, vector},
     falloffs::AnyShape,
     format::Format,
-    sweep,
+    in_every_format, sweep,
 };
 
 /// Lengths with every remainder of any machine's vectors and of the kernel's blocks, with and
@@ -78,12 +78,17 @@ fn before<S: Format>(rng: &mut Rng, count: usize) -> Vec<S::Irradiance> {
 
 /// A column of each component.
 type Columns<'a, T> = Vec3<&'a [T]>;
+type Normals<'a, S> = Columns<'a, S>;
+type Points<'a, S> = Columns<'a, <S as Scalar>::Length>;
+type Lights<'a, S> = &'a mut [<S as Scalar>::Irradiance];
+type Each<'a, S> = &'a dyn Fn(Points<'_, S>, Normals<'_, S>, Lights<'_, S>);
+type Add<'a, S> = &'a dyn Fn(Points<'_, S>, Normals<'_, S>, Rgb<Lights<'_, S>>);
 
 /// The calls of a light: for one point, for many points, and to add to the sums of many points.
 struct Calls<'a, S: Scalar> {
     one: &'a dyn Fn(Vec3<S::Length>, Vec3<S>) -> S::Irradiance,
-    each: &'a dyn Fn(Columns<'_, S::Length>, Columns<'_, S>, &mut [S::Irradiance]),
-    add: &'a dyn Fn(Columns<'_, S::Length>, Columns<'_, S>, Rgb<&mut [S::Irradiance]>),
+    each: Each<'a, S>,
+    add: Add<'a, S>,
     tint: Rgb<S>,
 }
 
@@ -259,9 +264,7 @@ fn the_shortest_slice_counts() {
             }
         }
     }
-    assert_shortest::<f32>();
-    assert_shortest::<Fx32>();
-    assert_shortest::<Fx16>();
+    in_every_format!(assert_shortest);
 }
 
 fn soft_cone() -> Cone<Soft> {
@@ -293,8 +296,6 @@ fn assert_falloff<S: Format>(shape: &AnyShape) {
 #[test]
 fn a_falloff_of_many_versines_is_that_of_each() {
     for shape in AnyShape::all() {
-        assert_falloff::<f32>(&shape);
-        assert_falloff::<Fx32>(&shape);
-        assert_falloff::<Fx16>(&shape);
+        in_every_format!(assert_falloff(&shape));
     }
 }

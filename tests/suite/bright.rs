@@ -5,7 +5,8 @@
 //! intensity over the squared distance where the light falls so. The error of the direction is: by
 //! the slope of the edge. All other roundings together must add no more than half a code to that.
 //!
-//! `LUMINAIRE_FULL=1 cargo test --test suite bright:: -- --nocapture --test-threads 1` prints the rows.
+//! `LUMINAIRE_FULL=1 cargo test --test suite bright:: -- --nocapture --test-threads 1` prints the
+//! rows.
 
 use fastrand::Rng;
 use luminaire::{
@@ -58,8 +59,8 @@ struct Site<S: Format> {
     cosine: f64,
 }
 
-/// A place near or far from a light of this reach, more often at the edge of its cone, where little of
-/// a bright light is left; and a normal from facing to grazing.
+/// A place near or far from a light of this reach, more often at the edge of its cone, where little
+/// of a bright light is left; and a normal from facing to grazing.
 fn site<S: Format>(rng: &mut Rng, position: DVec3, axis: DVec3, half: f64, reach: f64) -> Site<S> {
     let off_axis = half * (1.0 - rng.f64().powi(rng.i32(1..6)));
     let way = sweep::direction_off(rng, axis, off_axis);
@@ -71,8 +72,8 @@ fn site<S: Format>(rng: &mut Rng, position: DVec3, axis: DVec3, half: f64, reach
     Site { point, normal, way, cosine: (-way.normalize().dot(S::exact_normal(normal))).max(0.0) }
 }
 
-/// Spotlights with an attenuation, of four falloffs and six angles. A cut is a jump, which is in its
-/// place within 1e-4 of the range.
+/// Spotlights with an attenuation, of four falloffs and six angles. A cut is a jump, which is in
+/// its place within 1e-4 of the range.
 fn spots<S: Format>(rng: &mut Rng, attenuation: AnyAttenuation, reach: impl Fn(f64) -> f64) -> Row {
     let falloffs: [(AnyFalloff, oracle::Falloff); 4] = [
         (Soft.into(), oracle::soft),
@@ -235,8 +236,8 @@ fn a_bright_light_is_not_white_where_its_window_dims_it() {
     }
 }
 
-/// Normals that graze the light: the offset to the point is truncated, which must not turn a surface
-/// away that the light just reaches.
+/// Normals that graze the light: the offset to the point is truncated, which must not turn a
+/// surface away that the light just reaches.
 #[test]
 fn a_grazed_surface_is_not_dark() {
     let (mut worst, mut rng) = (0.0_f64, Rng::with_seed(79));

@@ -6,8 +6,9 @@ use luminaire::{
     Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, Scalar, SpotLight, Vec3, falloff::Soft,
     number::Quick,
 };
-use support::assert_that;
-use support::{arbitrary::vector, format::Format, oracle::DVec3, sweep, views::exact};
+use support::{
+    arbitrary::vector, assert_that, format::Format, in_every_format, oracle::DVec3, sweep, views::exact,
+};
 
 fn spot(rng: &mut Rng) -> SpotLight<Soft> {
     let cone = Cone::from_field(Soft, Angle::degrees(30.0)).expect("a sound cone");
@@ -96,9 +97,7 @@ fn a_normal_is_the_nearest_unit_vector() {
             );
         }
     }
-    zeros::<Fx16>();
-    zeros::<Fx32>();
-    zeros::<f32>();
+    in_every_format!(zeros);
 }
 
 /// Two lights, a part of the first one's intensity, and a point that the second one may light.
@@ -211,9 +210,7 @@ fn assert_quick_total<S: Format + Quick>() {
 fn changes_of_any_bits_are_defined() {
     assert_quick_total::<Fx16>();
     assert_quick_total::<f32>();
-    assert_total::<Fx16>();
-    assert_total::<Fx32>();
-    assert_total::<f32>();
+    in_every_format!(assert_total);
 }
 
 #[test]

@@ -5,8 +5,7 @@ use fastrand::Rng;
 use luminaire::display::{Rgb565, Rgb565Ramp};
 use luminaire::number::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Rgb};
-use support::oracle;
-use support::oracle::climb::Search;
+use support::oracle::{self, climb::Search};
 
 /// The last codes of red, green and blue.
 const LASTS: [u16; 3] = [31, 63, 31];

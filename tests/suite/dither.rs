@@ -5,8 +5,7 @@ use luminaire::{
     Fx16, Fx32, Rgb, Scalar,
     display::{Rgb565, decode_srgb, encode_srgb_dithered, encode_srgb_dithered_each},
 };
-use support::assert_that;
-use support::{format::Format, oracle};
+use support::{assert_that, format::Format, oracle};
 
 /// The last codes of eight, six and five bits.
 const LASTS: [u16; 3] = [255, 63, 31];
@@ -231,8 +230,8 @@ fn assert_never_falls<S: Scalar>(values: impl Iterator<Item = S> + Clone) {
     }
 }
 
-/// Exhaustive in `Fx16` from 0 to 1. In the other formats it tests values next to the light of every code and
-/// every threshold, where codes could fall.
+/// Exhaustive in `Fx16` from 0 to 1. In the other formats it tests values next to the light of
+/// every code and every threshold, where codes could fall.
 #[test]
 fn no_pixel_falls_where_the_light_rises() {
     assert_never_falls((-2..=(1 << 14) + 2).map(Fx16::from_bits));

@@ -89,8 +89,8 @@ fn figures_of_polynomials_hold_at_the_ends_of_their_parameters() -> Result<(), E
     Ok(())
 }
 
-/// Roots so high that they are nearly a step are as steep as one, and a linear falloff is exactly as
-/// steep at its edge as its formula.
+/// Roots so high that they are nearly a step are as steep as one, and a linear falloff is exactly
+/// as steep at its edge as its formula.
 #[test]
 fn the_steepness_of_a_step_and_of_a_line() -> Result<(), Error> {
     assert_eq!(RealPower::new(1e-5)?.steepness(0.0), 1.0);

@@ -12,9 +12,8 @@ use luminaire::{
     falloff::{AnyFalloff, Falloff},
     import::{self, Difference, Imported, OpenGlLight},
 };
-use support::assert_that;
 use support::{
-    bounds,
+    assert_that, bounds,
     format::Format,
     imports::{self, ORIGIN},
     oracle::DVec3,
@@ -66,7 +65,8 @@ fn angle_difference(light: &SpotLight<AnyFalloff, AnyAttenuation>, original: &Or
         .fold(0.0, f64::max)
 }
 
-/// The distances between which a light is compared with its original, as [`Difference`] defines them.
+/// The distances between which a light is compared with its original, as [`Difference`] defines
+/// them.
 fn compared(original: &Original) -> [f64; 2] {
     let end = original.range.unwrap_or(16.0);
     [original.stop.max(end / 16.0), end]

@@ -2,10 +2,12 @@
 
 use luminaire::{
     attenuation::AnyAttenuation,
-    import::{self, Imported, OpenGlLight},
+    import::{self, Imported},
 };
-use support::assert_that;
-use support::imports::{self, ORIGIN};
+use support::{
+    assert_that,
+    imports::{self, ORIGIN},
+};
 
 use crate::import::{distance_difference, fall, on_axis};
 
@@ -29,7 +31,8 @@ fn a_published_decay_is_within_12_percent_where_the_light_is_used() {
     }
 }
 
-/// Over a decay of 2 no attenuation of the kernel is close. The light at distance 1 is the original's.
+/// Over a decay of 2 no attenuation of the kernel is close. The light at distance 1 is the
+/// original's.
 #[test]
 fn a_steep_decay_is_the_inverse_square() {
     for decay in [2.2, 3.0, 16.0] {
@@ -39,26 +42,6 @@ fn a_steep_decay_is_the_inverse_square() {
             assert!((found - 1.0).abs() < 1e-5, "{} at {distance}: {found}, expected 1", original.name);
         }
     }
-}
-
-/// The scale of a decay is taken into the intensity as far as that may be.
-#[test]
-fn a_bright_light_decays_as_a_dim_one() {
-    let at = |intensity: f32| {
-        let light = import::Three { angle: 0.6, penumbra: 0.3, distance: 0.0, decay: 8.0, intensity };
-        fall(&light.import(ORIGIN, imports::DOWN).expect("sound").light, 1.0) / f64::from(intensity)
-    };
-    assert!((at(1_000.0) / at(1.0) - 1.0).abs() < 1e-5, "{} for {}", at(1_000.0), at(1.0));
-}
-
-/// A coefficient counts as none only if it is 0.
-#[test]
-fn a_small_coefficient_is_one() {
-    let light = import::OpenGl { quadratic_attenuation: 0.001, spot_cutoff: 30.0, ..Default::default() };
-    let OpenGlLight::Spot(light) = light.import(ORIGIN, imports::DOWN).expect("sound").light else {
-        panic!("a spotlight")
-    };
-    assert!((fall(&light, 100.0) - 1.0 / 11.0).abs() < 1e-7);
 }
 
 /// Without a constant coefficient the light grows without a bound towards the light: nearer than

@@ -8,9 +8,10 @@ use luminaire::{
     light::{CompiledSpotLight, Row, SurfacePoint},
     specular::BlinnPhong,
 };
-use support::assert_that;
 use support::{
+    assert_that,
     format::Format,
+    in_every_format,
     oracle::DVec3,
     sweep::{self, half},
 };
@@ -72,9 +73,7 @@ fn assert_no_lit_sphere_is_skipped<S: Format>() {
 
 #[test]
 fn no_sphere_with_a_lit_point_is_skipped() {
-    assert_no_lit_sphere_is_skipped::<Fx16>();
-    assert_no_lit_sphere_is_skipped::<Fx32>();
-    assert_no_lit_sphere_is_skipped::<f32>();
+    in_every_format!(assert_no_lit_sphere_is_skipped);
 }
 
 /// The gap to a cone with a half angle from 4 to 80 degrees, as a share of the distance, from which
@@ -182,9 +181,7 @@ fn rows_at_the_ends_of_a_format_have_the_light_of_their_points() {
             assert!(lit > 0 && shown == lit, "{} at {x}: {shown} pixels of a row, expected {lit}", S::NAME);
         }
     }
-    assert_rows::<Fx16>();
-    assert_rows::<Fx32>();
-    assert_rows::<f32>();
+    in_every_format!(assert_rows);
 }
 
 fn assert_vertices<S: Format>() {
@@ -220,7 +217,5 @@ fn assert_vertices<S: Format>() {
 
 #[test]
 fn vertices_have_the_light_of_their_points() {
-    assert_vertices::<Fx16>();
-    assert_vertices::<Fx32>();
-    assert_vertices::<f32>();
+    in_every_format!(assert_vertices);
 }

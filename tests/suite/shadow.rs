@@ -8,11 +8,11 @@ use luminaire::{
     falloff::Step,
     projector::{CompiledProjection, ProjectedPoint, Projection, Shadow},
 };
-use support::assert_that;
 use support::{
     arbitrary::{bits, vector},
+    assert_that,
     format::Format,
-    shadows, sweep,
+    in_every_format, shadows, sweep,
 };
 
 /// Range of the largest error of a visibility, compared with f64 at the same position (searched).
@@ -86,27 +86,7 @@ fn assert_exact_ends<S: Format>() {
 
 #[test]
 fn light_that_nothing_hides_and_full_shadow_are_exact() {
-    assert_exact_ends::<f32>();
-    assert_exact_ends::<Fx32>();
-    assert_exact_ends::<Fx16>();
-}
-
-/// Asserts that filtering light by a visibility of 1 changes no bit, and that a visibility of 0
-/// gives no light.
-fn assert_changes_no_bit<S: Format>() {
-    let mut rng = Rng::with_seed(14);
-    for _ in 0..10_000 {
-        let light = S::from_f32(rng.f32()).expose(S::gain(2.0_f32.powi(rng.i32(-10..10))));
-        assert_eq!(S::filter(light, S::part(16_384)), light);
-        assert_eq!(S::filter(light, S::part(0)), S::Irradiance::default());
-    }
-}
-
-#[test]
-fn all_of_the_light_is_every_bit_of_it() {
-    assert_changes_no_bit::<f32>();
-    assert_changes_no_bit::<Fx32>();
-    assert_changes_no_bit::<Fx16>();
+    in_every_format!(assert_exact_ends);
 }
 
 fn assert_point_is_place<S: Format>() {
@@ -127,9 +107,7 @@ fn assert_point_is_place<S: Format>() {
 
 #[test]
 fn a_point_has_the_visibility_of_its_place() {
-    assert_point_is_place::<f32>();
-    assert_point_is_place::<Fx32>();
-    assert_point_is_place::<Fx16>();
+    in_every_format!(assert_point_is_place);
 }
 
 fn assert_any_bits<S: Format>() {
@@ -152,9 +130,7 @@ fn assert_any_bits<S: Format>() {
 
 #[test]
 fn any_bits_have_a_visibility() {
-    assert_any_bits::<f32>();
-    assert_any_bits::<Fx32>();
-    assert_any_bits::<Fx16>();
+    in_every_format!(assert_any_bits);
 }
 
 /// In floating point a point of NaN depth is not in shadow, and a NaN texel casts no shadow.

@@ -7,8 +7,7 @@ use luminaire::{
     Angle, Cone, Fx16, Fx32,
     falloff::{Knot, Table},
 };
-use support::assert_that;
-use support::{format::Format, oracle, sweep};
+use support::{assert_that, format::Format, in_every_format, oracle, sweep};
 
 /// A file of LM-63 as it is published, in candela every 2.5 degrees from the axis to 90:
 /// `tests/data` of dlippok/photometric-viewer (MIT licence).
@@ -92,9 +91,7 @@ fn a_published_file_comes_back_in_every_format() {
     }
     let mut knots = [Knot::default(); 64];
     let (table, _) = Table::from_angles(&published(), Angle::degrees(180.0), &mut knots).expect("sound data");
-    assert_format::<f32>(table, 0.5 / 255.0);
-    assert_format::<Fx32>(table, 0.5 / 255.0);
-    assert_format::<Fx16>(table, 0.5 / 255.0);
+    in_every_format!(assert_format(table, 0.5 / 255.0));
 }
 
 /// Curves that no fixture has, with one knot and more.
@@ -200,9 +197,7 @@ fn the_largest_table_keeps_to_its_line() {
     }
     let samples: Vec<_> = (0..=u16::MAX).rev().collect();
     let table = Table::new(&samples).expect("65,536 samples");
-    assert_format::<f32>(table);
-    assert_format::<Fx32>(table);
-    assert_format::<Fx16>(table);
+    in_every_format!(assert_format(table));
 }
 
 /// Next to the axis, before the first knot, the line of the first knot goes on.
@@ -215,9 +210,7 @@ fn the_first_line_goes_on_to_the_axis() {
     }
     let knots = [Knot::from_bits(6_553, 65_535, 0), Knot::from_bits(32_768, 65_535, -65_534)];
     let table = Table::of_knots(&knots);
-    assert_format::<f32>(table);
-    assert_format::<Fx32>(table);
-    assert_format::<Fx16>(table);
+    in_every_format!(assert_format(table));
 }
 
 /// Knots of any bits give intensities from 0 to 1, and a table without knots would be dark.
@@ -241,8 +234,6 @@ fn every_bit_pattern_of_a_knot_has_an_answer() {
             Knot::from_bits(rng.u16(..), rng.u16(..), slope)
         });
         let table = Table::of_knots(&knots);
-        assert_format::<f32>(table);
-        assert_format::<Fx32>(table);
-        assert_format::<Fx16>(table);
+        in_every_format!(assert_format(table));
     }
 }

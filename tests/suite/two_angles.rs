@@ -5,9 +5,8 @@ use luminaire::{
     error::{Expected, Parameter},
     falloff::{Cubic, Falloff, FittedFalloff},
 };
-use support::assert_that;
 use support::{
-    cubics,
+    assert_that, cubics,
     format::Format,
     oracle::{self, half_degrees},
 };
@@ -279,39 +278,4 @@ fn half_a_turn_is_an_angle() {
     let wider = Angle::degrees(180.0_f32.next_up());
     assert!(Cone::from_beam_and_field(wider, wider).is_err());
     assert!(Cone::edge_slopes(Angle::degrees(140.0), wider).is_err());
-}
-
-/// The edge slope of 0 is accepted just as far as the largest ratio that it reaches.
-#[test]
-fn an_edge_slope_of_0_is_accepted_up_to_its_last_ratio() {
-    let least = |field: f32| Cone::edge_slopes(degrees(7.0), degrees(field)).expect("reachable").0;
-    let (mut with, mut without) = (field_of(7.0, 2.5), field_of(7.0, 5.4));
-    assert!(least(with) == 0.0 && least(without) > 0.0);
-    for _ in 0..30 {
-        let middle = (with + without) / 2.0;
-        if least(middle) == 0.0 { with = middle } else { without = middle }
-    }
-    let cone = Cone::from_beam_field_and_slope(degrees(7.0), degrees(with * 0.999_999), 0.0);
-    assert!(cone.is_ok(), "{cone:?}");
-    let cone = Cone::from_beam_field_and_slope(degrees(7.0), degrees(without), least(without));
-    assert!(cone.is_ok(), "{cone:?}");
-}
-
-/// For the largest ratios the smallest edge slope is that of the cubic with the largest middle slope
-/// of all monotone ones, `(6 - a + sqrt(3 a (4 - a))) / 2`.
-#[test]
-fn the_smallest_edge_slope_is_where_the_middle_is_steepest() {
-    let steepest = |a: f64| {
-        let middle = (6.0 - a + (3.0 * a * (4.0 - a)).sqrt()) / 2.0;
-        cubics::Cubic { a, b: 3.0 - 2.0 * a - middle, c: a + middle - 2.0 }.ratio()
-    };
-    for ratio in [4.96, 4.98, 4.985, 4.987, 5.1, 5.3] {
-        let (mut below, mut above) = (0.8, 1.3);
-        for _ in 0..40 {
-            let middle = (below + above) / 2.0;
-            if steepest(middle) < ratio { below = middle } else { above = middle }
-        }
-        let (least, _) = Cone::edge_slopes(degrees(7.0), degrees(field_of(7.0, ratio))).expect("reachable");
-        assert!((f64::from(least) - above).abs() < 1e-4, "{ratio}: from {least}, expected {above}");
-    }
 }

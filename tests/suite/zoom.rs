@@ -7,8 +7,8 @@ use luminaire::{
     falloff::{Falloff, Soft, Step},
     number::Quick,
 };
-use support::assert_that;
 use support::{
+    assert_that,
     format::Format,
     oracle::{
         self, DVec3,
@@ -17,8 +17,8 @@ use support::{
     sweep::{self, half},
 };
 
-/// A pair of cones by their outer half angles in degrees, the share of the cutoff in the outer angle
-/// and of the hotspot in the cutoff, and the part of the way from one cone to the other.
+/// A pair of cones by their outer half angles in degrees, the share of the cutoff in the outer
+/// angle and of the hotspot in the cutoff, and the part of the way from one cone to the other.
 #[derive(Clone, Copy, Debug)]
 struct Zoom {
     outer: [f32; 2],
@@ -99,8 +99,8 @@ fn moved(rng: &mut Rng, (zoom, point): Input, narrowest: f32) -> Input {
     (zoom, [off.min(1.1), distance.clamp(0.3, 16.0), turn])
 }
 
-/// The error of a zoomed light's falloff at a point. It is 0 if the format refuses one of the cones,
-/// and where the falloff jumps.
+/// The error of a zoomed light's falloff at a point. It is 0 if the format refuses one of the
+/// cones, and where the falloff jumps.
 fn error<S: Format>((zoom, point): Input) -> f64 {
     let Ok([from, to]) = zoom.cones(Soft) else { return 0.0 };
     let Ok([from, to]) = light(from).compile_zoom::<S>(&to) else { return 0.0 };
@@ -262,21 +262,4 @@ fn a_zoom_is_nearly_linear_in_the_angle() {
         println!("{widest} degrees: {least:e} to {most}");
         assert_that!(least > -1e-4 && (stated / 1.5..=stated).contains(&most), widest, least, most);
     }
-}
-
-/// The versine of a cone between two cones, relative to the exact one.
-#[test]
-fn a_cone_between_has_the_versine_between() {
-    let mut rng = Rng::with_seed(3);
-    let mut worst = 0.0_f64;
-    for _ in 0..200_000 {
-        let [from, to] = Zoom::somewhere(&mut rng, 0.01).cones(Soft).expect("sound cones");
-        let part = rng.f32();
-        let [near, far] = [from, to].map(|cone| f64::from(cone.outer_versine()).sqrt());
-        let exact = (near + (far - near) * f64::from(part)).powi(2);
-        let found = from.zoomed(&to, part).outer_versine();
-        worst = worst.max((f64::from(found) / exact - 1.0).abs());
-    }
-    println!("{worst:.2e}");
-    assert_that!((2e-7..=4e-7).contains(&worst), worst);
 }
