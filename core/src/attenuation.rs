@@ -98,7 +98,7 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
 
     /// Returns the irradiance at this distance from a share of the intensity; 0 for a negative
     /// share.
-    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         constants: &Self::Constants<S>,
         offset: &O,
         ray: &R,
@@ -156,13 +156,13 @@ fn inverse_squared<S: Scalar>(range: Option<f32>) -> S::Gain {
 /// Returns `(d/r)^2`, and exactly 1 at and beyond the range.
 #[inline]
 fn squared_fraction<S: Scalar, O: Offset<S>>(inverse_squared: S::Gain, offset: &O) -> S {
-    offset.squared_distance().by(inverse_squared).fraction()
+    offset.squared_distance().times(inverse_squared).scalar()
 }
 
 /// Multiplies a share by a factor in [0, 1]; 0 for a negative share.
 #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 instructions without.
 fn dimmed<S: Scalar, T: Share<S>>(share: T, factor: T) -> T {
-    if share > T::default() { share.share_of(factor) } else { T::default() }
+    if share > T::default() { share.times(factor) } else { T::default() }
 }
 
 impl Polynomial {
@@ -219,14 +219,14 @@ impl Attenuation for NoAttenuation {
     }
 
     #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 instructions without.
-    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (): &(),
         _: &O,
         _: &R,
         share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        share.give(intensity)
+        share.light(intensity)
     }
 }
 
@@ -249,14 +249,14 @@ impl Attenuation for InverseSquare {
     }
 
     #[inline]
-    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (): &(),
         _: &O,
         ray: &R,
         share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        ray.expose(share, intensity)
+        ray.light(share, intensity)
     }
 }
 
@@ -281,7 +281,7 @@ impl Attenuation for Polynomial {
     }
 
     #[inline(always)] // `spot-soft-lambert-polynomial` on Cortex-M0: +174 instructions without.
-    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         &[constant, linear, quadratic]: &[S::Gain; 3],
         _: &O,
         ray: &R,
@@ -289,8 +289,8 @@ impl Attenuation for Polynomial {
         intensity: S::Gain,
     ) -> S::Irradiance {
         let distance = ray.distance();
-        let divisor = quadratic.by(distance).plus(linear).by(distance).plus(constant);
-        share.give(divisor.inverse_capped().by(intensity))
+        let divisor = quadratic.times(distance).plus(linear).times(distance).plus(constant);
+        share.light(divisor.inverse_capped().times(intensity))
     }
 }
 
@@ -325,16 +325,16 @@ impl Attenuation for SmoothRange {
     }
 
     #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +273 instructions without.
-    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         constants: &[S::Gain; 2],
         offset: &O,
         ray: &R,
         share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        let smooth = ray.near(constants[0]).rest().smoothed();
-        let is_beyond = ray.squared_near(offset, constants[1]).is_all();
+        let smooth = ray.near(constants[0]).complement().smooth();
+        let is_beyond = ray.squared_near(offset, constants[1]).is_one();
         let smooth = if is_beyond { R::Share::default() } else { smooth };
-        dimmed::<S, _>(share, smooth).give(intensity)
+        dimmed::<S, _>(share, smooth).light(intensity)
     }
 }

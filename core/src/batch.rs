@@ -16,7 +16,7 @@ use crate::{
     color::Rgb,
     cone::CompiledCone,
     falloff::Falloff,
-    number::{Fraction, FullOffset, Offset, Quick, Ray, Scalar},
+    number::{Fraction, Offset, Quick, Ray, Scalar},
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, LightModel, QuickSpotLight,
         SurfacePoint,
@@ -41,7 +41,7 @@ trait Batched<S: Scalar>: LightModel<S> {
     /// Returns the position of the light.
     fn position(&self) -> Vec3<S::Length>;
     /// Returns the irradiance at a single point, given the direction and distance.
-    fn expose(
+    fn light_along(
         &self,
         offset: &S::Offset,
         ray: &<S::Offset as Offset<S>>::Ray,
@@ -56,15 +56,15 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Batched<S> for CompiledSpotLight<S, 
     }
 
     #[inline]
-    fn expose(
+    fn light_along(
         &self,
         offset: &S::Offset,
         ray: &<S::Offset as Offset<S>>::Ray,
         normal: Vec3<S>,
     ) -> S::Irradiance {
         let cosine = ray.cosine(offset.facing(normal), normal);
-        let share = cosine.of(self.cone.toward(ray, self.axis));
-        A::expose(&self.attenuation, offset, ray, share, self.intensity)
+        let share = cosine.times_value(self.cone.toward(ray, self.axis));
+        A::light(&self.attenuation, offset, ray, share, self.intensity)
     }
 }
 
@@ -75,14 +75,14 @@ impl<S: Scalar, A: Attenuation> Batched<S> for CompiledPointLight<S, A> {
     }
 
     #[inline]
-    fn expose(
+    fn light_along(
         &self,
         offset: &S::Offset,
         ray: &<S::Offset as Offset<S>>::Ray,
         normal: Vec3<S>,
     ) -> S::Irradiance {
-        let cosine = ray.cosine(offset.facing(normal), normal).scalar();
-        A::expose(&self.attenuation, offset, ray, cosine, self.intensity)
+        let cosine = ray.cosine(offset.facing(normal), normal).value();
+        A::light(&self.attenuation, offset, ray, cosine, self.intensity)
     }
 }
 
@@ -133,12 +133,12 @@ fn light_block<S: Scalar>(
 ) {
     let mut reciprocals = Lanes([0.0; BLOCK]);
     for (i, reciprocal) in reciprocals.0.iter_mut().enumerate() {
-        *reciprocal = S::offset(source.position(), points.map(|column| column[i])).reciprocal();
+        *reciprocal = S::Offset::between(source.position(), points.map(|column| column[i])).reciprocal();
     }
     for (i, light) in lights.iter_mut().enumerate() {
-        let offset = S::offset(source.position(), points.map(|column| column[i]));
+        let offset = S::Offset::between(source.position(), points.map(|column| column[i]));
         let ray = offset.ray_of(reciprocals.0[i]);
-        *light = source.expose(&offset, &ray, normals.map(|column| column[i]));
+        *light = source.light_along(&offset, &ray, normals.map(|column| column[i]));
     }
 }
 

@@ -52,8 +52,8 @@ pub use crate::{
 };
 #[cfg(feature = "fixed")]
 pub use crate::{
-    number::fixed16::{Frame16, Gain16},
-    number::fixed32::{Frame32, Gain32},
+    number::fx16::{Frame16, Gain16},
+    number::fx32::{Frame32, Gain32},
     number::ramp::FixedRamp,
 };
 

@@ -49,6 +49,8 @@
 //! `1/h` varies too much for one fixed-point scale. In 16 bits it is a mantissa with a shift.
 
 mod arc;
+#[cfg(feature = "fixed")]
+mod arc16;
 mod beam;
 #[cfg(feature = "fixed")]
 mod beam16;

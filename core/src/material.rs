@@ -127,7 +127,7 @@ impl<H: SpecularLobe> Material<H> {
         CompiledMaterial {
             ambient: self.ambient.map(S::from_f32),
             diffuse: self.diffuse.map(S::from_f32),
-            emissive: self.emissive.map(|channel| S::ONE.expose(S::gain(channel))),
+            emissive: self.emissive.map(|channel| S::ONE.light(S::gain(channel))),
             specular: self.specular.map(S::from_f32),
             highlight: H::constants::<S>(self.shininess),
         }

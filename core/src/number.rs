@@ -19,62 +19,40 @@
 //! - A NaN in a point, a normal or a versine gives zero light.
 //! - A falloff is in `[0, 1]`: exactly 1 on the axis, exactly 0 at and outside the edge.
 
-pub(crate) mod arithmetic;
-#[cfg(feature = "fixed")]
-mod chord;
-#[cfg(feature = "fixed")]
-mod fine;
-#[cfg(feature = "fixed")]
-mod fine_ray;
+mod arithmetic;
 pub(crate) mod float;
-pub(crate) mod fraction;
+#[cfg(feature = "fixed")]
+pub(crate) mod fx16;
+#[cfg(feature = "fixed")]
+pub(crate) mod fx32;
 mod knot;
 mod place;
-mod quick;
 #[cfg(feature = "fixed")]
 pub(crate) mod ramp;
 pub(crate) mod real;
-
-#[cfg(feature = "fixed")]
-pub(crate) mod fixed16;
-#[cfg(feature = "fixed")]
-pub(crate) mod fixed32;
-#[cfg(feature = "fixed")]
-mod fixed_point;
-#[cfg(feature = "fixed")]
-mod gain;
-#[cfg(feature = "fixed")]
-mod product;
-#[cfg(feature = "fixed")]
-mod reciprocal;
 #[cfg(feature = "fixed")]
 pub(crate) mod root;
 #[cfg(feature = "fixed")]
 mod sphere;
+#[cfg(feature = "fixed")]
+mod types;
 
 pub(crate) use self::arithmetic::HALF_A_CODE;
 #[cfg(feature = "fixed")]
-pub use self::fixed_point::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, Weight32};
-#[cfg(not(feature = "arithmetic"))]
-pub(crate) use self::real::RealExponent;
-#[cfg(not(feature = "arithmetic"))]
-pub(crate) use self::{
-    arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
-    fraction::Fraction,
-};
+pub use self::types::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, Weight32};
+#[cfg(feature = "fixed")]
+use self::types::{nearest, rounded};
+pub use self::{arithmetic::Quick, knot::Knot, place::ProjectedPoint};
 #[cfg(feature = "arithmetic")]
 pub use self::{
-    arithmetic::{Arithmetic, FullOffset, Gain, Offset, Ray, Rise, Share, Slopes, Word},
-    fraction::Fraction,
+    arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     real::RealExponent,
 };
-#[cfg(feature = "fixed")]
-use self::{
-    fixed_point::{nearest, operations, rounded},
-    gain::{Gain16, Gain32},
-    ramp::FixedRamp,
+#[cfg(not(feature = "arithmetic"))]
+pub(crate) use self::{
+    arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},
+    real::RealExponent,
 };
-pub use self::{knot::Knot, place::ProjectedPoint, quick::Quick};
 use crate::{
     source::{Named, Source},
     vec3::Vec3,
@@ -180,7 +158,7 @@ pub trait Scalar:
 
 /// Returns the unit vector along an offset; `None` if the offset has no direction.
 pub(crate) fn unit<S: Scalar>(offset: S::Offset) -> Option<Vec3<S::Unit>> {
-    offset.has_direction().then(|| offset.fine_ray().direction())
+    S::has_direction(&offset).then(|| S::fine_ray(&offset).direction())
 }
 
 /// Returns the normal along a vector; zero if the vector has no direction.
@@ -188,7 +166,7 @@ fn normal_along<S: Scalar>(direction: Vec3<S::Unit>) -> Vec3<S> {
     unit::<S>(S::offset_along(direction)).map_or_else(Vec3::default, S::unit_normal)
 }
 
-/// Returns the bound for [`FullOffset::is_outside`]: the squared cosine of the outer half angle,
+/// Returns the bound for [`Offset::is_outside`]: the squared cosine of the outer half angle,
 /// less a margin for rounding errors.
 ///
 /// A point is outside the cone if `z |z| < bound |v|^2`, where `v` is the vector from the light to

@@ -171,11 +171,11 @@ impl<S: Arithmetic> Fraction<S> for Symbol<'_, S> {
         self.record(Operation::Complement)
     }
 
-    fn fine_product(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         self.record_with(other, Operation::FineProduct)
     }
 
-    fn product(self, other: Self) -> Self {
+    fn times_to_value(self, other: Self) -> Self {
         self.record_with(other, Operation::Product)
     }
 
@@ -183,11 +183,11 @@ impl<S: Arithmetic> Fraction<S> for Symbol<'_, S> {
         self.record(|x| Operation::RealPower(x, exponent.to_bits()))
     }
 
-    fn scalar(self) -> Self {
+    fn value(self) -> Self {
         self.record(Operation::Scalar)
     }
 
-    fn of(self, value: Self) -> Self {
+    fn times_value(self, value: Self) -> Self {
         self.record_with(value, Operation::Of)
     }
 
@@ -217,9 +217,9 @@ impl<S: Arithmetic> Fraction<S> for Symbol<'_, S> {
 }
 
 /// The operations on intensities. A falloff ends with an intensity and computes with
-/// [`Share::rest`] alone.
+/// [`Share::complement`] alone.
 impl<S: Arithmetic> Share<S> for Symbol<'_, S> {
-    fn rest(self) -> Self {
+    fn complement(self) -> Self {
         self.record(Operation::Rest)
     }
 
@@ -227,23 +227,23 @@ impl<S: Arithmetic> Share<S> for Symbol<'_, S> {
         unreachable!("an operation of attenuations")
     }
 
-    fn rounded(self) -> S {
+    fn scalar(self) -> S {
         unreachable!("an operation of attenuations")
     }
 
-    fn is_all(self) -> bool {
+    fn is_one(self) -> bool {
         unreachable!("an operation of attenuations")
     }
 
-    fn share_of(self, _: Self) -> Self {
+    fn times(self, _: Self) -> Self {
         unreachable!("an operation of attenuations")
     }
 
-    fn smoothed(self) -> Self {
+    fn smooth(self) -> Self {
         unreachable!("an operation of attenuations")
     }
 
-    fn give(self, _: S::Gain) -> S::Received {
+    fn light(self, _: S::Gain) -> S::Received {
         unreachable!("an operation of attenuations")
     }
 }

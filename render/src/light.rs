@@ -110,7 +110,7 @@ impl<S: Scalar> Setting<'_, S> {
         work: &mut Workspace<S>,
         radiance: &mut Radiance,
     ) -> usize {
-        fill::<S>(&mut work.sums.diffuse, self.ambient.map(|channel| S::ONE.expose(S::gain(channel))));
+        fill::<S>(&mut work.sums.diffuse, self.ambient.map(|channel| S::ONE.light(S::gain(channel))));
         let glints = match self.shining(block, &mut work.shining) {
             0 => self.light_matte(block, fixtures, work),
             kinds => self.light_shining(block, kinds, fixtures, work),

@@ -13,7 +13,7 @@ use luminaire::{
 pub fn fitting_keeps_what_fits<S: Format>(words: &[u32]) {
     let words = &mut Words::new(words);
     let [red, green, blue] =
-        [(); 3].map(|()| S::from_f32(words.number(0.0, 1.0)).expose(S::gain(words.number(0.0, 3.0))));
+        [(); 3].map(|()| S::from_f32(words.number(0.0, 1.0)).light(S::gain(words.number(0.0, 3.0))));
     let light = Rgb::new(red, green, blue);
     let exposure = Exposure::factor(1.0).expect("one is accepted").compile::<S>();
     assert_eq!(exposure.expose(light), light);

@@ -44,7 +44,7 @@ pub fn order_does_not_matter<S: Format>(words: &[u32]) {
     let mut lights: Vec<Rgb<S::Irradiance>> = Vec::new();
     for _ in 0..2 + words.choice(6) {
         let color = scene::color(words).map(S::from_f32);
-        let light = S::from_f32(words.number(0.0, 2.0)).expose(S::gain(words.number(0.0, 1e6)));
+        let light = S::from_f32(words.number(0.0, 2.0)).light(S::gain(words.number(0.0, 1e6)));
         lights.push(Rgb::lit::<S>(light, color.map(|c| S::from_f32(c.to_f32().clamp(0.0, 1.0)))));
     }
     let sum = |lights: &mut dyn Iterator<Item = Rgb<S::Irradiance>>| {

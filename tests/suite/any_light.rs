@@ -111,7 +111,7 @@ fn assert_each<S: Format, H: SpecularLobe>(
         normal: borrowed(&normal),
         view: borrowed(&view),
     };
-    let stale = S::ONE.expose(S::gain(0.5));
+    let stale = S::ONE.light(S::gain(0.5));
     assert_eq!(columns.at(COUNT), SurfacePoint::matte(Vec3::default(), Vec3::default()), "beyond the last");
     let mut found = Incident { diffuse: [stale; COUNT], specular: [stale; COUNT] };
     light.evaluate_each::<H, COUNT>(&columns, &highlight, &mut found);

@@ -73,7 +73,7 @@ fn light_bits<S: Format>(light: S::Irradiance) -> u64 {
 
 /// Initial sums of light, different for each point.
 fn before<S: Format>(rng: &mut Rng, count: usize) -> Vec<S::Irradiance> {
-    (0..count).map(|_| S::from_f32(rng.f32()).expose(S::gain(4.0))).collect()
+    (0..count).map(|_| S::from_f32(rng.f32()).light(S::gain(4.0))).collect()
 }
 
 /// A column of each component.

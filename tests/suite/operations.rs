@@ -55,7 +55,7 @@ fn sixteen_bits(rng: &mut Rng, least: i32, most: i32) -> f32 {
 /// The value of a gain, read as light after scaling it by `2^up`.
 fn value<S: Format>(gain: S::Gain, up: i32) -> f64 {
     let factor = 2.0_f32.powi(up);
-    S::exact_light(S::ONE.expose(gain.by(S::gain(factor)))) / f64::from(factor)
+    S::exact_light(S::ONE.light(gain.times(S::gain(factor)))) / f64::from(factor)
 }
 
 fn relative(found: f64, exact: f64) -> f64 {
@@ -81,7 +81,7 @@ fn offset<S: Format>(rng: &mut Rng) -> (S::Offset, DVec3) {
     let (way, distance) = (sweep::direction(rng), sweep::distance(rng));
     let point = sweep::on_grid(light + distance * way);
     let [from, to] = [light, point].map(|v| sweep::single(v).map(S::length));
-    (S::offset(from, to), S::exact_point(to) - S::exact_point(from))
+    (S::Offset::between(from, to), S::exact_point(to) - S::exact_point(from))
 }
 
 fn times<S: Format>(rng: &mut Rng) -> f64 {
@@ -118,9 +118,9 @@ fn gain<S: Format>(rng: &mut Rng) -> f64 {
     relative(value::<S>(S::gain(exact), 14), exact.into())
 }
 
-fn gain_by<S: Format>(rng: &mut Rng) -> f64 {
+fn gain_times<S: Format>(rng: &mut Rng) -> f64 {
     let [a, b] = [0; 2].map(|_| sixteen_bits(rng, -2, 2));
-    relative(value::<S>(S::gain(a).by(S::gain(b)), 12), f64::from(a) * f64::from(b))
+    relative(value::<S>(S::gain(a).times(S::gain(b)), 12), f64::from(a) * f64::from(b))
 }
 
 fn gain_plus<S: Format>(rng: &mut Rng) -> f64 {
@@ -133,28 +133,28 @@ fn inverse_capped<S: Format>(rng: &mut Rng) -> f64 {
     relative(value::<S>(S::gain(a).inverse_capped(), 16), (1.0 / f64::from(a)).min(1.0))
 }
 
-fn gain_fraction<S: Format>(rng: &mut Rng) -> f64 {
+fn gain_scalar<S: Format>(rng: &mut Rng) -> f64 {
     let a = sixteen_bits(rng, -6, 1);
-    steps::<S>(S::gain(a).fraction().exact() - f64::from(a).min(1.0))
+    steps::<S>(S::gain(a).scalar().exact() - f64::from(a).min(1.0))
 }
 
 #[test]
 fn gains_keep_their_rows() {
     assert_in_every_format!("gain relative", gain);
-    assert_in_every_format!("gain by relative", gain_by);
+    assert_in_every_format!("gain times relative", gain_times);
     assert_in_every_format!("gain plus relative", gain_plus);
     assert_in_every_format!("inverse capped relative", inverse_capped);
-    assert_in_every_format!("fraction of a gain", gain_fraction);
+    assert_in_every_format!("scalar of a gain", gain_scalar);
 }
 
 /// Light of up to four times full scale.
 fn light<S: Format>(rng: &mut Rng) -> S::Irradiance {
-    S::from_f32(rng.f32()).expose(S::gain(4.0))
+    S::from_f32(rng.f32()).light(S::gain(4.0))
 }
 
-fn expose<S: Format>(rng: &mut Rng) -> f64 {
+fn share_light<S: Format>(rng: &mut Rng) -> f64 {
     let (fraction, gain) = (S::from_f32(rng.f32()), sixteen_bits(rng, -3, 0));
-    steps::<S>(S::exact_light(fraction.expose(S::gain(gain))) - fraction.exact() * f64::from(gain))
+    steps::<S>(S::exact_light(fraction.light(S::gain(gain))) - fraction.exact() * f64::from(gain))
 }
 
 fn filter<S: Format>(rng: &mut Rng) -> f64 {
@@ -174,7 +174,7 @@ fn light_to_f32<S: Format>(rng: &mut Rng) -> f64 {
 }
 
 fn light_to_gain<S: Format>(rng: &mut Rng) -> f64 {
-    let light = S::from_f32(0.5 + 0.5 * rng.f32()).expose(S::gain(16.0));
+    let light = S::from_f32(0.5 + 0.5 * rng.f32()).light(S::gain(16.0));
     relative(value::<S>(S::light_to_gain(light), 12), S::exact_light(light))
 }
 
@@ -228,7 +228,7 @@ fn colored<S: Format>(rng: &mut Rng) -> f64 {
 
 #[test]
 fn light_keeps_its_rows() {
-    assert_in_every_format!("expose", expose);
+    assert_in_every_format!("light of a share", share_light);
     assert_in_every_format!("filter", filter);
     assert_in_every_format!("add light", add_light);
     assert_in_every_format!("light to f32 relative", light_to_f32);
@@ -345,9 +345,9 @@ fn ray_cosine<S: Format>(rng: &mut Rng) -> f64 {
         assert_eq!(S::Offset::faces_away(facing), exact < 0.0, "{} {exact}", S::NAME);
     }
     let cosine = offset.ray().cosine(facing, normal);
-    assert_eq!(cosine.of(Share::of_scalar(S::ONE)), cosine.scalar());
+    assert_eq!(cosine.times_value(Share::of_scalar(S::ONE)), cosine.value());
     let half = Share::of_scalar(S::from_f32(0.5));
-    steps::<S>(2.0 * cosine.of(half).rounded().exact() - exact.clamp(0.0, 1.0))
+    steps::<S>(2.0 * cosine.times_value(half).scalar().exact() - exact.clamp(0.0, 1.0))
 }
 
 fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {
@@ -363,12 +363,12 @@ fn ray_versine<S: Format>(rng: &mut Rng) -> f64 {
 
 /// The relative error of the inverse square, for light of 16 to 64 times full scale, where the
 /// rounding of the light itself is negligible.
-fn ray_expose<S: Format>(rng: &mut Rng) -> f64 {
+fn ray_light<S: Format>(rng: &mut Rng) -> f64 {
     let (offset, way) = offset::<S>(rng);
     let squared = way.length_squared();
     let gain = (squared * (16.0 + 48.0 * rng.f64())) as f32;
     let exact = f64::from(gain) / squared;
-    relative(S::exact_light(offset.ray().expose(Share::of_scalar(S::ONE), S::gain(gain))), exact)
+    relative(S::exact_light(offset.ray().light(Share::of_scalar(S::ONE), S::gain(gain))), exact)
 }
 
 /// Lambert's cosine of directional light with intensities up to full scale.
@@ -394,7 +394,7 @@ fn rays_keep_their_rows() {
     assert_in_every_format!("squared distance relative", squared_distance);
     assert_in_every_format!("ray cosine", ray_cosine);
     assert_in_every_format!("ray versine of the outer", ray_versine);
-    assert_in_every_format!("ray expose relative", ray_expose);
+    assert_in_every_format!("ray light relative", ray_light);
 }
 
 /// In fixed point a light in a colour is the product, rounded once and at most the largest light:

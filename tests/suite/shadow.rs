@@ -57,7 +57,11 @@ fn visibilities_keep_their_row() {
     for steps in 0..=16_384 {
         let exact = f64::from(steps) / 16_384.0;
         assert_eq!(
-            [f32::part(steps).exact(), Fx32::part(steps).exact(), Fx16::part(steps).exact()],
+            [
+                f32::from_steps(steps).exact(),
+                Fx32::from_steps(steps).exact(),
+                Fx16::from_steps(steps).exact()
+            ],
             [exact; 3]
         );
     }

@@ -131,10 +131,10 @@ fn assert_laws<S: Format>() {
         assert!(!S::from_f32(value).exact().is_nan());
     }
     assert_eq!(S::from_f32(1.0), S::ONE);
-    assert_eq!(S::ONE.expose(S::gain(1.0)), S::filter(S::ONE.expose(S::gain(1.0)), S::ONE));
-    assert_eq!(S::exact_light(S::ONE.expose(S::gain(1.0))), 1.0);
-    assert_eq!(S::exact_light(S::ONE.expose(S::gain(f32::NAN))), 0.0);
-    assert_eq!(S::exact_light(S::ONE.expose(S::gain(-1.0))), 0.0);
+    assert_eq!(S::ONE.light(S::gain(1.0)), S::filter(S::ONE.light(S::gain(1.0)), S::ONE));
+    assert_eq!(S::exact_light(S::ONE.light(S::gain(1.0))), 1.0);
+    assert_eq!(S::exact_light(S::ONE.light(S::gain(f32::NAN))), 0.0);
+    assert_eq!(S::exact_light(S::ONE.light(S::gain(-1.0))), 0.0);
 }
 
 #[test]
@@ -157,17 +157,17 @@ fn assert_negative_fractions_are_dark<S: Format>() {
         tried += 1;
         let gain = S::gain(f32::from_bits(rng.u32(..)).abs());
         let dark = S::Irradiance::default();
-        assert_eq!(fraction.expose(gain), dark, "{fraction:?} {gain:?}");
+        assert_eq!(fraction.light(gain), dark, "{fraction:?} {gain:?}");
         let [light, point] = [vector(&mut rng, S::length_from_bits), vector(&mut rng, S::length_from_bits)];
         // Half of the points are near the origin, and so are half of the lights.
         let point = if rng.bool() { light.map(|_| S::length(rng.f32())) } else { point };
         let light = if rng.bool() { light } else { light.map(|_| S::length(rng.f32())) };
-        let offset = S::offset(light, point);
+        let offset = S::Offset::between(light, point);
         let ray = offset.ray();
-        assert_eq!(ray.expose(Share::of_scalar(fraction), gain), dark, "{fraction:?} {gain:?} {offset:?}");
+        assert_eq!(ray.light(Share::of_scalar(fraction), gain), dark, "{fraction:?} {gain:?} {offset:?}");
         for model in &models {
             let constants = model.constants::<S>();
-            let light = AnyAttenuation::expose(&constants, &offset, &ray, Share::of_scalar(fraction), gain);
+            let light = AnyAttenuation::light(&constants, &offset, &ray, Share::of_scalar(fraction), gain);
             assert_eq!(light, dark, "{model:?} {fraction:?} {gain:?} {offset:?}");
         }
     }

@@ -48,11 +48,11 @@ pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
         let exact = oracle::versine_between(point - light, exact_axis);
         let exact = oracle::falloff(oracle::soft, exact, outer);
         let [from, to] = [light, point].map(|v| sweep::single(v).map(S::length));
-        let ray = S::offset(from, to).ray();
+        let ray = S::Offset::between(from, to).ray();
         let cosine_form = (cosine_form::<S>(ray.direction(), axis, outer) - exact).abs();
         found.cosine_form = found.cosine_form.max(oracle::counted(cosine_form));
         if let (Some(falloff), Some(worst)) = (&falloff, &mut found.versine_form) {
-            *worst = worst.max(oracle::counted((falloff.toward(&ray, axis).rounded().exact() - exact).abs()));
+            *worst = worst.max(oracle::counted((falloff.toward(&ray, axis).scalar().exact() - exact).abs()));
         }
     }
     found

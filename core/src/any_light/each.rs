@@ -14,7 +14,7 @@ use crate::{
     attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, WithConstants},
     cone::CompiledCone,
     falloff::{AnyFalloff, Falloff, WithFalloff, with_falloff},
-    number::{FullOffset, Offset, Scalar, Share},
+    number::{Offset, Scalar, Share},
     shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint},
     specular::SpecularLobe,
     vec3::{Vec3, nth},
@@ -249,8 +249,8 @@ fn attenuate_each<S: Scalar, A: Attenuation, const N: usize>(
 ) {
     let constants = *constants;
     for (i, light) in lights.iter_mut().enumerate() {
-        let offset = S::offset(position, points.map(|column| nth(column, i)));
+        let offset = S::Offset::between(position, points.map(|column| nth(column, i)));
         let share = Share::of_scalar(S::clip(*light));
-        *light = A::expose(&constants, &offset, &offset.ray(), share, intensity);
+        *light = A::light(&constants, &offset, &offset.ray(), share, intensity);
     }
 }

@@ -191,7 +191,7 @@ macro_rules! any_attenuation {
             }
 
             #[inline]
-            fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
+            fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
                 constants: &CompiledAnyAttenuation<S>,
                 offset: &O,
                 ray: &R,
@@ -200,7 +200,7 @@ macro_rules! any_attenuation {
             ) -> S::Irradiance {
                 match constants {
                     $(CompiledAnyAttenuation::$variant(inner) => {
-                        <$type>::expose::<S, O, R>(inner, offset, ray, share, intensity)
+                        <$type>::light::<S, O, R>(inner, offset, ray, share, intensity)
                     })*
                 }
             }

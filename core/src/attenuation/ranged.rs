@@ -62,7 +62,7 @@ pub struct SquareWindow;
 /// Returns `1 - (d/r)^4` from `(d/r)^2`.
 #[inline]
 fn window<S: Scalar, T: Share<S>>(squared: T) -> T {
-    squared.share_of(squared).rest()
+    squared.times(squared).complement()
 }
 
 impl Window for Cut {
@@ -75,7 +75,7 @@ impl Window for Cut {
 
     #[inline]
     fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T {
-        if squared.is_all() { T::default() } else { share }
+        if squared.is_one() { T::default() } else { share }
     }
 }
 
@@ -105,7 +105,7 @@ impl Window for SquareWindow {
     #[inline]
     fn dim<S: Scalar, T: Share<S>>(share: T, squared: T) -> T {
         let window = window::<S, T>(squared);
-        dimmed::<S, T>(share, window.share_of(window))
+        dimmed::<S, T>(share, window.times(window))
     }
 }
 
@@ -189,7 +189,7 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
     }
 
     #[inline(always)] // `spot-soft-lambert-gltf-range` on Cortex-M0: +31 instructions without.
-    fn expose<S: Scalar, O: Offset<S>, R: Ray<S>>(
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (squared, inner): &Self::Constants<S>,
         offset: &O,
         ray: &R,
@@ -197,6 +197,6 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
         intensity: S::Gain,
     ) -> S::Irradiance {
         let share = W::dim::<S, _>(share, ray.squared_near(offset, *squared));
-        A::expose::<S, O, R>(inner, offset, ray, share, intensity)
+        A::light::<S, O, R>(inner, offset, ray, share, intensity)
     }
 }

@@ -3,8 +3,8 @@
 #[cfg(feature = "fixed")]
 use crate::number::{
     Fx16, Fx32, Length, Light16, Light32, Weight16, Weight32,
-    fixed16::{Frame16, Gain16},
-    fixed32::{Frame32, Gain32},
+    fx16::{Frame16, Gain16},
+    fx32::{Frame32, Gain32},
     ramp::FixedRamp,
 };
 use crate::{

@@ -46,8 +46,8 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     #[inline(always)] // `table.f32` on Cortex-M0: +73 instructions without.
     pub fn at(&self, versine: S::Versine) -> S {
         match S::rise(self.ramp, versine) {
-            Rise::Coarse(t) => self.curve.intensity(t).rounded(),
-            Rise::Fine(t) => self.curve.intensity(t).rounded(),
+            Rise::Coarse(t) => self.curve.intensity(t).scalar(),
+            Rise::Fine(t) => self.curve.intensity(t).scalar(),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::{Curve, Falloff, Formula};
 use crate::{
     error::{Error, Expected, Parameter},
-    number::{Fraction, Scalar},
+    number::{Fraction, Scalar, Share},
     source::written_by_bits,
     trig,
 };
@@ -82,9 +82,9 @@ pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
     let mut digit = (n | 1).ilog2();
     while digit > 0 {
         digit -= 1;
-        power = power.fine_product(power);
+        power = power.times(power);
         if n >> digit & 1 == 1 {
-            power = power.fine_product(t);
+            power = power.times(t);
         }
     }
     power
@@ -94,12 +94,12 @@ pub(super) fn power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F {
 #[inline]
 pub(super) fn rounded_power<S: Scalar, F: Fraction<S>>(t: F, n: u32) -> F::Value {
     if n == 1 {
-        t.scalar()
+        t.value()
     } else if n % 2 == 0 {
         let root = power(t, n / 2);
-        root.product(root)
+        root.times_to_value(root)
     } else {
-        power(t, n - 1).product(t)
+        power(t, n - 1).times_to_value(t)
     }
 }
 
@@ -243,6 +243,6 @@ impl Falloff for InvertedIntegerPower {
 impl<S: Scalar> Curve<S> for InvertedIntegerPower {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        F::lack(rounded_power::<S, F>(t.complement(), self.exponent))
+        rounded_power::<S, F>(t.complement(), self.exponent).complement()
     }
 }

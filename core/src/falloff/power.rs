@@ -7,7 +7,7 @@ use super::{
     integer::{IntegerPower, InvertedIntegerPower, MOST, rounded_power},
 };
 use crate::{
-    number::{Fraction, Scalar},
+    number::{Fraction, Scalar, Share},
     source::Source,
 };
 
@@ -123,6 +123,6 @@ impl<const N: u32> Falloff for InvertedPower<N> {
 impl<S: Scalar, const N: u32> Curve<S> for InvertedPower<N> {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        F::lack(rounded_power::<S, F>(t.complement(), sound::<N>()))
+        rounded_power::<S, F>(t.complement(), sound::<N>()).complement()
     }
 }

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     error::{Error, Expected, Parameter},
-    number::{Fraction, Scalar},
+    number::{Fraction, Scalar, Share},
     source::{Source, call, name, written_by_bits, written_by_debug},
     trig,
 };
@@ -122,7 +122,7 @@ impl Falloff for Soft {
 impl<S: Scalar> Curve<S> for Soft {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        t.product(t)
+        t.times_to_value(t)
     }
 }
 
@@ -157,7 +157,7 @@ impl<S: Scalar> Curve<S> for Hard {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         let u = t.complement();
-        F::lack(u.product(u))
+        u.times_to_value(u).complement()
     }
 }
 
@@ -191,7 +191,7 @@ impl Falloff for Linear {
 impl<S: Scalar> Curve<S> for Linear {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        t.scalar()
+        t.value()
     }
 }
 

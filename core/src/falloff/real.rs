@@ -270,13 +270,13 @@ pub struct CompiledInvertedRealPower(RealExponent);
 impl<S: Scalar> Curve<S> for CompiledRealPower {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        t.real_power(self.0).scalar()
+        t.real_power(self.0).value()
     }
 }
 
 impl<S: Scalar> Curve<S> for CompiledInvertedRealPower {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
-        t.complement().real_power(self.0).complement().scalar()
+        t.complement().real_power(self.0).complement().value()
     }
 }

@@ -10,7 +10,7 @@ use crate::{
     attenuation::{Attenuation, InverseSquare},
     cone::CompiledCone,
     falloff::{Falloff, SoftOrHard},
-    number::{Arithmetic, Gain, Offset, float::clamp},
+    number::{Arithmetic, Offset, Share, float::clamp},
     shade::CompiledSpotLight,
     vec3::Vec3,
 };
@@ -53,7 +53,7 @@ impl<P: Falloff, A: Attenuation> CompiledSpotLight<f32, P, A> {
             axis: self.axis,
             falloff: self.cone,
             attenuation: self.attenuation,
-            gain: self.intensity.by(haze.density() / 4.0),
+            gain: self.intensity * (haze.density() / 4.0),
             cone: rim(&self.cone),
             reach: [radius * radius, reach * reach],
         }
@@ -120,14 +120,14 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         let distance = arc.distance(place);
         let intensity = self.falloff.at(arc.versine_at(place, distance));
         let offset = at_distance(distance);
-        way * A::expose(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
+        way * A::light(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
     }
 
     /// Converts the integral for an intensity of 1 to the in-scattered light of this beam.
     #[inline]
     pub(super) fn light(&self, arc: &Arc, scattered: f32) -> f32 {
         let scattered = if arc.is_any() { scattered } else { 0.0 };
-        scattered.expose(self.gain)
+        scattered.light(self.gain)
     }
 
     #[inline]
@@ -149,7 +149,7 @@ pub(super) fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
 /// Returns the offset from a light to some point at a distance.
 #[inline]
 fn at_distance(distance: f32) -> <f32 as Arithmetic>::Offset {
-    f32::offset(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
+    <f32 as Arithmetic>::Offset::between(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
 }
 
 /// Returns the range of an attenuation, at most [`FARTHEST`].

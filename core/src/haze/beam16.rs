@@ -1,17 +1,14 @@
 //! The beam of a spotlight in haze, in 32-bit products.
 
-use super::Haze;
+use super::{
+    Haze,
+    arc16::{Arc16, Chord, Span16, part, whole},
+};
 use crate::{
     attenuation::InverseSquare,
     cone::CompiledCone,
     falloff::{Falloff, SoftOrHard},
-    number::{
-        Fx16, Fx32, Gain, Length, Light16, Scalar, Versine,
-        fixed16::{
-            Gain16,
-            arc::{Arc16, Chord, Span16, part, whole},
-        },
-    },
+    number::{Fx16, Fx32, Gain, Length, Light16, Scalar, Versine, fx16::Gain16},
     shade::CompiledSpotLight,
     vec3::Vec3,
 };
@@ -62,7 +59,7 @@ impl<P: Falloff> CompiledSpotLight<Fx16, P, InverseSquare> {
             position: self.position,
             axis: self.axis,
             falloff: self.cone,
-            gain: self.intensity.by(Gain16::nearest(haze.density() / 4.0)),
+            gain: self.intensity.times(Gain16::nearest(haze.density() / 4.0)),
             cone: rim(&self.cone),
             radius: Fx16::length(radius),
             nearest: Gain16::nearest(1.0 / radius),
@@ -114,7 +111,7 @@ impl<P: Falloff> BeamScattering16<P> {
         let sum = self.rim(&arc, from, to.min(-inner))
             + middle(&arc, from.max(-inner), to.min(inner))
             + self.rim(&arc, from.max(inner), to);
-        scale.by(self.gain).light_of(sum, 28)
+        scale.times(self.gain).light_of(sum, 28)
     }
 
     /// Integrates the intensity between two directions, with 28 fraction bits.

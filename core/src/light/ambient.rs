@@ -52,6 +52,6 @@ impl AmbientLight {
     /// Converts the light to the format `S`, for
     /// [`CompiledMaterial::glow`](crate::light::CompiledMaterial::glow).
     pub fn compile<S: Scalar>(&self) -> Rgb<S::Irradiance> {
-        self.color.map(|channel| S::ONE.expose(S::gain(channel * self.intensity)))
+        self.color.map(|channel| S::ONE.light(S::gain(channel * self.intensity)))
     }
 }

@@ -1,13 +1,18 @@
 //! The private interface between the kernel and the number formats.
 //!
-//! The kernel is written once, in terms of the high-level operations of these traits. Their
-//! implementations contain all widening, shifting, rounding and saturation.
+//! The kernel is written once, in terms of the high-level operations of these traits, which stand in
+//! the order of the data: [`Offset`], [`Ray`], [`Fraction`], [`Share`],
+//! [`Gain`]. Each format implements them in a file of its own, in the same order: `fx16.rs`,
+//! `fx32.rs` and `float.rs` contain all widening, shifting, rounding and saturation.
 //!
 //! | | `f32` | `Fx32` | `Fx16` |
 //! |---|---|---|---|
 //! | fraction: the argument of a falloff | f32 | U1F31 | U1F15; U1F31 for steep cones and bright lights |
 //! | gain: a factor with its own exponent | f32 | 28-bit mantissa and shift | 32-bit mantissa (computed gains: 16 bits) and shift |
-//! | rounding of `times` | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
+//! | rounding of a product of scalars | to nearest, ties to even | to nearest, ties up | to nearest, ties up |
+//!
+//! One operation has one name: a product is `times`, with a suffix if the result is of another kind
+//! than the operands; `1 - x` is `complement`; a factor times a gain as light is `light`.
 //!
 //! In every format and for every bit pattern:
 //!
@@ -15,9 +20,7 @@
 //! - A NaN in a point, a normal, a versine or a gain gives zero light.
 //! - `ONE.times(x) == x` for x in `[0, 1]`.
 
-use super::{Fraction, ProjectedPoint, Scalar};
-#[cfg(feature = "fixed")]
-use super::{Fx16, Fx32};
+use super::{Knot, ProjectedPoint, RealExponent, Scalar};
 use crate::vec3::Vec3;
 
 /// Arithmetic of a number format: the high-level operations that the kernel is written in.
@@ -39,6 +42,9 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     ///
     /// In a format whose `Fraction` has enough bits, `Fine` is the same type as `Fraction`.
     type Fine: Fraction<Self>;
+    /// A ray with more bits than that of [`Offset`](Self::Offset), for the same points; the same
+    /// type in a format with only one evaluation.
+    type FineRay: Ray<Self, Fraction = Self::Fine>;
     /// Coefficient of a falloff, in `[-4, 4]`.
     type Weight: Copy + PartialEq + core::fmt::Debug;
     /// Compiled ramp of a cone: the map from versines to the falloff's argument `t`.
@@ -49,17 +55,20 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// magnitude.
     type Gain: Gain<Self>;
     /// Vector from a light to a point, before its length is computed.
-    type Offset: FullOffset<Self>;
+    type Offset: Offset<
+            Self,
+            Ray: Ray<Self, Fraction = Self::Fraction, Share = <Self::Fraction as Fraction<Self>>::Value>,
+        >;
     /// Upper bound of the error of the direction from a light to a point, in radians.
     ///
     /// A narrow cone magnifies this error. In `f32` about half of this bound is the rounding error
     /// of `point - light`. The difference `point - light` is exact if both positions are multiples
     /// of the same power of two.
     const DIRECTION_ERROR: f32;
-    /// Step of the squared cosines that [`FullOffset::is_outside`] compares.
+    /// Step of the squared cosines that [`Offset::is_outside`] compares.
     const OUTSIDE_STEP: f32;
     /// Returns `steps / 16384` for `steps` in `[0, 16384]`: exact in every format.
-    fn part(steps: u32) -> Self;
+    fn from_steps(steps: u32) -> Self;
     /// Converts an axis to a unit vector of the format. The given axis has length 1 within the
     /// rounding error of `f32`.
     fn axis(axis: Vec3<f32>) -> Vec3<Self::Direction>;
@@ -77,15 +86,14 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// Returns the nearest gain; a negative value or NaN becomes zero.
     fn gain(value: f32) -> Self::Gain;
 
-    /// Returns the product of two values in `[0, 1]`.
-    ///
-    /// For values outside `[0, 1]`, fixed point returns an unspecified value in `[0, 1]`.
-    fn times(self, other: Self) -> Self;
     /// Returns `self - other`; fixed point saturates.
     fn minus(self, other: Self) -> Self;
 
-    /// Returns the offset: the vector from a light to a point.
-    fn offset(light: Vec3<Self::Position>, point: Vec3<Self::Position>) -> Self::Offset;
+    /// Returns whether the offset has a direction: whether it is not zero, and in `f32` whether its
+    /// squared length is a normal number.
+    fn has_direction(offset: &Self::Offset) -> bool;
+    /// Computes the direction and the distance with the format's full precision.
+    fn fine_ray(offset: &Self::Offset) -> Self::FineRay;
     /// Returns the centre and the radius of a sphere around the line between two points, and around
     /// points within a step of it.
     fn enclosing(a: Vec3<Self::Position>, b: Vec3<Self::Position>) -> (Vec3<Self::Position>, Self::Position);
@@ -93,7 +101,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// the half angle. A sphere of this radius is outside the cone if its centre is outside the cone
     /// with the moved tip.
     ///
-    /// `bound` is that of [`FullOffset::is_outside`], from which the test removes the margin. The
+    /// `bound` is that of [`Offset::is_outside`], from which the test removes the margin. The
     /// result is `None` for a half angle of 90 degrees or more, for one that the margin hides, and
     /// in fixed point if the tip moves by 8 km or more, or beyond the range of a length.
     fn moved_back(
@@ -132,7 +140,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
         Self::ramp(inner, outer, limit)
     }
     /// Returns the ramp of the cone between the cones of two ramps, and the bound of this cone for
-    /// [`FullOffset::is_outside`].
+    /// [`Offset::is_outside`].
     ///
     /// The roots of the three versines of a cone are interpolated. `part` is between 0 and 1; for
     /// any other part the ramp is an unspecified one. If one of the ramps is a
@@ -145,7 +153,7 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
     /// Returns the distance from a light within which points need the fine evaluation.
     ///
-    /// The result is encoded for [`FullOffset::is_near`]. The light at a point is a share (falloff
+    /// The result is encoded for [`Offset::is_near`]. The light at a point is a share (falloff
     /// times cosine) times a gain. The gain magnifies the error of the share. Below the returned
     /// distance, the light may be wrong by half a linear code. `error` is the
     /// [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without a cone.
@@ -162,10 +170,6 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn is_clipped(_share: Self, _light: Self::Received) -> bool {
         false
     }
-    /// Returns `t^2 (3 - 2t)`, where `t` is this value clamped to `[0, 1]`. The result is exact at
-    /// 0 and 1.
-    fn smooth(self) -> Self;
-
     /// Compiles the frame of a projected square from three unit vectors and the size of the square.
     ///
     /// The vectors point right, down and along the axis, and are orthogonal within the rounding
@@ -214,8 +218,6 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// zero if the surface faces away.
     fn incidence(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Self;
 
-    /// Returns this scalar times a gain as light, without attenuation; zero for a negative scalar.
-    fn expose(self, gain: Self::Gain) -> Self::Received;
     /// Multiplies a channel of light by the same channel of a colour.
     fn filter(light: Self::Received, color: Self) -> Self::Received;
     /// Returns the sum of two lights.
@@ -283,95 +285,15 @@ impl<S: Arithmetic> Rise<S> {
     #[inline]
     pub(crate) fn scalar(self) -> S {
         match self {
-            Self::Coarse(t) => t.scalar().rounded(),
-            Self::Fine(t) => t.scalar().rounded(),
+            Self::Coarse(t) => t.value().scalar(),
+            Self::Fine(t) => t.value().scalar(),
         }
     }
 }
 
-/// A factor of a light in `[0, 1]`, such as a falloff: a scalar, or a number with more bits.
-pub trait Share<S: Arithmetic>: Copy + Default + PartialOrd + core::fmt::Debug {
-    /// Converts a scalar in `[0, 1]` exactly.
-    fn of_scalar(scalar: S) -> Self;
-    /// Returns the nearest scalar.
-    fn rounded(self) -> S;
-    /// Returns whether the share is exactly 1.
-    fn is_all(self) -> bool;
-    /// Returns `1 - share`.
-    fn rest(self) -> Self;
-    /// Returns the product of two shares.
-    fn share_of(self, other: Self) -> Self;
-    /// Returns `t^2 (3 - 2t)` for this share `t`.
-    fn smoothed(self) -> Self;
-    /// Returns this share times a gain as light, without attenuation.
-    fn give(self, gain: S::Gain) -> S::Received;
-}
-
-/// Implements `Share` for a scalar by the scalar's own operations.
-macro_rules! share_of_its_own {
-    ($($scalar:ty)*) => {$(
-        impl Share<$scalar> for $scalar {
-            #[inline]
-            fn of_scalar(scalar: Self) -> Self {
-                scalar
-            }
-
-            #[inline]
-            fn rounded(self) -> Self {
-                self
-            }
-
-            #[inline]
-            fn is_all(self) -> bool {
-                self == Self::ONE
-            }
-
-            #[inline]
-            fn rest(self) -> Self {
-                Self::ONE.minus(self)
-            }
-
-            #[inline]
-            fn share_of(self, other: Self) -> Self {
-                self.times(other)
-            }
-
-            #[inline]
-            fn smoothed(self) -> Self {
-                self.smooth()
-            }
-
-            #[inline]
-            fn give(self, gain: <Self as Arithmetic>::Gain) -> <Self as Arithmetic>::Received {
-                self.expose(gain)
-            }
-        }
-    )*};
-}
-
-share_of_its_own!(f32);
-#[cfg(feature = "fixed")]
-share_of_its_own!(Fx16 Fx32);
-
-/// A factor of at least 0 with its own exponent, for arithmetic on distances.
-///
-/// Fixed point rounds every result to the nearest mantissa, of 16 bits in [`Fx16`] and 28 bits in
-/// [`Fx32`]. Rounding to nearest keeps monotone functions monotone.
-pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
-    /// Returns the product.
-    fn by(self, other: Self) -> Self;
-    /// Returns the sum.
-    fn plus(self, other: Self) -> Self;
-    /// Returns the reciprocal, capped at 1: `1 / max(gain, 1)`.
-    fn inverse_capped(self) -> Self;
-    /// Returns the nearest scalar, and exactly 1 for gains of 1 and more.
-    fn fraction(self) -> S;
-    /// Returns the product with a scalar that is clamped to `[0, 1]`; NaN counts as 0. The product
-    /// with 1 has the same bits.
-    fn part(self, part: S) -> Self;
-}
-
 /// Vector from a light to a point, and the square root that gives its length.
+///
+/// A format has one type of offset for each of its evaluations, standard and [`Quick`].
 pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Direction and distance, available after the square root.
     type Ray: Ray<S>;
@@ -379,30 +301,23 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// of the inner product depend on the format.
     type Facing: Copy + core::fmt::Debug;
 
+    /// Whether a loop over many points first computes all reciprocal lengths with
+    /// [`reciprocal`](Self::reciprocal), without early-outs.
+    const ROOTS_FIRST: bool = false;
+
+    /// Returns the offset from a light to a point.
+    fn between(light: Vec3<S::Position>, point: Vec3<S::Position>) -> Self;
+    /// Returns whether the offset is so short that the whole evaluation must be fine: see
+    /// [`Arithmetic::fine_below`].
+    #[inline]
+    fn is_near(&self, _fine_below: u32) -> bool {
+        false
+    }
     /// Returns the inner product of the normal and the vector back to the light.
     fn facing(&self, normal: Vec3<S>) -> Self::Facing;
     /// Returns whether the surface faces away from the light, so that no light arrives. NaN counts
     /// as facing away.
     fn faces_away(facing: Self::Facing) -> bool;
-    /// Returns the squared distance.
-    fn squared_distance(&self) -> S::Gain;
-    /// Computes the direction and the distance, with one square root.
-    fn ray(&self) -> Self::Ray;
-}
-
-/// An offset of the format's standard evaluation. This trait adds an early-out test for the cone,
-/// and rays of the format's full precision.
-pub trait FullOffset<S: Arithmetic>:
-    Offset<S, Ray: Ray<S, Fraction = S::Fraction, Share = <S::Fraction as Fraction<S>>::Value>>
-{
-    /// A ray with more bits than [`Ray`](Offset::Ray); the same type in a format with only one
-    /// evaluation.
-    type FineRay: Ray<S, Fraction = S::Fine>;
-
-    /// Whether a loop over many points first computes all reciprocal lengths with
-    /// [`reciprocal`](Self::reciprocal), without early-outs.
-    const ROOTS_FIRST: bool = false;
-
     /// Returns whether the surface faces so far away that the fine evaluation also gives zero
     /// light.
     #[inline]
@@ -413,26 +328,22 @@ pub trait FullOffset<S: Arithmetic>:
     ///
     /// The test may return `false` for a point outside the cone, but never `true` for a point
     /// inside. `bound` is the squared cosine of the outer half angle, less a margin for rounding
-    /// errors.
-    fn is_outside(&self, axis: Vec3<S::Direction>, bound: S) -> bool;
-    /// Returns whether the offset has a direction: whether it is not zero, and in `f32` whether its
-    /// squared length is a normal number.
-    fn has_direction(&self) -> bool;
-    /// Computes the direction and the distance with the format's full precision.
-    fn fine_ray(&self) -> Self::FineRay;
-    /// Returns whether the offset is so short that the whole evaluation must be fine: see
-    /// `Arithmetic::fine_below`.
+    /// errors. The quick evaluations have no such test.
     #[inline]
-    fn is_near(&self, _fine_below: u32) -> bool {
+    fn is_outside(&self, _axis: Vec3<S::Direction>, _bound: S) -> bool {
         false
     }
+    /// Returns the squared distance.
+    fn squared_distance(&self) -> S::Gain;
+    /// Computes the direction and the distance, with one square root.
+    fn ray(&self) -> Self::Ray;
     /// Returns the reciprocal of the length; zero if the offset has no direction, or if
     /// `ROOTS_FIRST` is false.
     #[inline]
     fn reciprocal(&self) -> f32 {
         0.0
     }
-    /// Returns the result of [`ray`](Offset::ray), but reuses the reciprocal length returned by
+    /// Returns the result of [`ray`](Self::ray), but reuses the reciprocal length returned by
     /// [`reciprocal`](Self::reciprocal).
     #[inline]
     fn ray_of(&self, _reciprocal: f32) -> Self::Ray {
@@ -469,17 +380,140 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Returns the distance times a gain, and exactly 1 if the product is 1 or more.
     #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +87 instructions without.
     fn near(&self, gain: S::Gain) -> Self::Share {
-        Self::Share::of_scalar(self.distance().by(gain).fraction())
+        Self::Share::of_scalar(self.distance().times(gain).scalar())
     }
     /// Returns the squared distance times a gain, and exactly 1 if the product is 1 or more.
     ///
     /// The squared distance is that of `offset`.
     #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +74 instructions without.
     fn squared_near<O: Offset<S>>(&self, offset: &O, gain: S::Gain) -> Self::Share {
-        Self::Share::of_scalar(offset.squared_distance().by(gain).fraction())
+        Self::Share::of_scalar(offset.squared_distance().times(gain).scalar())
     }
     /// Returns a share times a gain as light, attenuated by the inverse square of the distance.
     ///
     /// The light is zero for a negative share.
-    fn expose(&self, share: Self::Share, gain: S::Gain) -> S::Received;
+    fn light(&self, share: Self::Share, gain: S::Gain) -> S::Received;
+}
+
+/// A number in `[0, 1]`: the argument of a falloff, or the cosine of an angle of incidence.
+///
+/// A falloff multiplies the rounding error of its argument by the falloff's derivative, so in fixed
+/// point a fraction has at least one bit more than a scalar. The extra bit costs nothing, because a
+/// product of fractions needs no wider integer than a product of scalars.
+///
+/// Only [`Arithmetic::rise`], [`Ray::rise`] and [`Ray::cosine`] create fractions, so the argument of
+/// a falloff is in range for every input. In the descriptions of the functions, this fraction is
+/// `t`, and `u = 1 - t`.
+pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
+    /// Result type of a falloff: a scalar, or a number with more bits if a scalar has too few.
+    type Value: Share<S>;
+
+    /// Returns `1 - t`.
+    fn complement(self) -> Self;
+    /// Returns the product of two fractions as a fraction, for further multiplication.
+    fn times(self, other: Self) -> Self;
+    /// Returns the product of two fractions, rounded once to a value.
+    fn times_to_value(self, other: Self) -> Self::Value;
+    /// Returns `t` times a value in `[0, 1]`.
+    fn times_value(self, value: Self::Value) -> Self::Value;
+    /// Returns `t^p` for a non-integer exponent `p` as a fraction: exactly 0 at `t = 0` and exactly 1 at
+    /// `t = 1`.
+    ///
+    /// The error before the format's own rounding is at most `2e-9 + 6.5e-10 p`. The function takes
+    /// eleven 64-bit multiplications in every format. For an exponent with a floor the function
+    /// returns `(max(t, floor)^p - floor^p) / (1 - floor^p)`.
+    fn real_power(self, exponent: RealExponent) -> Self;
+    /// Returns `t`, rounded to the nearest value.
+    fn value(self) -> Self::Value;
+    /// Returns 1 if `t > 0`, else 0.
+    fn step(self) -> Self::Value;
+    /// Returns `t^2 (3 - 2 t)`: two multiplications.
+    fn smooth(self) -> Self::Value;
+    /// Returns `t (1 + g u)` for `g` in `[-1, 1]`: two multiplications.
+    fn quadratic(self, g: S::Weight) -> Self::Value;
+    /// Returns `t (1 + u (g + h t))`: three multiplications.
+    ///
+    /// Valid coefficients are `g` in `[-1, 3]`, `h` in `[-4, 2]` and `g + h` in `[-3, 1]`, where
+    /// the cubic is monotone.
+    fn cubic(self, g: S::Weight, h: S::Weight) -> Self::Value;
+    /// Interpolates linearly between samples that are evenly spaced from `u = 0`; 65,535 means 1.
+    ///
+    /// The function takes one multiplication for the position and one for the interpolation.
+    /// Without samples the result is 0; at most 65,536 samples are supported.
+    fn sample(self, samples: &[u16]) -> Self::Value;
+    /// Returns the value at `u` of the line that starts at the last knot before `u`, clamped to
+    /// `[0, 1]`.
+    ///
+    /// The function takes a binary search and one multiplication. Without knots the result is 0.
+    fn along(self, knots: &[Knot]) -> Self::Value;
+}
+
+/// A factor of a light in `[0, 1]`, such as a falloff: a scalar, or a number with more bits.
+pub trait Share<S: Arithmetic>: Copy + Default + PartialOrd + core::fmt::Debug {
+    /// Converts a scalar in `[0, 1]` exactly.
+    fn of_scalar(scalar: S) -> Self;
+    /// Returns the nearest scalar.
+    fn scalar(self) -> S;
+    /// Returns whether the share is exactly 1.
+    fn is_one(self) -> bool;
+    /// Returns `1 - share`.
+    fn complement(self) -> Self;
+    /// Returns the product of two shares.
+    ///
+    /// For scalars outside `[0, 1]`, fixed point returns an unspecified value in `[0, 1]`.
+    fn times(self, other: Self) -> Self;
+    /// Returns `t^2 (3 - 2t)`, where `t` is this share clamped to `[0, 1]`. The result is exact at 0
+    /// and 1.
+    fn smooth(self) -> Self;
+    /// Returns this share times a gain as light, without attenuation; zero for a negative scalar.
+    fn light(self, gain: S::Gain) -> S::Received;
+}
+
+/// A factor of at least 0 with its own exponent, for arithmetic on distances.
+///
+/// Fixed point rounds every result to the nearest mantissa, of 16 bits in [`Fx16`](super::Fx16) and
+/// 28 bits in [`Fx32`](super::Fx32). Rounding to nearest keeps monotone functions monotone.
+pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
+    /// Returns the product.
+    fn times(self, other: Self) -> Self;
+    /// Returns the sum.
+    fn plus(self, other: Self) -> Self;
+    /// Returns the reciprocal, capped at 1: `1 / max(gain, 1)`.
+    fn inverse_capped(self) -> Self;
+    /// Returns the nearest scalar, and exactly 1 for gains of 1 and more.
+    fn scalar(self) -> S;
+    /// Returns the product with a scalar that is clamped to `[0, 1]`; NaN counts as 0. The product
+    /// with 1 has the same bits.
+    fn times_scalar(self, scalar: S) -> Self;
+}
+
+/// A number format with a quick evaluation, which has fewer instructions and a larger error: `f32`
+/// or [`Fx16`](crate::Fx16).
+///
+/// Points, normals and light have the same types as in the standard evaluation, so one scene can
+/// have lights of both evaluations. [`SpotLight::compile_quick`](crate::SpotLight::compile_quick)
+/// compiles a light for the quick evaluation.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no quick evaluation",
+    note = "`f32` and `Fx16` have a quick evaluation; for `Fx32` use `compile`"
+)]
+pub trait Quick: Scalar {
+    /// An offset with fewer bits than the standard one, or with a less accurate square root.
+    #[doc(hidden)]
+    type QuickOffset: Offset<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
+
+    /// Converts an axis to the form that rays of the quick evaluation take.
+    #[doc(hidden)]
+    fn quick_axis(axis: Vec3<Self::Unit>) -> Vec3<Self::Unit>;
+    /// Compiles a ramp for versines of the quick evaluation: see `Arithmetic::ramp`.
+    #[doc(hidden)]
+    fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
+    /// Returns the ramp of the cone between the cones of two ramps: see `Arithmetic::zoomed`.
+    #[doc(hidden)]
+    fn quick_zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> Self::Ramp;
+    /// Returns an upper bound of the error of the falloff times Lambert's cosine.
+    ///
+    /// The bound holds for a cone that spans versines from 0 to `outer`, without attenuation.
+    #[doc(hidden)]
+    fn quick_error(edge: &Slopes, outer: f32) -> f32;
 }

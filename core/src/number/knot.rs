@@ -75,3 +75,10 @@ impl Knot {
         knots.get(after.saturating_sub(1)).copied().unwrap_or_default()
     }
 }
+
+/// Returns a sample and its successor; the last sample is its own successor.
+#[inline]
+pub(super) fn neighbours(samples: &[u16], index: usize) -> (u16, u16) {
+    let here = samples.get(index).copied().unwrap_or(0);
+    (here, samples.get(index + 1).copied().unwrap_or(here))
+}

@@ -1,13 +1,16 @@
 //! The ramp of a cone in fixed point: the map from versines to the falloff's argument `t`.
+//!
+//! A ramp is compiled here, and evaluated by the formats: by `FixedRamp::rise` with 15 fraction bits in
+//! `fx16.rs`, by `FixedRamp::rise_finely` with 31 in `fx32.rs`.
+//!
+//! The cones between which a cone zooms are interpolated by their *chords*: the chord of an angle with
+//! versine `v` is `sqrt(v)`, that is `sqrt(2) sin(angle / 2)`. It grows nearly in proportion to the
+//! angle.
 
 use super::{
-    Fx16, Rise, Versine,
-    chord::{self, Chords},
-    fine::Fine,
-    fixed16::Fraction16,
-    product::high_half,
-    reciprocal::inverse_32,
-    root, rounded,
+    Versine,
+    root::{self, high_half, inverse_32},
+    rounded,
 };
 
 /// The largest zoom of a ramp, which scales versines by `4^zoom`. A larger zoom would need more
@@ -20,24 +23,24 @@ pub struct FixedRamp {
     /// The versines of this ramp are scaled by `4^zoom`.
     pub(crate) zoom: u32,
     /// Inner versine, up to which the intensity is full.
-    inner: u32,
+    pub(super) inner: u32,
     /// Excess over the inner versine at which the intensity becomes zero.
     ///
     /// The intensity becomes zero at the outer versine, or at the versine of a narrower cutoff.
-    width: u32,
+    pub(super) width: u32,
     /// Right shift that brings the span from inner to outer versine to at most 16 bits.
-    shift: u32,
+    pub(super) shift: u32,
     /// `2^31` divided by the shifted span.
-    mantissa: u32,
+    pub(super) mantissa: u32,
     /// Number from which the product of shifted excess and `mantissa` is subtracted.
     ///
     /// The number is 1 with 31 fraction bits, plus half a step of the result, less half the
     /// truncation error of a shifted excess.
-    one: u32,
+    pub(super) one: u32,
     /// The width of a ramp that is always evaluated finely; 0 for any other ramp.
     ///
     /// The field `width` of such a ramp is 0.
-    fine: u32,
+    pub(super) fine: u32,
     /// Bit length of the span from inner to outer versine.
     fine_shift: u32,
     /// `2^63` divided by the span after a shift to 32 bits.
@@ -122,13 +125,13 @@ impl FixedRamp {
 
     /// Builds the ramp of a cone with these chords, with the largest zoom up to `most`.
     fn of_chords(Chords { inner, outer, limit }: Chords, most: u32) -> Self {
-        let zoom = chord::zoom(limit, most);
-        let [start, end] = [inner, limit].map(|chord| chord::squared(chord, zoom));
+        let zoom = chord_zoom(limit, most);
+        let [start, end] = [inner, limit].map(|chord| squared(chord, zoom));
         let (span, less) = if outer > limit {
             // A cutoff may be so narrow that the outer versine is out of range in the scale of the
             // ramp.
-            let wide = chord::zoom(outer, zoom);
-            (chord::squared(outer, wide).saturating_sub(chord::squared(inner, wide)), zoom - wide)
+            let wide = chord_zoom(outer, zoom);
+            (squared(outer, wide).saturating_sub(squared(inner, wide)), zoom - wide)
         } else {
             (end.saturating_sub(start), 0)
         };
@@ -139,10 +142,10 @@ impl FixedRamp {
     /// Returns the chords of the cone. A cone whose cutoff is within its hotspot counts as a step.
     fn chords(self) -> Chords {
         let (width, zoom) = (self.width.max(self.fine), self.zoom);
-        let limit = chord::zoomed_chord(self.limit(), zoom);
-        let inner = if self.inner > 0 { chord::zoomed_chord(self.inner, zoom).min(limit) } else { 0 };
+        let limit = zoomed_chord(self.limit(), zoom);
+        let inner = if self.inner > 0 { zoomed_chord(self.inner, zoom).min(limit) } else { 0 };
         // Without a cutoff, `t` is zero at the limit, but for roundings.
-        let is_cut = width > 0 && self.fallen(width) < Fine::ONE.0 - 4;
+        let is_cut = width > 0 && self.fallen(width) < (1 << 31) - 4;
         Chords { inner, outer: if is_cut { self.outer_chord().max(limit) } else { limit }, limit }
     }
 
@@ -152,7 +155,7 @@ impl FixedRamp {
         let divisor = u64::from(inverse_32(self.fine_mantissa | 1 << 31));
         let span = (divisor << self.fine_shift.saturating_sub(32)) >> 32_u32.saturating_sub(self.fine_shift);
         let outer = (u64::from(self.inner) + span).min(1 << (30 + 2 * self.zoom));
-        chord::chord(outer << (32 - 2 * self.zoom))
+        chord(outer << (32 - 2 * self.zoom))
     }
 
     /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
@@ -165,50 +168,9 @@ impl FixedRamp {
         self.inner.saturating_add(self.width.max(self.fine))
     }
 
-    /// Returns the falloff's argument `t` at a versine.
-    #[inline]
-    pub(super) fn rise(self, versine: Versine) -> Rise<Fx16> {
-        match self.within(versine) {
-            Some(t) => Rise::Coarse(t),
-            // For a fine ramp `within` returns `None`, because the `width` of a fine ramp is 0.
-            None if self.fine > 0 => Rise::Fine(self.rise_finely(versine)),
-            None => Rise::Coarse(self.end(versine)),
-        }
-    }
-
-    /// Returns the falloff's argument `t` at a versine, for a ramp that is not a fine ramp.
-    #[inline]
-    pub(super) fn rise_coarsely(self, versine: Versine) -> Fraction16 {
-        self.within(versine).unwrap_or_else(|| self.end(versine))
-    }
-
-    /// Returns `t` at a versine between the ends of the ramp, and `None` at any other versine.
-    #[inline]
-    fn within(self, versine: Versine) -> Option<Fraction16> {
-        let past = versine.to_bits().wrapping_sub(self.inner);
-        (past < self.width).then(|| Fraction16((self.one - (past >> self.shift) * self.mantissa) >> 16))
-    }
-
-    /// Returns `t` at a versine at or beyond an end of the ramp: 1 or 0.
-    #[inline]
-    fn end(self, versine: Versine) -> Fraction16 {
-        Fraction16(if versine.to_bits() < self.inner { 1 << 15 } else { 0 })
-    }
-
-    /// Returns the falloff's argument `t` at a versine, with full precision.
-    #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
-    pub(super) fn rise_finely(self, versine: Versine) -> Fine {
-        let versine = versine.to_bits();
-        let past = versine.wrapping_sub(self.inner);
-        if past >= self.width.max(self.fine) {
-            return if versine < self.inner { Fine::ONE } else { Fine(0) };
-        }
-        Fine(Fine::ONE.0.saturating_sub(self.fallen(past)))
-    }
-
-    /// Returns `1 - t` at an excess over the inner versine, with the 31 fraction bits of [`Fine`].
+    /// Returns `1 - t` at an excess over the inner versine, with 31 fraction bits.
     #[inline(always)]
-    fn fallen(self, past: u32) -> u32 {
+    pub(super) fn fallen(self, past: u32) -> u32 {
         if self.fine_shift < u32::BITS {
             high_half(past.wrapping_shl(u32::BITS - self.fine_shift), self.fine_mantissa)
         } else {
@@ -227,9 +189,72 @@ pub(super) fn magnified(value: f32, zoom: u32) -> Versine {
     Versine::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
 }
 
+/// The largest chord: `sqrt(2)` with 31 fraction bits, of a versine of 2.
+const LARGEST: u32 = 3_037_000_499;
+
+/// The chords of a cone's inner and outer angle and of its cutoff, with 31 fraction bits.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chords {
+    /// The chord up to which the intensity is full, at most `limit`.
+    inner: u32,
+    /// The chord at which the falloff ends, at least `limit`.
+    outer: u32,
+    /// The chord from which on the intensity is zero.
+    limit: u32,
+}
+
+impl Chords {
+    /// Returns the chords between two cones. `part` has 32 fraction bits.
+    fn between(self, other: Self, part: u32) -> Self {
+        let limit = between(self.limit, other.limit, part);
+        let is_cut = self.limit < self.outer || other.limit < other.outer;
+        let outer = if is_cut { between(self.outer, other.outer, part).max(limit) } else { limit };
+        Self { inner: between(self.inner, other.inner, part).min(limit), outer, limit }
+    }
+
+    /// Returns the squared cosine of the limit, with 30 fraction bits and an error of less than 2
+    /// units; zero from a right angle on.
+    pub(super) fn squared_cosine(self) -> u32 {
+        let cosine = (1_u32 << 30).saturating_sub(high_half(self.limit, self.limit)) << 1;
+        high_half(cosine, cosine)
+    }
+}
+
+/// Returns the number between two numbers. `part` has 32 fraction bits.
+fn between(from: u32, to: u32, part: u32) -> u32 {
+    if from <= to { from + high_half(to - from, part) } else { from - high_half(from - to, part) }
+}
+
+/// Returns the chord of a versine with 61 fraction bits. A versine over 2 counts as 2.
+///
+/// The relative error is at most 7.5e-9 and the absolute error less than 2 units, as for all
+/// functions here.
+fn chord(versine: u64) -> u32 {
+    root::sqrt_64(2 * versine.min(1 << 62)).min(LARGEST)
+}
+
+/// Returns the chord of a versine with `29 + 2 zoom` fraction bits. A versine over `2 / 4^zoom`
+/// counts as this number.
+fn zoomed_chord(versine: u32, zoom: u32) -> u32 {
+    root::sqrt_32(2 * versine.min(1 << 30)).min(LARGEST) >> zoom
+}
+
+/// Returns the versine of a chord times `4^zoom`, with 29 fraction bits, rounded to nearest.
+fn squared(chord: u32, zoom: u32) -> u32 {
+    high_half(chord << zoom, chord << zoom).div_ceil(2)
+}
+
+/// Returns the largest zoom up to `most` with which a chord's versine is at most 2.
+fn chord_zoom(chord: u32, most: u32) -> u32 {
+    let zoom = (u32::BITS - root::bit_length(chord)).min(most);
+    if chord << zoom > LARGEST { zoom.saturating_sub(1) } else { zoom }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::fx16::Fraction16;
+    use crate::number::fx32::Fine;
 
     extern crate std;
 
@@ -267,7 +292,7 @@ mod tests {
             let ramp = FixedRamp::new(versine, versine, versine);
             let edge = magnified(versine, ramp.zoom).to_bits();
             let [inside, on] = [edge - 1, edge].map(Versine::from_bits);
-            assert_eq!([inside, on].map(|v| ramp.rise_coarsely(v)), [Fraction16(1 << 15), Fraction16(0)]);
+            assert_eq!([inside, on].map(|v| ramp.rise(v)), [Fraction16(1 << 15), Fraction16(0)]);
             let ramp = ramp.into_fine();
             assert_eq!([inside, on].map(|v| ramp.rise_finely(v)), [Fine::ONE, Fine(0)]);
         }
@@ -283,7 +308,7 @@ mod tests {
             let limit = 1.0 / (1_u32 << shift) as f32;
             let ramp = FixedRamp::new(0.0, 1.0, limit);
             for share in [0.0, 0.5, 0.99] {
-                let t = ramp.rise_coarsely(magnified(limit * share, ramp.zoom));
+                let t = ramp.rise(magnified(limit * share, ramp.zoom));
                 let error = f64::from(t.0) / 32_768.0 - f64::from(1.0 - limit * share);
                 assert!(error.abs() < 1e-4, "off by {error} within {limit}");
             }
@@ -334,7 +359,7 @@ mod tests {
                 let exact = f64::from(versine.to_bits()) * 0.5_f64.powi(29 + 2 * ramp.zoom as i32);
                 let t = ((outer - exact) / (outer - inner)).min(1.0);
                 let fine = f64::from(ramp.rise_finely(versine).0) / 2_147_483_648.0;
-                let coarse = f64::from(ramp.rise_coarsely(versine).0) / 32_768.0;
+                let coarse = f64::from(ramp.rise(versine).0) / 32_768.0;
                 of_fine = of_fine.max((fine - t).abs() * (1.0 - inner / outer));
                 of_coarse = of_coarse.max((coarse - t).abs());
             }

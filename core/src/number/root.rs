@@ -1,6 +1,113 @@
-//! Square roots of integers and their reciprocals, with multiplications and shifts only.
+//! Integers without a division: upper halves of products, bit lengths, square roots and reciprocals.
+//!
+//! | function | result | relative error (exhaustive) |
+//! |---|---|---|
+//! | [`inverse_sqrt_16`] | `1 / sqrt(n)`, 15 or 16 bits: the root of `Fx16` | 9.0e-5 |
+//! | [`quick_inverse_sqrt_16`] | the same from a larger table: the root of `Fx32` and of the quick evaluation | 2.0e-4 |
+//! | [`inverse_sqrt_32`] | `1 / sqrt(n)`, 32 bits: axes of `Fx32` | 4.7e-10 |
+//! | [`sqrt_32`], [`sqrt_64`] | `sqrt(n)`: chords of a cone that zooms | 7.5e-9 |
+//! | [`quick_inverse_16`], [`inverse_16`] | `1 / m`, 16 bits | 5.6e-5; 0.501 units |
+//! | [`inverse_28`], [`inverse_32`] | `1 / m`, 28 and 32 bits | 0.9 units; none |
 
-use super::product::{high_half, high_product, signed_high_product};
+use crate::vec3::Vec3;
+
+/// Whether the processor has an instruction for the upper half of a product.
+///
+/// Rust has no `cfg` for the instruction. Of the 32-bit processors, the small Arm cores lack the
+/// instruction; these cores also lack compare-and-swap.
+const HAS_HIGH_HALVES: bool = !cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
+/// Returns `a b / 2^16` for `b` of 16 bits, rounded down.
+#[inline]
+pub(crate) fn high_product(a: u32, b: u32) -> u32 {
+    if HAS_HIGH_HALVES { high_half(a, b << 16) } else { high_product_by_parts(a, b) }
+}
+
+/// Returns the result of [`high_product`], computed from two products of 16-bit numbers.
+#[inline]
+fn high_product_by_parts(a: u32, b: u32) -> u32 {
+    (a >> 16) * b + (((a & 0xffff) * b) >> 16)
+}
+
+/// Returns `a b / 2^16` for a signed `a` and `b` of 16 bits, rounded down.
+#[inline]
+pub(crate) fn signed_high_product(a: i32, b: u32) -> i32 {
+    if HAS_HIGH_HALVES {
+        ((i64::from(a) * i64::from(b << 16)) >> 32) as i32
+    } else {
+        signed_high_product_by_parts(a, b)
+    }
+}
+
+/// Returns the result of [`signed_high_product`], computed from two products of 16-bit numbers.
+#[inline]
+fn signed_high_product_by_parts(a: i32, b: u32) -> i32 {
+    let low = ((a as u32 & 0xffff) * b) >> 16;
+    (a >> 16).wrapping_mul(b as i32).wrapping_add(low as i32)
+}
+
+/// Returns `a b / 2^32`, rounded down exactly. So the result is monotone in both factors.
+#[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 instructions without.
+pub(crate) fn high_half(a: u32, b: u32) -> u32 {
+    if HAS_HIGH_HALVES { ((u64::from(a) * u64::from(b)) >> 32) as u32 } else { high_half_by_parts(a, b) }
+}
+
+/// Returns the result of [`high_half`], computed from four products of 16-bit numbers.
+///
+/// Without the black box, the compiler would recognise the sums as a 64-bit product and compute
+/// that product, with twice as many instructions on a processor without a 64-bit product.
+#[inline(always)]
+fn high_half_by_parts(a: u32, b: u32) -> u32 {
+    let ([ah, bh], [al, bl]) = ([a >> 16, b >> 16], [a & 0xffff, b & 0xffff]);
+    let upper = core::hint::black_box(ah * bl);
+    // The sum is at most `65_535^2 + 65_535 + 65_534`, which is `2^32 - 2`.
+    let middle = al * bh + (upper & 0xffff) + ((al * bl) >> 16);
+    ah * bh + (upper >> 16) + (middle >> 16)
+}
+
+/// Returns `a b / 2^32` for numbers of 30 bits and a sign, rounded down. `b` may have 31 bits if
+/// its lower 16 bits are zero.
+#[inline]
+pub(crate) fn signed_high_half(a: i32, b: i32) -> i32 {
+    if HAS_HIGH_HALVES {
+        ((i64::from(a) * i64::from(b)) >> 32) as i32
+    } else {
+        signed_high_half_by_parts(a, b)
+    }
+}
+
+/// Returns the result of [`signed_high_half`], computed from four products of 16-bit numbers.
+#[inline]
+fn signed_high_half_by_parts(a: i32, b: i32) -> i32 {
+    let ([ah, bh], [al, bl]) = ([a >> 16, b >> 16], [a & 0xffff, b & 0xffff]);
+    let low = (al as u32).wrapping_mul(bl as u32) >> 16;
+    let middle = ah.wrapping_mul(bl).wrapping_add(al.wrapping_mul(bh)).wrapping_add(low as i32);
+    ah.wrapping_mul(bh).wrapping_add(middle >> 16)
+}
+
+/// Returns `a^2 / 2^32` for a number of 31 bits and a sign, rounded down.
+#[inline]
+pub(crate) fn high_square(a: i32) -> u32 {
+    if HAS_HIGH_HALVES { ((i64::from(a) * i64::from(a)) >> 32) as u32 } else { high_square_by_parts(a) }
+}
+
+/// Returns the result of [`high_square`], computed from three products of 16-bit numbers.
+#[inline]
+fn high_square_by_parts(a: i32) -> u32 {
+    let (high, low) = (a >> 16, a & 0xffff);
+    let low_squared = (low as u32).wrapping_mul(low as u32) >> 17;
+    let middle = high.wrapping_mul(low).wrapping_add(low_squared as i32);
+    high.wrapping_mul(high).wrapping_add(middle >> 15) as u32
+}
+
+/// Returns a number with the bit length of the largest component.
+///
+/// A negative component `c` counts as `-1 - c`.
+#[inline]
+pub(crate) fn size(way: Vec3<i32>) -> u32 {
+    let magnitudes = way.map(|c| (c ^ (c >> 31)) as u32);
+    magnitudes.x | magnitudes.y | magnitudes.z
+}
 
 /// Values of `2^31 / sqrt(n)` at multiples of 2^25, from `n = 2^30` on, for linear interpolation.
 ///
@@ -38,7 +145,7 @@ const COUNTS_ZEROS: bool = cfg!(target_has_atomic = "32");
 
 /// Returns `floor(log2 n)` for `n` of seven bits; 0 for zero.
 #[inline]
-pub(super) const fn ilog2_of_seven_bits(n: u32) -> u32 {
+pub(crate) const fn ilog2_of_seven_bits(n: u32) -> u32 {
     // With a larger `n` only the table gives a wrong result, and the processors that use the table
     // run few of the tests.
     debug_assert!(n < 128, "expected seven bits");
@@ -47,7 +154,7 @@ pub(super) const fn ilog2_of_seven_bits(n: u32) -> u32 {
 
 /// Returns the bit length of `n`; 1 for zero.
 #[inline]
-pub(super) const fn bit_length(n: u32) -> u32 {
+pub(crate) const fn bit_length(n: u32) -> u32 {
     if COUNTS_ZEROS { u32::BITS - (n | 1).leading_zeros() } else { looked_up_bit_length(n) }
 }
 
@@ -78,7 +185,7 @@ const fn guess(n: u32) -> u32 {
 ///
 /// The relative error is at most 9.0e-5 (exhaustive).
 #[inline]
-pub(super) const fn inverse_sqrt_16(n: u32) -> u32 {
+pub(crate) const fn inverse_sqrt_16(n: u32) -> u32 {
     if n >= 1 << 30 { (guess(n) + 1) >> 1 } else { guess(n << 2) }
 }
 
@@ -105,7 +212,7 @@ const QUICK_NODES: [u16; 257] = {
 /// The function interpolates linearly, without a branch. Its relative error is at most 2.0e-4
 /// (exhaustive).
 #[inline]
-pub(super) const fn quick_inverse_sqrt_16(n: u32) -> u32 {
+pub(crate) const fn quick_inverse_sqrt_16(n: u32) -> u32 {
     let place = (n >> 24) as usize;
     let (here, next) = (QUICK_NODES[place] as u32, QUICK_NODES[place + 1] as u32);
     here.wrapping_sub(here.wrapping_sub(next).wrapping_mul((n << 8) >> 16) >> 16)
@@ -117,7 +224,7 @@ pub(super) const fn quick_inverse_sqrt_16(n: u32) -> u32 {
 /// products. The relative error is at most 4.7e-10, just over 2^-31 (exhaustive: only the upper 34
 /// bits of `n` affect the result).
 #[inline]
-pub(super) const fn inverse_sqrt_32(n: u64) -> u64 {
+pub(crate) const fn inverse_sqrt_32(n: u64) -> u64 {
     let seed = guess((n >> 32) as u32) as u64;
     let lack = 0_u64.wrapping_sub((n >> 30).wrapping_mul(seed * seed)) as i64 >> 24;
     let correction = lack / 2 + 3 * ((lack * lack) >> 40) / 8;
@@ -128,7 +235,7 @@ pub(super) const fn inverse_sqrt_32(n: u64) -> u64 {
 ///
 /// One step of Newton's method refines the product of `n` and [`guess`]. The largest result is
 /// `u32::MAX`, and the result for zero is zero.
-pub(super) fn sqrt_32(n: u32) -> u32 {
+pub(crate) fn sqrt_32(n: u32) -> u32 {
     // The shift is even, so that the root is shifted by half of it.
     let shift = (u32::BITS - bit_length(n)) & !1;
     let n = n << shift;
@@ -139,7 +246,7 @@ pub(super) fn sqrt_32(n: u32) -> u32 {
 }
 
 /// Returns `sqrt(n)`, with the relative error of [`sqrt_32`] and less than 2 units.
-pub(super) fn sqrt_64(n: u64) -> u32 {
+pub(crate) fn sqrt_64(n: u64) -> u32 {
     let high = (n >> 32) as u32;
     if high == 0 {
         return sqrt_32(n as u32) >> 16;
@@ -148,11 +255,111 @@ pub(super) fn sqrt_64(n: u64) -> u32 {
     sqrt_32((n >> shift) as u32) >> (16 - shift / 2)
 }
 
+/// Returns `2^31 / m` for `m` in `[2^15, 2^16)`: 65,535 at `m = 2^15`, never more.
+///
+/// The relative error is at most 5.6e-5 (exhaustive).
+///
+/// Two Newton steps in 32-bit products refine the straight line `48/17 - 32/17 m`, where `m` is
+/// scaled to `[1/2, 1)`.
+#[inline]
+pub(crate) const fn quick_inverse_16(m: u32) -> u32 {
+    let mut inverse = (92_521 - ((61_681 * m) >> 16)) as i32;
+    let mut step = 0;
+    while step < 2 {
+        let lack = (1_u32 << 31).wrapping_sub(inverse as u32 * m) as i32;
+        inverse += (inverse * (lack >> 15)) >> 16;
+        step += 1;
+    }
+    inverse as u32
+}
+
+/// Returns `2^31 / m` for `m` in `[2^15, 2^16)`: 65,536 at `m = 2^15`, just over 32,768 at the
+/// largest `m`.
+///
+/// One more Newton step refines the result of [`quick_inverse_16`]. The error is at most 0.501
+/// units of the result, and 0 at `m = 2^15` (exhaustive).
+#[inline]
+pub(crate) const fn inverse_16(m: u32) -> u32 {
+    let inverse = quick_inverse_16(m) as i32;
+    let lack = (1_u32 << 31).wrapping_sub(inverse as u32 * m) as i32;
+    (inverse + ((inverse * (lack >> 4) + (1 << 26)) >> 27)) as u32
+}
+
+/// Returns `2^55 / m` for `m` in `[2^27, 2^28)`: 2^28 at `m = 2^27`, just over 2^27 at the largest
+/// `m`.
+///
+/// One Newton step in 64-bit products refines the result of [`inverse_16`]. The error is at most
+/// 0.9 units of the result, and 0 at `m = 2^27` (exhaustive).
+#[inline]
+pub(crate) const fn inverse_28(m: u32) -> u32 {
+    let seed = (inverse_16(m >> 12) as i64) << 12;
+    let lack = (1_i64 << 55) - seed * m as i64;
+    (seed + ((seed * (lack >> 8) + (1 << 46)) >> 47)) as u32
+}
+
+/// Returns `2^63 / m`, rounded down, for `m >= 2^31`; `u32::MAX` for `m = 2^31`.
+///
+/// One step of Halley's method, which is of third order, refines the result of
+/// [`quick_inverse_16`] to at most 6 units below the exact result; the remainder corrects it.
+pub(crate) fn inverse_32(m: u32) -> u32 {
+    /// Largest amount by which the refined result is above the exact one.
+    const ABOVE: u32 = 3;
+    /// Largest amount by which the reduced result is below the exact one.
+    const BELOW: u32 = 6;
+    let seed = quick_inverse_16(m >> 16);
+    // `1 - seed m / 2^47`, with 31 fraction bits.
+    let lack = (1_u32 << 31).wrapping_sub(high_product(m, seed)) as i32;
+    let eighth = lack >> 3;
+    let correction = lack + (eighth.wrapping_mul(eighth) >> 25);
+    let refined = (seed << 16).saturating_add_signed(signed_high_product(correction << 1, seed));
+    let mut inverse = refined.saturating_sub(ABOVE);
+    let m = u64::from(m);
+    let mut rest = (1_u64 << 63).wrapping_sub(u64::from(inverse) * m);
+    for _ in 0..BELOW {
+        if rest >= m {
+            rest -= m;
+            inverse = inverse.saturating_add(1);
+        }
+    }
+    inverse
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     extern crate std;
+
+    /// Multiplies numbers next to all powers of two, and their complements, by each other.
+    #[test]
+    fn upper_bits_are_those_of_the_product() {
+        let numbers =
+            || (0..32).flat_map(|shift| [-1, 0, 1].map(|i| (1_u32 << shift).wrapping_add_signed(i)));
+        let numbers = || numbers().flat_map(|n| [n, !n, n.wrapping_mul(0x9e37_79b9)]);
+        let signed = |bits: u32| numbers().map(move |n| n as i32 >> (31 - bits));
+        for (a, b) in numbers().flat_map(|a| numbers().map(move |b| (a, b))) {
+            let exact = u64::from(a) * u64::from(b);
+            assert_eq!([high_half(a, b), high_half_by_parts(a, b)], [(exact >> 32) as u32; 2], "{a} {b}");
+            let (b, signed) = (b & 0xffff, a as i32);
+            let exact = u64::from(a) * u64::from(b);
+            assert_eq!(
+                [high_product(a, b), high_product_by_parts(a, b)],
+                [(exact >> 16) as u32; 2],
+                "{a} {b}"
+            );
+            let exact = i64::from(signed) * i64::from(b);
+            let found = [signed_high_product(signed, b), signed_high_product_by_parts(signed, b)];
+            assert_eq!(found, [(exact >> 16) as i32; 2], "{signed} {b}");
+        }
+        for (a, b) in signed(30).flat_map(|a| signed(30).map(move |b| (a, b))) {
+            let exact = ((i64::from(a) * i64::from(b)) >> 32) as i32;
+            assert_eq!([signed_high_half(a, b), signed_high_half_by_parts(a, b)], [exact; 2], "{a} {b}");
+        }
+        for a in signed(31) {
+            let exact = ((i64::from(a) * i64::from(a)) >> 32) as u32;
+            assert_eq!([high_square(a), high_square_by_parts(a)], [exact; 2], "{a}");
+        }
+    }
 
     /// Returns the largest relative error of `inverse_sqrt_16` over inputs from 2^28 up, `stride`
     /// apart.
@@ -258,6 +465,46 @@ mod tests {
             for low in [0, 1, 0x2aaa_aaaa, (1 << 30) - 1] {
                 assert_eq!(inverse_sqrt_32((class << 30) + low), inverse_sqrt_32(class << 30), "{class:#x}");
             }
+        }
+    }
+
+    #[test]
+    fn two_steps_keep_their_stated_error() {
+        let worst = (1_u32 << 15..1 << 16)
+            .map(|m| (f64::from(quick_inverse_16(m)) * f64::from(m) / 2_147_483_648.0 - 1.0).abs())
+            .fold(0.0, f64::max);
+        assert!((5e-5..=5.6e-5).contains(&worst), "worst error {worst}");
+        assert_eq!((1 << 15..1 << 16).map(quick_inverse_16).max(), Some(65_535));
+    }
+
+    #[test]
+    fn a_reciprocal_of_sixteen_bits_keeps_its_stated_error() {
+        let worst = (1_u32 << 15..1 << 16)
+            .map(|m| (f64::from(inverse_16(m)) - 2_147_483_648.0 / f64::from(m)).abs())
+            .fold(0.0, f64::max);
+        assert!((0.5..=0.501).contains(&worst), "worst error {worst}");
+        assert_eq!(inverse_16(1 << 15), 1 << 16);
+    }
+
+    #[test]
+    fn a_reciprocal_of_twenty_eight_bits_keeps_its_stated_error() {
+        let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 97 };
+        let worst = (1_u32 << 27..1 << 28)
+            .step_by(stride)
+            .map(|m| (f64::from(inverse_28(m)) - 36_028_797_018_963_968.0 / f64::from(m)).abs())
+            .fold(0.0, f64::max);
+        assert!((0.5..=0.9).contains(&worst), "worst error {worst}");
+        assert_eq!(inverse_28(1 << 27), 1 << 28);
+    }
+
+    /// Exhaustive in the upper 28 bits with `LUMINAIRE_FULL`.
+    #[test]
+    fn a_reciprocal_of_thirty_two_bits_is_that_of_the_division() {
+        let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 15 } else { 1_009 };
+        let last = u32::MAX - 100_000..=u32::MAX;
+        for m in (1_u32 << 31..=u32::MAX).step_by(stride).chain(1 << 31..(1 << 31) + 100_000).chain(last) {
+            let exact = ((1_u64 << 63) / u64::from(m)).min(u32::MAX.into()) as u32;
+            assert_eq!(inverse_32(m), exact, "{m}");
         }
     }
 }

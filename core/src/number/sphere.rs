@@ -2,8 +2,7 @@
 
 use super::{
     Fx32, Length, Scalar,
-    product::{high_product, signed_high_half},
-    root,
+    root::{self, high_product, signed_high_half},
 };
 use crate::vec3::Vec3;
 

@@ -133,7 +133,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
             if is_hidden { row.shares[i] * column.shares[j] } else { 0 }
         };
         let hidden = hidden(0, 0) + hidden(0, 1) + hidden(1, 0) + hidden(1, 1);
-        S::part(if place.is_inside() { WHOLE * WHOLE - hidden } else { WHOLE * WHOLE })
+        S::from_steps(if place.is_inside() { WHOLE * WHOLE - hidden } else { WHOLE * WHOLE })
     }
 
     /// Returns the texel centres around a coordinate on the square.

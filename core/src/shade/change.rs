@@ -9,7 +9,7 @@ use crate::{
     color::Rgb,
     cone::CompiledCone,
     falloff::Falloff,
-    number::{Gain, Quick, Scalar, unit},
+    number::{Gain, Offset, Quick, Scalar, unit},
     vec3::Vec3,
 };
 
@@ -23,7 +23,7 @@ macro_rules! change {
             /// 3.9e-5 in `Fx16` and 7.5e-9 in `Fx32`.
             #[must_use]
             pub fn dimmed(self, part: S) -> Self {
-                Self { intensity: self.intensity.part(part), ..self }
+                Self { intensity: self.intensity.times_scalar(part), ..self }
             }
 
             /// Returns the same light in another linear colour. The colour of its specular
@@ -60,7 +60,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// The axis is within 2e-9 radians of the exact one in fixed point, and 1.2e-7 in `f32`
     /// (searched).
     pub fn aimed_at(self, point: Vec3<S::Length>) -> Option<Self> {
-        let axis = unit::<S>(S::offset(self.position, point))?;
+        let axis = unit::<S>(S::Offset::between(self.position, point))?;
         Some(Self { axis, ..self })
     }
 
@@ -69,7 +69,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     ///
     /// The error of the axis is that of [`aimed_at`](Self::aimed_at).
     pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
-        let axis = unit::<S>(S::offset(Vec3::default(), direction))?;
+        let axis = unit::<S>(S::Offset::between(Vec3::default(), direction))?;
         Some(Self { axis, ..self })
     }
 
@@ -109,14 +109,14 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     /// Returns the same light with its axis through a point, like
     /// [`CompiledSpotLight::aimed_at`].
     pub fn aimed_at(self, point: Vec3<S::Length>) -> Option<Self> {
-        let axis = unit::<S>(S::offset(self.position, point))?;
+        let axis = unit::<S>(S::Offset::between(self.position, point))?;
         Some(Self { axis: S::quick_axis(axis), ..self })
     }
 
     /// Returns the same light with its axis along a vector of any length, like
     /// [`CompiledSpotLight::aimed_along`].
     pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
-        let axis = unit::<S>(S::offset(Vec3::default(), direction))?;
+        let axis = unit::<S>(S::Offset::between(Vec3::default(), direction))?;
         Some(Self { axis: S::quick_axis(axis), ..self })
     }
 
@@ -148,7 +148,7 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
     ///
     /// The error of the direction is that of [`CompiledSpotLight::aimed_at`].
     pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
-        let direction = unit::<S>(S::offset(Vec3::default(), direction))?;
+        let direction = unit::<S>(S::Offset::between(Vec3::default(), direction))?;
         Some(Self { direction, ..self })
     }
 }

@@ -70,6 +70,6 @@ impl<S: Scalar> LightModel<S> for CompiledDirectionalLight<S> {
             return Incident::default();
         }
         let lobe = lobe::<S, H>(highlight, (surface.normal, surface.view), self.direction, cosine);
-        Incident { diffuse: cosine.expose(self.intensity), specular: lobe.expose(self.intensity) }
+        Incident { diffuse: cosine.light(self.intensity), specular: lobe.light(self.intensity) }
     }
 }

@@ -1,13 +1,11 @@
 //! Point lights, compiled.
 
-use super::{
-    Incident, LightModel, SurfacePoint,
-    placed::{Placed, Stand},
-};
+use super::{Incident, LightModel, SurfacePoint, lobe};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
-    number::{Ray, Scalar},
+    falloff::SoftOrHard,
+    number::{Fraction, Offset, Ray, Scalar, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -68,24 +66,6 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     }
 }
 
-impl<S: Scalar, A: Attenuation> Placed<S, A> for CompiledPointLight<S, A> {
-    #[inline]
-    fn place(&self) -> Stand<'_, S, A> {
-        let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
-        Stand { position, attenuation, intensity, fine_below }
-    }
-
-    #[inline]
-    fn is_outside(&self, _: &S::Offset) -> bool {
-        false
-    }
-
-    #[inline]
-    fn falloff<R: Ray<S>>(&self, _: &R) -> Option<R::Share> {
-        None
-    }
-}
-
 impl<S: Scalar, A: Attenuation> LightModel<S> for CompiledPointLight<S, A> {
     #[inline]
     fn colors(&self) -> [Rgb<S>; 2] {
@@ -99,6 +79,49 @@ impl<S: Scalar, A: Attenuation> LightModel<S> for CompiledPointLight<S, A> {
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance> {
-        self.evaluate_at::<H>(surface, highlight, skips)
+        let SurfacePoint { point, normal, view } = *surface;
+        let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
+        let offset = S::Offset::between(position, point);
+        if offset.is_near(fine_below) {
+            return self.evaluate_finely::<H>(offset, (normal, view), highlight);
+        }
+        let facing = offset.facing(normal);
+        if skips && (S::Offset::faces_away(facing) || A::is_beyond::<S, _>(attenuation, &offset)) {
+            return Incident::default();
+        }
+        let ray = offset.ray();
+        let cosine = ray.cosine(facing, normal);
+        let light = |share| A::light(attenuation, &offset, &ray, share, intensity);
+        let diffuse = light(cosine.value());
+        if !H::SHINES {
+            return Incident { diffuse, ..Incident::default() };
+        }
+        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.value().scalar());
+        Incident { diffuse, specular: light(Share::of_scalar(lobe)) }
+    }
+}
+
+impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
+    /// Evaluates a point near the light: see `CompiledSpotLight::evaluate_finely`.
+    #[cold]
+    #[inline(never)]
+    fn evaluate_finely<H: SpecularLobe>(
+        &self,
+        offset: S::Offset,
+        (normal, view): (Vec3<S>, Vec3<S::Unit>),
+        highlight: &H::Constants<S>,
+    ) -> Incident<S::Irradiance> {
+        let facing = offset.facing(normal);
+        if S::Offset::faces_far_away(facing) {
+            return Incident::default();
+        }
+        let light = (&self.attenuation, self.intensity, self.fine_below);
+        super::evaluate_finely::<S, SoftOrHard, A, H>(
+            light,
+            None,
+            (&offset, facing),
+            (normal, view),
+            highlight,
+        )
     }
 }

@@ -95,7 +95,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
         skips: bool,
     ) -> Incident<S::Irradiance> {
         let SurfacePoint { point, normal, view } = *surface;
-        let offset = S::quick_offset(self.position, point);
+        let offset = S::QuickOffset::between(self.position, point);
         let facing = offset.facing(normal);
         if skips && (S::QuickOffset::faces_away(facing) || A::is_beyond::<S, _>(&self.attenuation, &offset)) {
             return Incident::default();
@@ -106,12 +106,12 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
             return Incident::default();
         }
         let cosine = ray.cosine(facing, normal);
-        let expose = |share| A::expose::<S, _, _>(&self.attenuation, &offset, &ray, share, self.intensity);
-        let diffuse = expose(cosine.of(falloff));
+        let light = |share| A::light::<S, _, _>(&self.attenuation, &offset, &ray, share, self.intensity);
+        let diffuse = light(cosine.times_value(falloff));
         if !H::SHINES {
             return Incident { diffuse, ..Incident::default() };
         }
-        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.scalar().rounded());
-        Incident { diffuse, specular: expose(falloff.share_of(Share::of_scalar(lobe))) }
+        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.value().scalar());
+        Incident { diffuse, specular: light(falloff.times(Share::of_scalar(lobe))) }
     }
 }

@@ -1,15 +1,12 @@
 //! Spotlights, compiled.
 
-use super::{
-    Incident, LightModel, SurfacePoint,
-    placed::{Placed, Stand},
-};
+use super::{Incident, LightModel, SurfacePoint, lobe};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
     falloff::{Falloff, SoftOrHard},
-    number::{FullOffset, Offset, Ray, Scalar, Share},
+    number::{Fraction, Offset, Ray, Scalar, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -66,11 +63,11 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Returns the falloff of the cone alone at a point, in `[0, 1]`.
     #[inline]
     pub fn falloff_at(&self, point: Vec3<S::Length>) -> S {
-        let offset = S::offset(self.position, point);
+        let offset = S::Offset::between(self.position, point);
         if offset.is_near(self.fine_below) {
-            return self.cone.toward(&offset.fine_ray(), self.axis).rounded();
+            return self.cone.toward(&S::fine_ray(&offset), self.axis).scalar();
         }
-        self.cone.toward(&offset.ray(), self.axis).rounded()
+        self.cone.toward(&offset.ray(), self.axis).scalar()
     }
 
     /// Returns `false` only if no point within `radius` of `center` receives light: all of them are
@@ -92,7 +89,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// result is kept although this function returns `true`.
     #[cfg(feature = "arithmetic")]
     pub fn is_fine(&self, point: Vec3<S::Length>) -> bool {
-        S::offset(self.position, point).is_near(self.fine_below)
+        S::Offset::between(self.position, point).is_near(self.fine_below)
     }
 
     /// Returns the same light at another position, with another axis of unit length.
@@ -165,42 +162,68 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     }
 }
 
-impl<S: Scalar, P: Falloff, A: Attenuation> Placed<S, A> for CompiledSpotLight<S, P, A> {
-    #[inline]
-    fn place(&self) -> Stand<'_, S, A> {
-        let Self { position, ref attenuation, intensity, fine_below, .. } = *self;
-        Stand { position, attenuation, intensity, fine_below }
-    }
-
-    #[inline]
-    fn is_outside(&self, offset: &S::Offset) -> bool {
-        offset.is_outside(self.axis, self.outside)
-    }
-
-    #[inline]
-    fn falloff<R: Ray<S>>(&self, ray: &R) -> Option<R::Share> {
-        Some(self.cone.toward(ray, self.axis))
-    }
-}
-
 impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<S, P, A> {
     #[inline]
     fn colors(&self) -> [Rgb<S>; 2] {
         [self.color, self.specular_color]
     }
 
-    #[inline]
+    #[inline(always)]
     fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance> {
-        self.evaluate_at::<H>(surface, highlight, skips)
+        let SurfacePoint { point, normal, view } = *surface;
+        let offset = S::Offset::between(self.position, point);
+        if offset.is_near(self.fine_below) {
+            return self.evaluate_finely::<H>(offset, (normal, view), highlight);
+        }
+        let Self { axis, outside, ref attenuation, intensity, .. } = *self;
+        let facing = offset.facing(normal);
+        if skips
+            && (S::Offset::faces_away(facing)
+                || offset.is_outside(axis, outside)
+                || A::is_beyond::<S, _>(attenuation, &offset))
+        {
+            return Incident::default();
+        }
+        let ray = offset.ray();
+        let cosine = ray.cosine(facing, normal);
+        let falloff = self.cone.toward(&ray, axis);
+        let light = |share| A::light(attenuation, &offset, &ray, share, intensity);
+        let diffuse = light(cosine.times_value(falloff));
+        if !H::SHINES {
+            return Incident { diffuse, ..Incident::default() };
+        }
+        let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.value().scalar());
+        Incident { diffuse, specular: light(falloff.times(Share::of_scalar(lobe))) }
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
         let tip = S::moved_back(self.position, self.axis, self.outside, radius);
-        tip.is_none_or(|tip| !S::offset(tip, center).is_outside(self.axis, self.outside))
+        tip.is_none_or(|tip| !S::Offset::between(tip, center).is_outside(self.axis, self.outside))
+    }
+}
+
+impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
+    /// Evaluates a point near the light, or in a steep cone. The function is separate and cold, so
+    /// that the common path stays in registers.
+    #[cold]
+    #[inline(never)]
+    fn evaluate_finely<H: SpecularLobe>(
+        &self,
+        offset: S::Offset,
+        (normal, view): (Vec3<S>, Vec3<S::Unit>),
+        highlight: &H::Constants<S>,
+    ) -> Incident<S::Irradiance> {
+        let facing = offset.facing(normal);
+        if S::Offset::faces_far_away(facing) || offset.is_outside(self.axis, self.outside) {
+            return Incident::default();
+        }
+        let light = (&self.attenuation, self.intensity, self.fine_below);
+        let cone = Some((&self.cone, self.axis));
+        super::evaluate_finely::<S, P, A, H>(light, cone, (&offset, facing), (normal, view), highlight)
     }
 }

@@ -9,7 +9,12 @@ use crate::{
         prepared::Prepared,
         rig::Rig,
     },
-    renderer::{account::Account, display::CHANNELS, format::Format, reached::Reached},
+    renderer::{
+        account::Account,
+        display::CHANNELS,
+        format::{Format, Loops},
+        reached::Reached,
+    },
 };
 use alloc::vec::Vec;
 use luminaire::{Error, dynamic::RenderPlan, projector::Fixture};
@@ -151,7 +156,7 @@ impl<S: Format> Renderer<S> {
             let lights = reached.iter().filter(|&&light| rig.lights(light, geometry));
             reaching.extend(lights.filter_map(|&light| rig.fixture(light)));
             let radiance = &mut self.radiance[block];
-            let shining = S::light(&setting, geometry, &reaching, &mut self.workspace, radiance);
+            let shining = Loops::light(&setting, geometry, &reaching, &mut self.workspace, radiance);
             self.evaluated[block] = reaching.len().try_into().unwrap_or(u16::MAX);
             let column = block % self.geometry.columns;
             let pixels = LANES.min(self.width - column * LANES);

@@ -187,7 +187,7 @@ fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[SpotLight]) {
     for y in 0..renderer.height {
         for x in 0..renderer.width {
             let (point, normal, material) = fragment(&renderer, x, y);
-            let mut sum = scene.ambient().map(|channel| S::ONE.expose(S::gain(channel)));
+            let mut sum = scene.ambient().map(|channel| S::ONE.light(S::gain(channel)));
             for light in &compiled {
                 let arrived = light.irradiance_unskipped(point, normal);
                 let color = light.color();

@@ -43,7 +43,7 @@ mod arithmetic {
     /// An offset after the square root.
     pub type Ray = <Offset as number::Offset<Format>>::Ray;
     /// A ray with more bits.
-    pub type FineRay = <Offset as number::FullOffset<Format>>::FineRay;
+    pub type FineRay = <Format as number::Arithmetic>::FineRay;
     /// A share of a light with more bits than a scalar.
     pub type FineShare = <FineRay as number::Ray<Format>>::Share;
     /// The argument of a profile.

@@ -19,7 +19,6 @@ const TYPES: Rows = &[
     ("Arithmetic", &["Format"]),
     ("Gain", &["Gain"]),
     ("Offset", &["Offset"]),
-    ("FullOffset", &["Offset"]),
     ("Ray", &["Ray", "FineRay"]),
     ("Share", &["Format", "FineShare"]),
     ("Fraction", &["Fraction", "FineFraction"]),
@@ -52,8 +51,7 @@ const PRIVATE: [&str; 3] = ["formatter::", "rgb_color::", "traits::"];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.
-const OF_FORMATS: [&str; 9] =
-    ["Scalar", "Arithmetic", "Quick", "Gain", "Offset", "FullOffset", "Ray", "Share", "Fraction"];
+const OF_FORMATS: [&str; 8] = ["Scalar", "Arithmetic", "Quick", "Gain", "Offset", "Ray", "Share", "Fraction"];
 
 /// A public function.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,12 +1,11 @@
 //! Projection of a point onto the square of a spotlight, in the 16-bit format.
 
-use super::offset::Offset16;
+use super::Offset16;
 use crate::{
     number::{
-        Fx16, Length, mantissa_and_shift, nearest,
+        Fx16, Length, Offset, mantissa_and_shift, nearest,
         place::{ProjectedPoint, STEPS},
-        product::signed_high_product,
-        reciprocal, root,
+        root::{self, signed_high_product},
     },
     vec3::Vec3,
 };
@@ -118,14 +117,14 @@ impl Frame16 {
     #[inline(always)] // `spot-soft-lambert-gobo` on Cortex-M0: +76 instructions without.
     pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx16> {
         let offset = Offset16::between(light, point);
-        let way = offset.fine();
+        let way = offset.way();
         let depth = self.axis.part(way);
         if depth >> LEAST_BITS <= 0 {
             return ProjectedPoint::outside();
         }
         let z = depth as u32;
         let more = root::ilog2_of_seven_bits(z >> LEAST_BITS);
-        let inverse = reciprocal::inverse_16(z >> (more + LEAST_BITS + 1 - 16));
+        let inverse = root::inverse_16(z >> (more + LEAST_BITS + 1 - 16));
         // The two factors have at most 17 and 16 bits; 16 bits of the product are kept.
         let factor = (inverse * self.scale + (1 << 15)) >> 16;
         let shift = (self.shift + more) % u32::BITS;

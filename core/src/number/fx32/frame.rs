@@ -1,12 +1,11 @@
 //! Projection of a point onto the square of a spotlight, in the 32-bit format.
 
-use super::{offset::Offset32, wide};
-use crate::number::{Fx32, Length};
+use super::{Offset32, set_up::wide};
 use crate::{
     number::{
-        Arithmetic, mantissa_and_shift,
+        Arithmetic, Fx32, Length, Offset, mantissa_and_shift,
         place::{ProjectedPoint, STEPS},
-        reciprocal,
+        root::inverse_28,
     },
     vec3::Vec3,
 };
@@ -84,14 +83,14 @@ impl Frame32 {
 
     #[inline]
     pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx32> {
-        let offset = Fx32::offset(light, point);
+        let offset = Offset32::between(light, point);
         let depth = part(self.axis, offset.way);
         if depth >> LEAST_BITS <= 0 {
             return ProjectedPoint::outside();
         }
         let z = depth as u64;
         let bits = u64::BITS - z.leading_zeros();
-        let inverse = u64::from(reciprocal::inverse_28((z >> (bits - 28)) as u32));
+        let inverse = u64::from(inverse_28((z >> (bits - 28)) as u32));
         // The two factors have at most 29 and 28 bits; 28 bits of the product are kept.
         let factor = (inverse * u64::from(self.scale) + (1 << 27)) >> 28;
         let shift = (self.shift + bits - LEAST_BITS - 1) % u64::BITS;
@@ -105,15 +104,6 @@ impl Frame32 {
             row: step(self.down, self.center[1]),
             depth: offset.length_of(depth),
         }
-    }
-}
-
-impl Offset32 {
-    /// Converts a component of the scaled offset, with 60 fraction bits, to a length; saturates.
-    #[inline]
-    fn length_of(&self, part: i64) -> Length {
-        let doubled = part >> (59 - self.bits);
-        Length::from_bits(((doubled + 1) >> 1).min(i64::from(i32::MAX)) as i32)
     }
 }
 

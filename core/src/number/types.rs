@@ -1,11 +1,7 @@
 //! Fixed-point number types, with the layouts of types of the crate `fixed`.
 
-mod operations;
-
 use core::fmt;
 
-pub(super) use self::operations::operations;
-use super::Scalar;
 use crate::vec3::Vec3;
 use fixed::types::{I2F14, I2F30, I16F16, I18F14, I34F30, U3F29, U18F14, U34F30};
 
@@ -117,6 +113,16 @@ numbers! {
 }
 
 impl Fx16 {
+    /// Returns the point with these coordinates, each rounded to the nearest length.
+    pub const fn point([x, y, z]: [f32; 3]) -> Vec3<Length> {
+        Vec3::new(Length::from_f32(x), Length::from_f32(y), Length::from_f32(z))
+    }
+
+    /// Returns the normal with these components, each rounded to the nearest number.
+    pub const fn normal([x, y, z]: [f32; 3]) -> Vec3<Self> {
+        Vec3::new(Self::from_f32(x), Self::from_f32(y), Self::from_f32(z))
+    }
+
     /// Returns the nearest number, ties to even; saturates, and NaN becomes zero.
     #[inline]
     pub const fn from_f32(value: f32) -> Self {
@@ -133,6 +139,16 @@ impl Fx16 {
 }
 
 impl Fx32 {
+    /// Returns the point with these coordinates, each rounded to the nearest length.
+    pub const fn point([x, y, z]: [f32; 3]) -> Vec3<Length> {
+        Vec3::new(Length::from_f32(x), Length::from_f32(y), Length::from_f32(z))
+    }
+
+    /// Returns the normal with these components, each rounded to the nearest number.
+    pub const fn normal([x, y, z]: [f32; 3]) -> Vec3<Self> {
+        Vec3::new(Self::from_f32(x), Self::from_f32(y), Self::from_f32(z))
+    }
+
     /// Returns the nearest number, ties to even; saturates, and NaN becomes zero.
     #[inline]
     pub const fn from_f32(value: f32) -> Self {
@@ -152,66 +168,6 @@ impl Length {
     pub const fn from_f32(value: f32) -> Self {
         Self(nearest(value * 65_536.0))
     }
-}
-
-/// Declares `const` constructors of points and normals, for firmware constants and for set-up.
-macro_rules! vectors {
-    ($($format:ident)*) => {$(
-        impl $format {
-            /// Returns the point with these coordinates, each rounded to the nearest length.
-            pub const fn point([x, y, z]: [f32; 3]) -> Vec3<Length> {
-                Vec3::new(Length::from_f32(x), Length::from_f32(y), Length::from_f32(z))
-            }
-
-            /// Returns the normal with these components, each rounded to the nearest number.
-            pub const fn normal([x, y, z]: [f32; 3]) -> Vec3<Self> {
-                Vec3::new(Self::from_f32(x), Self::from_f32(y), Self::from_f32(z))
-            }
-        }
-    )*};
-}
-
-vectors!(Fx16 Fx32);
-
-/// Implements `Scalar` for number types, with their names, irradiances and largest coordinates.
-macro_rules! scalars {
-    ($($scalar:ident($name:literal, $light:ident, $farthest:literal);)*) => {$(
-        impl Scalar for $scalar {
-            type Length = Length;
-            type Unit = Fx32;
-            type Irradiance = $light;
-
-            const NAME: &'static str = $name;
-            const ZERO: Self = Self::ZERO;
-            const ONE: Self = Self::ONE;
-            const STEP: f32 = 1.0 / (1_u32 << Self::FRACTION_BITS) as f32;
-            const FARTHEST: f32 = $farthest;
-
-            #[inline]
-            fn from_f32(value: f32) -> Self {
-                Self::from_f32(value)
-            }
-
-            fn to_f32(self) -> f32 {
-                self.to_f32()
-            }
-
-            #[inline]
-            fn length(value: f32) -> Length {
-                Length::from_f32(value)
-            }
-
-            #[inline]
-            fn light_to_f32(light: $light) -> f32 {
-                light.to_f32()
-            }
-        }
-    )*};
-}
-
-scalars! {
-    Fx16("fx16", Light16, 16_383.0);
-    Fx32("fx32", Light32, 32_639.0);
 }
 
 /// Returns the integer nearest to a value, ties to even; saturates, and NaN becomes zero.

@@ -1,15 +1,17 @@
 //! A view ray as seen from a light: an arc of a great circle, in 32-bit products.
 //!
-//! The formulas are those of [`haze`](crate::haze). Vectors have 30 fraction bits. In a narrow cone
+//! The formulas are those of [`haze`](super). Vectors have 30 fraction bits. In a narrow cone
 //! `v = tan(psi/2)` is small and would lose its leading bits, so it is scaled by `2^zoom` of the
 //! cone's ramp, and versines by `4^zoom`.
 
 use crate::number::{
-    Fx32, Gain, Gain16, Length, Versine,
-    fine_ray::{normalised, size},
-    product::{high_half, high_product, high_square, signed_high_half, signed_high_product},
-    reciprocal::quick_inverse_16,
-    root,
+    Fx32, Gain, Length, Versine,
+    fx16::Gain16,
+    fx32::normalised,
+    root::{
+        self, high_half, high_product, high_square, quick_inverse_16, signed_high_half, signed_high_product,
+        size,
+    },
 };
 use crate::vec3::Vec3;
 
@@ -101,7 +103,7 @@ impl Normal {
 
 /// A part of a view ray, as seen from a light.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Chord {
+pub(super) struct Chord {
     /// The offsets of the ends from the light.
     eye: Vec3<i32>,
     surface: Vec3<i32>,
@@ -118,7 +120,7 @@ impl Chord {
     ///
     /// Lengths are in units of 2^-15 if a coordinate has more than 30 bits.
     #[inline]
-    pub(crate) fn between(light: Vec3<Length>, eye: Vec3<Length>, surface: Vec3<Length>) -> Self {
+    pub(super) fn between(light: Vec3<Length>, eye: Vec3<Length>, surface: Vec3<Length>) -> Self {
         let [light, eye, surface] = [light, eye, surface].map(|point| point.map(Length::to_bits));
         let unit = if (size(light) | size(eye) | size(surface)) >> 30 == 0 { 0 } else { 1 };
         let difference = |to: Vec3<i32>, from: Vec3<i32>| to.zip(from, |t, f| (t >> unit) - (f >> unit));
@@ -129,7 +131,7 @@ impl Chord {
     /// Returns the part of the chord that is outside the light's body and not hidden by it; `None`
     /// if there is no such part.
     #[cold]
-    pub(crate) fn outside(self, body: Length) -> Option<Self> {
+    pub(super) fn outside(self, body: Length) -> Option<Self> {
         let body = i64::from(body.to_bits() >> self.unit).clamp(0, 1 << 28);
         // Directions from the body's surface need more fraction bits than coordinates have.
         let more = (body.leading_zeros() as i32 - 36).clamp(0, 12);
@@ -183,7 +185,7 @@ fn sqrt(n: u64) -> u32 {
 /// A view ray as an arc of directions, measured by `v` from the direction that is nearest to the
 /// axis.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Arc16 {
+pub(super) struct Arc16 {
     zoom: u32,
     /// The versine of the angle between the axis and the circle, scaled, with 29 fraction bits.
     least: u32,
@@ -198,7 +200,7 @@ pub(crate) struct Arc16 {
     /// The length of the chord over the product of the distances of its ends.
     worth: Gain16,
     /// The reciprocal of the distance of the line from the light.
-    pub(crate) nearness: Gain16,
+    pub(super) nearness: Gain16,
 }
 
 /// `v` opposite the axis, and for all directions that are outside every cone: just under 2.
@@ -212,21 +214,21 @@ const SHORTEST: u32 = 12;
 
 /// A part of an arc, in `v`, with 30 fraction bits.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Span16 {
-    pub(crate) from: i32,
-    pub(crate) to: i32,
+pub(super) struct Span16 {
+    pub(super) from: i32,
+    pub(super) to: i32,
 }
 
 impl Arc16 {
     /// Computes the arc of a chord; `None` if the line of the chord misses every cone of this zoom.
     #[inline(never)]
-    pub(crate) fn new(chord: &Chord, axis: Vec3<Fx32>, zoom: u32) -> Option<Self> {
+    pub(super) fn new(chord: &Chord, axis: Vec3<Fx32>, zoom: u32) -> Option<Self> {
         let axis = axis.map(Fx32::to_bits);
         let Chord { eye, surface, way, more: [here, there], unit } = *chord;
         let [first, last, way] = [eye, surface, way].map(Polar::of);
         // `|way| / (|eye| |surface|)`.
         let shift = first.bits - here + last.bits - there - 2 + unit;
-        let worth = Gain16::normalised(first.reciprocal * last.reciprocal, shift).by(way.length(16));
+        let worth = Gain16::normalised(first.reciprocal * last.reciprocal, shift).times(way.length(16));
 
         let [first, last] = [first.fine_direction(), last.fine_direction()];
         let Normal { mut product, up, is_acute } = Normal::of(first, last);
@@ -271,8 +273,11 @@ impl Arc16 {
         ];
 
         let bits = normal.bits - 28 - up;
-        let nearness =
-            if is_radial { Gain16::HUGE } else { worth.by(Gain16::normalised(normal.reciprocal, 15 + bits)) };
+        let nearness = if is_radial {
+            Gain16::HUGE
+        } else {
+            worth.times(Gain16::normalised(normal.reciprocal, 15 + bits))
+        };
         let is_short = is_acute && (is_radial || bits + (zoom as i32) < -9);
         Some(Self { zoom, least, radius, ends, is_around, is_short, worth, nearness })
     }
@@ -282,7 +287,7 @@ impl Arc16 {
     /// `versine` is scaled and at most 2, `rest` is 1 less the versine without the scale; both have
     /// 29 fraction bits.
     #[inline(never)]
-    pub(crate) fn edge(&self, versine: u32, rest: u32) -> i32 {
+    pub(super) fn edge(&self, versine: u32, rest: u32) -> i32 {
         let over = versine.saturating_sub(self.least).min(1 << 30);
         // `over / sqrt(over divisor)`; the product has 26 fraction bits.
         let product = high_half(over, rest + (self.radius << 14)).max(1);
@@ -293,7 +298,7 @@ impl Arc16 {
     /// Returns the part of the arc within an [`edge`](Self::edge), and the factor of an integral of
     /// `2 / (1 + v^2)` over it; an empty part unless `from < to`.
     #[inline]
-    pub(crate) fn span(&self, edge: i32) -> (Span16, Gain16) {
+    pub(super) fn span(&self, edge: i32) -> (Span16, Gain16) {
         let [from, to] = self.ends;
         if self.is_around {
             let span = if from < edge { Span16 { from, to: edge } } else { Span16 { from: -edge, to } };
@@ -311,7 +316,7 @@ impl Arc16 {
     /// Returns the factor of a long arc: `1 / height`, without the scale of `v`.
     #[inline]
     fn long(&self) -> Gain16 {
-        Gain16 { shift: self.nearness.shift + self.zoom as i32 - 1, ..self.nearness }
+        self.nearness.halved(self.zoom as i32 - 1)
     }
 
     /// Returns the factor of a short arc: its mean times `worth`.
@@ -321,12 +326,12 @@ impl Arc16 {
         let one_plus = ((1 << 15) + product).max(1) as u32;
         let up = 32 - root::bit_length(kept);
         let inverse = Gain16::normalised(quick_inverse_16((kept << up) >> 16), 17 - up as i32);
-        self.worth.by(Gain16::normalised(one_plus, 15)).by(inverse)
+        self.worth.times(Gain16::normalised(one_plus, 15)).times(inverse)
     }
 
     /// Returns the versine off the axis at `v`, and `1 / (1 + v^2)` with 16 fraction bits.
     #[inline]
-    pub(crate) fn at(&self, v: i32) -> (Versine, u32) {
+    pub(super) fn at(&self, v: i32) -> (Versine, u32) {
         let square = high_square(v);
         let one_plus = (1 << 15) + (square >> (13 + 2 * self.zoom).min(31));
         let share = quick_inverse_16(one_plus.min(65_535));
@@ -337,13 +342,13 @@ impl Arc16 {
 
 /// Returns `half place` for a place with 16 fraction bits.
 #[inline]
-pub(crate) fn part(half: i32, place: u32) -> i32 {
+pub(super) fn part(half: i32, place: u32) -> i32 {
     signed_high_product(half, place)
 }
 
 /// Returns `half sum` with 28 fraction bits, for factors with 30 fraction bits.
 #[inline]
-pub(crate) fn whole(half: i32, sum: u32) -> u32 {
+pub(super) fn whole(half: i32, sum: u32) -> u32 {
     high_half(half as u32, sum)
 }
 

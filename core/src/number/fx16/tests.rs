@@ -1,0 +1,178 @@
+//! Errors of the stages, over every argument where that is possible.
+
+use super::*;
+use crate::{
+    falloff::{Cubic, Curve, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft},
+    number::{Arithmetic, HALF_A_CODE, Scalar},
+};
+
+extern crate std;
+
+/// Light counts as clipped only if it exceeds full scale by more than the error of its share.
+#[test]
+fn clipped_light_is_past_full_scale() {
+    let (share, light) = (Fx16::from_bits((1 << 9) + 1), Light16::from_bits);
+    let least = (0..1 << 16).find(|&bits| Fx16::is_clipped(share, light(bits)));
+    let least = Fx16::light_to_f32(light(least.expect("some light is clipped")));
+    assert!((1.07..1.2).contains(&least), "the least clipped light is {least}, expected 1.07 to 1.2");
+    assert!(!Fx16::is_clipped(Fx16::from_bits(1 << 9), light(u32::MAX)));
+}
+
+/// Points are near below the distance whose square `fine_below` encodes.
+///
+/// For an error of half a linear code, this square is `BRIGHT * MOVING * intensity`.
+#[test]
+fn points_are_near_below_the_encoded_distance() {
+    for intensity in [1e-4_f32, 0.01, 0.5, 3.0, 77.0, 4_000.0, 1e6, 1e9] {
+        let below = Fx16::fine_below(HALF_A_CODE, intensity, true);
+        let distance = trig::sqrt(0.5556 * 1.04 * intensity);
+        for i in 0..1_000_u32 {
+            let size = distance * (0.9 + 0.2 * i as f32 / 1_000.0);
+            let unit = [[1.0, 0.0, 0.0], [0.6, -0.8, 0.0], [-0.48, 0.6, 0.64]][i as usize % 3];
+            let point = unit.map(|c| Length::from_f32(c * size));
+            let offset = Offset16::between(Vec3::default(), Vec3::new(point[0], point[1], point[2]));
+            let is_open = (size / distance - 1.0).abs() < 0.01;
+            assert!(
+                is_open || offset.is_near(below) == (size < distance),
+                "is_near at {size}, expected below {distance}"
+            );
+        }
+    }
+}
+
+/// Evaluates a falloff at every `t`, and checks that both ends are exact and all values in
+/// `[0, 1]`.
+///
+/// Returns the largest error and the largest decrease towards the axis, both in steps of `Fx16`
+/// (2^-14).
+fn over_all_t<P: Falloff>(falloff: P, exact: impl Fn(f64) -> f64) -> (f64, i32) {
+    let curve = falloff.compile::<Fx16>();
+    let at = |t: u16| i32::from(curve.intensity(Fraction16(t.into())).to_bits());
+    assert_eq!((at(0), at(1 << 15)), (0, 1 << 14), "{falloff:?}");
+    (0..=1 << 15).fold((0.0, 0), |(error, fall), t: u16| {
+        let (here, next) = (at(t), at((t + 1).min(1 << 15)));
+        assert!((0..=1 << 14).contains(&here), "{falloff:?} {t}: {here}, expected here in 0..=1 << 14");
+        let difference = f64::from(here) - 16_384.0 * exact(f64::from(t) / 32_768.0);
+        (f64::max(error, difference.abs()), fall.max(here - next))
+    })
+}
+
+/// Exhaustive. The last rounding contributes half a step to the error; the rest of the error
+/// comes from the products before the last rounding.
+#[test]
+fn sixteen_bits_are_monotone_and_keep_their_errors() {
+    let within = |(error, fall): (f64, i32), bound: f64, most_fall: i32| {
+        assert!(
+            error <= bound && error > bound / 2.0,
+            "error {error}, expected at most {bound} and more than half of it"
+        );
+        assert!(fall <= most_fall, "falls by {fall}, expected at most {most_fall}");
+    };
+    within(over_all_t(Linear, |t| t), 0.5, 0);
+    within(over_all_t(Soft, |t| t * t), 0.5, 0);
+    within(over_all_t(Hard, |t| 1.0 - (1.0 - t) * (1.0 - t)), 0.5, 0);
+    within(over_all_t(Power::<4>, |t| t.powi(4)), 1.0, 0);
+    within(over_all_t(Power::<15>, |t| t.powi(15)), 3.5, 0);
+    within(over_all_t(Power::<16>, |t| t.powi(16)), 4.0, 0);
+    within(over_all_t(InvertedPower::<4>, |t| 1.0 - (1.0 - t).powi(4)), 1.0, 0);
+    within(over_all_t(Smooth, |t| t * t * (3.0 - 2.0 * t)), 1.3, 1);
+}
+
+/// Tests, at every `t`, quadratics with slopes in steps of 1/32 and monotone cubics with slopes
+/// in steps of 1/8.
+#[test]
+fn all_blends_and_cubics_fall_by_a_step_at_most() {
+    let (mut worst, mut fall) = (0.0_f64, 0);
+    for slope in 0..=64_u8 {
+        let a = f64::from(slope) / 32.0;
+        let quadratic = Quadratic::new(a as f32).expect("sound");
+        let (error, falls) = over_all_t(quadratic, |t| t * (a + (1.0 - a) * t));
+        (worst, fall) = (worst.max(error), fall.max(falls));
+    }
+    assert!((0.5..=0.8).contains(&worst) && fall <= 1, "quadratics: {worst}, fall by {fall}");
+    (worst, fall) = (0.0, 0);
+    let mut count = 0;
+    for (edge, middle) in (0..=32_u8).flat_map(|edge| (0..=32_u8).map(move |middle| (edge, middle))) {
+        let slopes = (f32::from(edge) / 8.0, f32::from(middle) / 8.0);
+        let Ok(cubic) = Cubic::with_slopes(slopes.0, slopes.1) else { continue };
+        let [a, b, c] = cubic.coefficients().map(f64::from);
+        let (error, falls) = over_all_t(cubic, |t| t * (a + t * (b + t * c)));
+        (worst, fall, count) = (worst.max(error), fall.max(falls), count + 1);
+    }
+    assert!(count > 500, "only {count} cubics are monotone");
+    assert!((0.5..=1.1).contains(&worst) && fall <= 1, "cubics: {worst}, fall by {fall}");
+}
+
+/// Coefficients that no falloff has also give results in `[0, 1]`.
+#[test]
+fn every_weight_has_an_answer() {
+    let weights = [i32::MIN, -65_536, -1, 0, 65_536, i32::MAX].map(Weight16::from_bits);
+    for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
+        for t in [0, 1, 12_345, 16_384, 32_767, 32_768_u16] {
+            let narrow = Fraction16(t.into());
+            for value in [narrow.quadratic(weights[i]), narrow.cubic(weights[i], weights[j])] {
+                assert!((Fx16::ZERO..=Fx16::ONE).contains(&value));
+            }
+        }
+    }
+    assert_eq!((Fx16::weight(f32::NAN), Fx16::weight(9.0)), (Weight16::ZERO, Weight16::from_bits(4 << 14)));
+}
+
+/// Evaluates lines of several slopes at every `t`. The rise of a line is rounded to nearest.
+#[test]
+fn a_line_is_the_nearest_value() {
+    for slope in [-32_768, -12_345, -1, 0, 1, 7_777, 32_767] {
+        let knot = Knot::from_bits(0, if slope < 0 { 65_535 } else { 0 }, slope);
+        for t in 0..=1 << 15_u32 {
+            let beyond = f64::from((1 << 15) - t) * 2.0;
+            let exact = f64::from(knot.value) + (f64::from(slope) * beyond / 32_768.0 + 0.5).floor();
+            let found = Fraction16(t).along(&[knot]);
+            assert_eq!(found, Fraction16::of_sixteen_bits(exact.clamp(0.0, 65_535.0) as i32), "{slope} {t}");
+        }
+    }
+}
+
+#[test]
+fn a_step_is_full_just_inside_its_edge() {
+    assert_eq!((Fraction16(0).step(), Fraction16(1).step()), (Fx16::ZERO, Fx16::ONE));
+}
+
+/// Compares with the same products in 64 bits, truncated to 32 bits.
+#[test]
+fn vectors_that_are_not_of_unit_length_wrap() {
+    let components = [i32::MIN, -(1 << 30), -12_345, 0, 65_536, 1 << 30, i32::MAX];
+    let vectors = || (0..343).map(|i| Vec3::new(i / 49, i / 7 % 7, i % 7).map(|at: usize| components[at]));
+    for (d, n) in vectors().flat_map(|d| vectors().map(move |n| (d, n.map(|c| c >> 16)))) {
+        let normal = n.map(|c| Fx16::from_bits(c as i16));
+        let products = d.zip(n, |d, n| i64::from(((d >> 14) + 1) >> 1) * i64::from(n));
+        let cosine = (products.x + products.y + products.z + (1 << 13)) as i32 >> 14;
+        let exact = d.zip(n, |d, n| (i64::from(d) - 4 * i64::from(cosine) * i64::from(n)) as i32);
+        assert_eq!(Fx16::mirror(d.map(Fx32::from_bits), normal).map(Fx32::to_bits), exact, "{d:?} {n:?}");
+        let products = d.zip(n, |d, n| i64::from(((d >> 15) + 1) >> 1) * i64::from(n));
+        let along = (products.x + products.y + products.z) as i32;
+        let expected = (1_i32 << 13).wrapping_sub(along) >> 14;
+        assert_eq!(
+            Fx16::incidence(d.map(Fx32::from_bits), normal),
+            Fx16::from_bits(expected.clamp(0, 1 << 14) as i16)
+        );
+        let offset = Offset16::new(d.map(|c| c >> 2));
+        let products = normal.zip(offset.way(), |n, v| i64::from(n.to_bits()) * i64::from(v >> 2));
+        assert_eq!(offset.facing(normal), (products.x + products.y + products.z) as i32, "{d:?} {n:?}");
+    }
+}
+
+/// With a normal longer than 1 the cosine wraps, like a 64-bit sum truncated to 32 bits.
+#[test]
+fn the_cosine_of_a_long_normal_wraps() {
+    let ways = [Vec3::new(1 << 20, 1 << 20, 1 << 20), Vec3::new(-(1 << 20), 0, 0), Vec3::new(1 << 20, 0, 0)];
+    let rays = ways.map(|way| Fx16::fine_ray(&Offset16::new(way)));
+    for (ray, n) in
+        rays.into_iter().flat_map(|ray| [i16::MIN, -20_000, 1 << 14, 30_000, i16::MAX].map(|n| (ray, n)))
+    {
+        let product =
+            |d: i32| (i64::from(d >> 14) * i64::from(n)) + ((i64::from(d & 0x3fff) * i64::from(n)) >> 14);
+        let along = (product(ray.direction.x) + product(ray.direction.y) + product(ray.direction.z)) as i32;
+        let normal = Vec3::new(n, n, n).map(Fx16::from_bits);
+        assert_eq!(ray.cosine(0, normal), Fine::capped(along.min(0).unsigned_abs(), -1), "{n}");
+    }
+}

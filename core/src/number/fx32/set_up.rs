@@ -1,0 +1,303 @@
+//! What the kernel asks of the 32-bit format beside the evaluation of a point: set-up and its error
+//! bounds, projections, colours, and the directions of specular lobes. Its products have 64 bits.
+
+use super::{Fine, FineRay, Frame32, Gain32, Offset32, versine};
+use crate::{
+    number::{
+        Arithmetic, Fx32, Length, Light32, Offset, ProjectedPoint, Rise, Scalar, Slopes, Versine, Weight32,
+        Word, raised,
+        ramp::{FixedRamp, MOST_ZOOM, magnified},
+        root::{self, high_half},
+        rounded, sphere,
+    },
+    vec3::Vec3,
+};
+
+impl Scalar for Fx32 {
+    type Length = Length;
+    type Unit = Self;
+    type Irradiance = Light32;
+
+    const NAME: &'static str = "fx32";
+    const ZERO: Self = Self::ZERO;
+    const ONE: Self = Self::ONE;
+    const STEP: f32 = 1.0 / (1 << Self::FRACTION_BITS) as f32;
+    const FARTHEST: f32 = 32_639.0;
+
+    #[inline]
+    fn from_f32(value: f32) -> Self {
+        Self::from_f32(value)
+    }
+
+    fn to_f32(self) -> f32 {
+        self.to_f32()
+    }
+
+    #[inline]
+    fn length(value: f32) -> Length {
+        Length::from_f32(value)
+    }
+
+    #[inline]
+    fn light_to_f32(light: Light32) -> f32 {
+        light.to_f32()
+    }
+}
+
+/// Returns the product in 64 bits.
+#[inline]
+pub(super) fn wide(a: i32, b: i32) -> i64 {
+    i64::from(a) * i64::from(b)
+}
+
+/// Returns the inner product of a direction and a normal, with 58 fraction bits.
+#[inline]
+pub(super) fn inner(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> i64 {
+    let products = direction.zip(normal, |d, n| wide(d.to_bits(), n.to_bits()) >> 2);
+    products.x + products.y + products.z
+}
+
+impl Offset32 {
+    /// Returns the unit vector along the offset, each component within one unit of 2^-30.
+    ///
+    /// The axis of a light has this accuracy. It is computed once, with 64-bit products.
+    fn unit(&self) -> Vec3<Fx32> {
+        let squares = self.way.map(|c| wide(c, c) as u64);
+        let squared = squares.x + squares.y + squares.z;
+        let reciprocal = if squared >= 1 << 62 {
+            root::inverse_sqrt_32(squared) >> 1
+        } else if squared >= 1 << 60 {
+            root::inverse_sqrt_32(squared << 2)
+        } else {
+            0
+        };
+        self.way.map(|c| {
+            let product = i64::from(c) * reciprocal as i64;
+            Fx32::from_bits(((product + (1 << 31)) >> 32) as i32)
+        })
+    }
+}
+
+/// The margin of the bound for rejecting points outside a cone, of which `number::outside_bound`
+/// states the reason, and one step for the rounding of the squared cosine.
+const OUTSIDE: i32 = (16 + 1) << 16;
+
+impl Arithmetic for Fx32 {
+    type Position = Length;
+    type Direction = Self;
+    type Received = Light32;
+    type Versine = Versine;
+    type Fraction = Fine;
+    type Fine = Fine;
+    type FineRay = FineRay;
+    type Weight = Weight32;
+    type Ramp = FixedRamp;
+    type Frame = Frame32;
+    type Gain = Gain32;
+    type Offset = Offset32;
+    // The components of a direction are within one step of 2^-30 and those of an axis within half a
+    // step, up to a common factor: together they turn by `1.5 sqrt(3) / 2^30 = 2.42e-9`. Two errors
+    // of a versine are largest, relative to the outer versine, in the narrowest cone, a step with a
+    // half angle `a` of 1.35e-6: half the square of the difference of the two lengths, at most 2.4e-8,
+    // is as much as a turn by `(2.4e-8)^2 / 2 a = 2.13e-10`, and the last place of the versine by
+    // `3 / 2^59 a = 4e-12`. The constant does not include the halving of an offset with a component
+    // of more than 32,768 units, which turns the direction by 0.71 steps more.
+    const DIRECTION_ERROR: f32 = 2.65e-9;
+    const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
+
+    #[inline]
+    fn from_steps(steps: u32) -> Self {
+        Self::from_bits((steps << 16) as i32)
+    }
+
+    /// Uses all bits of the components, and normalises the axis with 64-bit products.
+    fn axis(axis: Vec3<f32>) -> Vec3<Self> {
+        Offset32::new(axis.map(|c| Self::from_f32(c).to_bits())).unit()
+    }
+
+    fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Self> {
+        Self::axis(toward)
+    }
+
+    fn versine(ramp: FixedRamp, value: f32) -> Versine {
+        if value.is_nan() { Versine::MAX } else { magnified(value, ramp.zoom) }
+    }
+
+    fn weight(value: f32) -> Weight32 {
+        Weight32::from_bits(rounded(value.clamp(-4.0, 4.0) * 1_073_741_824.0) as i64)
+    }
+
+    fn gain(value: f32) -> Gain32 {
+        Gain32::nearest(value)
+    }
+
+    #[inline]
+    fn minus(self, other: Self) -> Self {
+        self.saturating_sub(other)
+    }
+
+    #[inline]
+    fn has_direction(offset: &Offset32) -> bool {
+        offset.way != Vec3::default()
+    }
+
+    #[inline]
+    fn fine_ray(offset: &Offset32) -> FineRay {
+        offset.ray()
+    }
+
+    fn enclosing(a: Vec3<Length>, b: Vec3<Length>) -> (Vec3<Length>, Length) {
+        sphere::enclosing(a, b)
+    }
+
+    fn moved_back(tip: Vec3<Length>, axis: Vec3<Self>, bound: Self, radius: Length) -> Option<Vec3<Length>> {
+        let squared_sine = Self::ONE.minus(bound).minus(Self::from_bits(OUTSIDE + 1));
+        let squared_sine = squared_sine.to_bits().max(0) as u32;
+        (bound > Self::ZERO).then(|| sphere::moved_back(tip, axis, squared_sine, radius)).flatten()
+    }
+
+    #[inline]
+    fn offset_along(direction: Vec3<Self>) -> Offset32 {
+        Offset32::new(direction.map(Self::to_bits))
+    }
+
+    fn ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
+        FixedRamp::new(inner, outer, limit)
+    }
+
+    /// Adds the other error terms:
+    ///
+    /// - The versines computed at set-up are `f32`, with a relative error of at most 4e-7.
+    /// - The length of a direction has an error of at most 2.4e-8.
+    /// - A versine is rounded down by less than 3 units of its last place, 1.2e-8 of the outer versine.
+    /// - The falloff's argument `t` and the products after it have 31 fraction bits.
+    fn rounding(edge: &Slopes) -> f32 {
+        const LENGTH: f32 = 2.4e-8;
+        edge.angle * (0.21e-6 + LENGTH / 2.0 + 0.6e-8) + edge.fraction * 3e-9 + 3.0 * LENGTH
+    }
+
+    fn zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
+        let (ramp, chords) = from.between(to, (part.to_bits() as u32) << 2, MOST_ZOOM);
+        (ramp, Self::from_bits(chords.squared_cosine() as i32 - OUTSIDE))
+    }
+
+    #[inline]
+    fn rise(ramp: FixedRamp, versine: Versine) -> Rise<Self> {
+        Rise::Coarse(ramp.rise_finely(versine))
+    }
+
+    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Frame32 {
+        Frame32::new(vectors, tangent)
+    }
+
+    #[inline]
+    fn place(frame: &Frame32, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Self> {
+        frame.place(light, point)
+    }
+
+    #[inline]
+    fn weighted_byte(sum: u32) -> Self {
+        /// `2^38 / 255`. The product of this constant and the sum has at most 63 bits.
+        const INVERSE: u64 = 1_077_952_576;
+        Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
+    }
+
+    #[inline]
+    fn versine_between(a: Vec3<Self>, b: Vec3<Self>, ramp: FixedRamp) -> Versine {
+        versine(a.map(Self::to_bits), b, ramp)
+    }
+
+    #[inline]
+    fn power(versine: Versine, exponent: u32) -> Self {
+        /// Returns `1 - x y` from `a = 1 - x` and `b = 1 - y`, with 32 fraction bits.
+        #[inline]
+        fn complement_of_product(a: u32, b: u32) -> u32 {
+            a.saturating_add(b - high_half(a, b))
+        }
+        let lack = raised(0, versine.to_bits().saturating_mul(8), exponent, complement_of_product);
+        let lack = ((lack >> 1) + 1) >> 1;
+        Self::from_bits((1 << 30) - lack as i32)
+    }
+
+    #[inline]
+    fn normal_unit(normal: Vec3<Self>) -> Vec3<Self> {
+        normal
+    }
+
+    #[inline]
+    fn unit_normal(unit: Vec3<Self>) -> Vec3<Self> {
+        unit
+    }
+
+    #[inline]
+    fn unit_of_bytes(bytes: [i8; 3]) -> Vec3<Self> {
+        bytes.map(|c| Self::from_bits(i32::from(c) << 23)).into()
+    }
+
+    /// The result wraps for vectors that are not of unit length, which is defined behaviour.
+    #[inline]
+    fn mirror(direction: Vec3<Self>, normal: Vec3<Self>) -> Vec3<Self> {
+        let cosine = (inner(direction, normal) + (1 << 27)) >> 28;
+        direction.zip(normal, |d, n| {
+            let twice_along = cosine.wrapping_mul(n.to_bits().into()).wrapping_add(1 << 28) >> 29;
+            Self::from_bits(d.to_bits().wrapping_sub(twice_along as i32))
+        })
+    }
+
+    #[inline]
+    fn direction_between(a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
+        // Half the difference of two components always fits 32 bits.
+        Offset32::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().unit()
+    }
+
+    #[inline]
+    fn incidence(direction: Vec3<Self>, normal: Vec3<Self>) -> Self {
+        let cosine = ((1 << 27) - inner(direction, normal)) >> 28;
+        Self::from_bits(cosine.clamp(0, 1 << 30) as i32)
+    }
+
+    #[inline]
+    fn filter(light: Light32, color: Self) -> Light32 {
+        let color = u64::from(color.to_bits().max(0) as u32);
+        let (high, low) = (light.to_bits() >> 32, light.to_bits() & 0xffff_ffff);
+        let high = high * color;
+        let high = if high >> 62 == 0 { high << 2 } else { u64::MAX };
+        Light32::from_bits(high.saturating_add((low * color + (1 << 29)) >> 30))
+    }
+
+    #[inline]
+    fn add_light(a: Light32, b: Light32) -> Light32 {
+        a.saturating_add(b)
+    }
+
+    #[inline]
+    fn light_to_gain(light: Light32) -> Gain32 {
+        Gain32::normalised(light.to_bits(), 30)
+    }
+
+    #[inline]
+    fn amplify(light: Light32, gain: Gain32) -> Light32 {
+        let (factor, scale) = (u64::from(gain.mantissa), gain.shift);
+        let (high, low) = ((light.to_bits() >> 32) * factor, (light.to_bits() & 0xffff_ffff) * factor);
+        if scale < 32 {
+            Light32::shifted(high, scale - 32).saturating_add(Light32::shifted(low, scale))
+        } else {
+            Light32::shifted(high + (low >> 32), scale - 32)
+        }
+    }
+
+    #[inline]
+    fn clip(light: Light32) -> Self {
+        Self::from_bits(light.to_bits().min(1 << 30) as i32)
+    }
+
+    #[inline]
+    fn light_steps(light: Light32) -> u32 {
+        (light.to_bits() >> 16).try_into().unwrap_or(u32::MAX)
+    }
+
+    #[inline]
+    fn word(self) -> Word {
+        Word::Steps30(self.to_bits())
+    }
+}

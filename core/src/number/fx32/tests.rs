@@ -1,0 +1,151 @@
+//! Errors of the stages, over every argument where that is possible.
+
+use super::{set_up::inner, *};
+use crate::number::{
+    Fx16,
+    fx16::{Gain16, Offset16},
+};
+
+extern crate std;
+
+/// Tests the stated errors of the direction and of its length, over offsets of every size and
+/// direction. Three components that are off by one unit each turn the direction by at most
+/// `sqrt(3)` units.
+#[test]
+fn a_fine_direction_keeps_its_stated_error() {
+    let (mut off, mut stretched) = (0.0_f64, 0.0_f64);
+    // `ways` have components of any length. `dropped` have components of which the estimate
+    // drops as much as possible.
+    let ways = (0..200_000_u32).map(|i| {
+        let part = |factor: u32| i.wrapping_add(1).wrapping_mul(factor) as i32 >> (1 + i % 12);
+        Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))
+    });
+    let dropped = (0..200_000_u32).map(|i| {
+        let part = |factor: u32| (((1 << 14) + (i.wrapping_mul(factor) >> 18)) << 16) as i32 - 1;
+        Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))
+            .map(|c| if i % 2 == 0 { c } else { 1 - c })
+    });
+    for way in ways.chain(dropped) {
+        let exact = way.map(f64::from);
+        let length = (exact.x * exact.x + exact.y * exact.y + exact.z * exact.z).sqrt();
+        let wide = Offset32::between(Vec3::default(), way.map(Length::from_bits)).ray();
+        for ray in [Fx16::fine_ray(&Offset16::new(way)), wide] {
+            let found = ray.direction.map(|c| f64::from(c) / f64::from(1 << 30));
+            let squared = found.x * found.x + found.y * found.y + found.z * found.z;
+            let error = found.zip(exact, |f, e| (f / squared.sqrt() - e / length).abs());
+            off = off.max(error.x).max(error.y).max(error.z);
+            stretched = stretched.max((squared.sqrt() - 1.0).abs());
+        }
+    }
+    assert!(off * f64::from(1 << 30) <= 3_f64.sqrt(), "a component is off by {off:.1e}");
+    assert!(stretched <= 2.4e-8, "the length is off by {stretched:.1e}");
+}
+
+/// Every sample converts to the nearest fraction, and 65,535 converts to exactly 1.
+#[test]
+fn the_share_of_a_sample_is_the_nearest() {
+    for value in 0..=65_535_u32 {
+        let exact = f64::from(value) / 65_535.0 * 2_147_483_648.0;
+        let found = Fine::of_value(value << 15);
+        assert!(
+            (f64::from(found.0) - exact).abs() <= 0.5,
+            "sample {value}: {found:?}, expected the nearest to {exact}"
+        );
+    }
+    assert_eq!(Fine::of_value(65_535 << 15), Fine::ONE);
+}
+
+/// Tests a table with the largest number of samples, which fall evenly.
+#[test]
+fn the_longest_table_is_sampled_to_its_end() {
+    static SAMPLES: [u16; 65_536] = {
+        let mut samples = [0; 65_536];
+        let mut i = 0;
+        while i < 65_536 {
+            samples[i] = 65_535 - i as u16;
+            i += 1;
+        }
+        samples
+    };
+    for t in [0, 1 << 15, 1 << 29, 1 << 30, 3 << 29, (1 << 31) - 1, 1 << 31] {
+        let found = Fraction::<Fx16>::sample(Fine(t), &SAMPLES);
+        assert!(found.0.abs_diff(t) <= 1 << 16, "{found:?}, expected {t} within 2^16");
+    }
+}
+
+/// A product of distance and slope has up to 46 bits, of which the lower 15 are dropped.
+#[test]
+fn a_line_keeps_all_its_bits() {
+    for slope in [-32_768, -12_345, -1, 1, 7_777, 32_767] {
+        let knot = Knot::from_bits(0, if slope < 0 { 65_535 } else { 0 }, slope);
+        for t in (0..1 << 31).step_by(10_000_019) {
+            let beyond = f64::from((1_u32 << 31) - t) / 32_768.0;
+            let line = f64::from(knot.value) + f64::from(slope) * beyond / 32_768.0;
+            let exact = line.clamp(0.0, 65_535.0) / 65_535.0 * 2_147_483_648.0;
+            let found = Fraction::<Fx16>::along(Fine(t), &[knot]);
+            assert!((f64::from(found.0) - exact).abs() <= 2.0, "{slope} {t}: {found:?} for {exact}");
+        }
+    }
+}
+
+#[test]
+fn light_is_shifted_as_in_64_bits() {
+    for product in [0, 1, 2, 3, 0x8000_0001, 0x9e37_79b9, u32::MAX] {
+        for shift in (-70..70).chain([i32::MIN, i32::MAX]) {
+            assert_eq!(
+                Light32::shifted_32(product, shift),
+                Light32::shifted(product.into(), shift),
+                "{product} {shift}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_scalar_outside_of_0_to_1_is_the_nearest_share() {
+    let share = |bits| <Fine as Share<Fx16>>::of_scalar(Fx16::from_bits(bits));
+    assert_eq!([i16::MIN, -1, 0].map(share), [Fine(0); 3]);
+    assert_eq!([1 << 14, (1 << 14) + 1, i16::MAX].map(share), [Fine::ONE; 3]);
+    assert_eq!(share(1), Fine(1 << 17));
+}
+
+/// Compares with the same products in 128 bits, truncated to 64 and to 32 bits.
+#[test]
+fn vectors_that_are_not_of_unit_length_wrap() {
+    let components = [i32::MIN, -(1 << 30), -12_345, 0, 1 << 30, i32::MAX];
+    let vectors = || (0..216).map(|i| Vec3::new(i / 36, i / 6 % 6, i % 6).map(|at: usize| components[at]));
+    for (d, n) in vectors().flat_map(|d| vectors().map(move |n| (d, n))) {
+        let [direction, normal] = [d, n].map(|vector| vector.map(Fx32::from_bits));
+        let cosine = i128::from((inner(direction, normal) + (1 << 27)) >> 28);
+        let exact = d.zip(n, |d, n| {
+            let twice_along = (cosine * i128::from(n) + (1 << 28)) as i64 >> 29;
+            (i128::from(d) - i128::from(twice_along)) as i32
+        });
+        assert_eq!(Fx32::mirror(direction, normal).map(Fx32::to_bits), exact, "{d:?} {n:?}");
+    }
+}
+
+/// Between opposite corners of the coordinate range, even half the difference does not fit 32
+/// bits.
+#[test]
+fn the_longest_offset_keeps_its_direction() {
+    let corner = |bits| Vec3::new(bits, bits, bits).map(Length::from_bits);
+    let offset = Offset32::between(corner(i32::MIN), corner(i32::MAX));
+    assert_eq!((offset.way, offset.bits), (Vec3::new(i32::MAX, i32::MAX, i32::MAX), 32));
+    let offset = Offset32::between(corner(i32::MAX), corner(i32::MIN));
+    assert!(
+        offset.way.x < -(1 << 30) && offset.bits == 32,
+        "{offset:?}, expected offset.way.x < -(1 << 30) and offset.bits == 32"
+    );
+}
+
+/// A gain is `mantissa / 2^shift`, however many bits the mantissa has.
+#[test]
+fn a_short_mantissa_is_the_same_gain() {
+    for bits in 0..28 {
+        assert_eq!(Gain16::from_bits([1 << bits, bits]), Gain16::ONE);
+        assert_eq!(Gain32::from_bits([1 << bits, bits]), Gain32::ONE);
+        assert_eq!(Gain16::normalised(1 << bits, bits), Gain16::ONE);
+        assert_eq!(Gain32::normalised(1 << bits, bits), Gain32::ONE);
+    }
+}
