@@ -144,7 +144,8 @@ impl Records {
         let mut stated = Vec::new();
         let mut say = |words| stated.push(words);
         let formats = |figure: &dyn Fn(&str) -> String| {
-            ["f32", "fx32", "fx16"].map(|format| figure(&format!("lit-inverse-square.{format}"))).join(" | ")
+            let all = ["f32", "f32-quick", "fx32", "fx16", "fx16-quick"];
+            all.map(|format| figure(&format!("lit-inverse-square.{format}"))).join(" | ")
         };
         let outer = HalfAngle::degrees(number(&self.prices["meta"]["half_angle"]) as f32);
         let field = Cone::from_outer(Soft, outer).expect("a cone").field().to_degrees().round();
@@ -158,18 +159,11 @@ impl Records {
         ] {
             say(format!("| {title} | {} |", formats(&|name| self.cost(name, target))));
         }
-        for (format, target, before, after) in [
-            ("f32", "cortex-m4f", "takes", " on a Cortex-M4F"),
-            ("fx16", "cortex-m0", "takes", " in [`Fx16`]"),
-        ] {
-            let name = format!("lit-inverse-square.{format}-quick");
-            let (cost, error) = (self.cost(&name, target), self.error(&name));
-            say(format!("{before} {cost} instructions{after} and errs by {error} linear codes"));
-        }
         let single = half_angle(Cone::narrowest::<f32>(Soft));
         let wide = half_angle(Cone::narrowest::<Fx32>(Soft));
         let short = half_angle(Cone::narrowest::<Fx16>(Soft));
-        say(format!("(half of [`Cone::narrowest`]) | {single:.4} | {wide:.5} | {short:.2} |"));
+        let narrowest = format!("{single:.4} | {single:.4} | {wide:.5} | {short:.2} | {short:.2}");
+        say(format!("(half of [`Cone::narrowest`]) | {narrowest} |"));
         stated
     }
 

@@ -54,19 +54,18 @@
 //!
 //! # Choosing a format
 //!
-//! | | `f32` | [`Fx32`] | [`Fx16`] |
-//! |---|---|---|---|
-//! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit |
-//! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.0e-4 | 3.4e-5 | 0.25 |
-//! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 553 | 222 |
-//! | instructions, Cortex-M4F | 102 | 179 | 153 |
-//! | instructions, RV32IMC | 2,721 | 202 | 161 |
-//! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00012 | 0.70 |
+//! | evaluation | `f32` | `f32`, quick | [`Fx32`] | [`Fx16`] | [`Fx16`], quick |
+//! |---|---|---|---|---|---|
+//! | choose it for | a processor with a floating-point unit, a browser, a desktop | the same, where a display hides the error | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit | the same, where a display hides the error |
+//! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.0e-4 | 0.019 | 3.4e-5 | 0.25 | 0.52 |
+//! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 4,760 | 553 | 222 | 146 |
+//! | instructions, Cortex-M4F | 102 | 74.1 | 179 | 153 | 97.1 |
+//! | instructions, RV32IMC | 2,721 | 2,543 | 202 | 161 | 101 |
+//! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.0050 | 0.00012 | 0.70 | 0.70 |
 //!
-//! [`SpotLight::compile_quick`] compiles one light for a quick evaluation. In `f32` the quick
-//! evaluation takes 74.1 instructions on a Cortex-M4F and errs by 0.019 linear codes. On a Cortex-M0
-//! the quick evaluation takes 146 instructions in [`Fx16`] and errs by 0.52 linear codes. [`Fx32`]
-//! has one evaluation only.
+//! [`SpotLight::compile`] compiles a light for a format, [`SpotLight::compile_quick`] for the quick
+//! evaluation of `f32` or [`Fx16`]. Points, normals and irradiances have the types of the format, so
+//! that one scene can have lights of both.
 //!
 //! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the
 //! largest error of very many random points; *counted* means counted by an emulator. A lit point
