@@ -160,7 +160,7 @@ fn squared_fraction<S: Scalar, O: Offset<S>>(inverse_squared: S::Gain, offset: &
 }
 
 /// Multiplies a share by a factor in [0, 1]; 0 for a negative share.
-#[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 instructions without.
+#[inline(always)] // `lit-smooth-range` on Cortex-M0: +22 instructions without.
 fn dimmed<S: Scalar, T: Share<S>>(share: T, factor: T) -> T {
     if share > T::default() { share.times(factor) } else { T::default() }
 }
@@ -218,7 +218,7 @@ impl Attenuation for NoAttenuation {
         false
     }
 
-    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 instructions without.
+    #[inline(always)] // `lit-hotspot` on Cortex-M0: +28 instructions without.
     fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (): &(),
         _: &O,
@@ -280,7 +280,7 @@ impl Attenuation for Polynomial {
         false
     }
 
-    #[inline(always)] // `spot-soft-lambert-polynomial` on Cortex-M0: +174 instructions without.
+    #[inline(always)] // `lit-polynomial` on Cortex-M0: +174 instructions without.
     fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         &[constant, linear, quadratic]: &[S::Gain; 3],
         _: &O,
@@ -324,7 +324,7 @@ impl Attenuation for SmoothRange {
         squared_fraction::<S, O>(squared, offset) == S::ONE
     }
 
-    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +273 instructions without.
+    #[inline(always)] // `lit-smooth-range` on Cortex-M0: +273 instructions without.
     fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         constants: &[S::Gain; 2],
         offset: &O,

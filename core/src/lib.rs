@@ -71,7 +71,7 @@
 //! largest error of very many random points; *counted* means counted by an emulator. A lit point
 //! has Lambert's cosine, at incidences up to 80 degrees, and the inverse square, the default, at
 //! distances from 1 to 7 from a light of intensity 16: row `lit-inverse-square` of
-//! `docs/ACCURACY-VS-COST.md`. That document lists more kernels, more processors and other
+//! `docs/PRICES.md`. That document lists more kernels, more processors and other
 //! libraries.
 //!
 //! # Units

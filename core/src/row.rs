@@ -19,7 +19,7 @@ const LEAST: usize = 16;
 ///
 /// A row finds which of its points a light can reach, in blocks of 16 to 64 points, and evaluates the
 /// light there alone. `docs/EFFECTS.md` has the instructions of the test of a block, *bounding sphere*
-/// (`cargo xtask effects`).
+/// (`cargo xtask measure`).
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3, light::Row};

@@ -136,7 +136,7 @@ fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
 }
 
 /// Returns the light along a ray: as shares of the intensity, and as irradiances.
-#[inline(always)] // `spot-table-lambert` on Cortex-M0: +29 instructions without.
+#[inline(always)] // `lit-table` on Cortex-M0: +29 instructions without.
 fn along<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe, R: Ray<S>>(
     (attenuation, intensity): (&A::Constants<S>, S::Gain),
     cone: Option<(&CompiledCone<S, P>, Vec3<S::Unit>)>,

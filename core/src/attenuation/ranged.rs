@@ -188,7 +188,7 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
         A::windowed::<S, O, R>(inner, offset, ray, W::dim::<S, _>(share, ray.squared_near(offset, *squared)))
     }
 
-    #[inline(always)] // `spot-soft-lambert-gltf-range` on Cortex-M0: +31 instructions without.
+    #[inline(always)] // `lit-gltf-range` on Cortex-M0: +31 instructions without.
     fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (squared, inner): &Self::Constants<S>,
         offset: &O,

@@ -378,14 +378,14 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
     /// `facing` is the result of [`Offset::facing`] for the same normal.
     fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing, normal: Vec3<S>) -> Self::Fraction;
     /// Returns the distance times a gain, and exactly 1 if the product is 1 or more.
-    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +87 instructions without.
+    #[inline(always)] // `lit-smooth-range` on Cortex-M0: +87 instructions without.
     fn near(&self, gain: S::Gain) -> Self::Share {
         Self::Share::of_scalar(self.distance().times(gain).scalar())
     }
     /// Returns the squared distance times a gain, and exactly 1 if the product is 1 or more.
     ///
     /// The squared distance is that of `offset`.
-    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +74 instructions without.
+    #[inline(always)] // `lit-smooth-range` on Cortex-M0: +74 instructions without.
     fn squared_near<O: Offset<S>>(&self, offset: &O, gain: S::Gain) -> Self::Share {
         Self::Share::of_scalar(offset.squared_distance().times(gain).scalar())
     }

@@ -155,7 +155,7 @@ pub(super) fn squared_length(v: Vec3<i32>) -> u32 {
 /// surface faces the light.
 ///
 /// The product wraps for normals longer than 1.15, which is defined behaviour.
-#[inline(always)] // `spot-step-lambert` on Cortex-M0: +9 instructions without.
+#[inline(always)] // `lit-step` on Cortex-M0: +9 instructions without.
 fn facing(v: Vec3<i32>, normal: Vec3<Fx16>) -> i32 {
     let products = normal.zip(v, |n, v| i32::from(n.to_bits()) * v);
     products.x.wrapping_add(products.y).wrapping_add(products.z)
@@ -673,7 +673,7 @@ impl Ray<Fx16> for FineRay {
         self.unit()
     }
 
-    #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
+    #[inline(always)] // `falloff-alone` on Cortex-M0: +21 instructions without.
     fn rise(&self, axis: Vec3<Fx32>, ramp: FixedRamp) -> Fine {
         ramp.rise_finely(self.versine(axis, ramp))
     }
@@ -735,7 +735,7 @@ impl Share<Fx16> for Fine {
         self.complement()
     }
 
-    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 instructions without.
+    #[inline(always)] // `lit-smooth-range` on Cortex-M0: +22 instructions without.
     fn times(self, other: Self) -> Self {
         self.times(other)
     }
@@ -745,7 +745,7 @@ impl Share<Fx16> for Fine {
         self.smooth()
     }
 
-    #[inline(always)] // `spot-soft-lambert-hotspot` on Cortex-M0: +28 instructions without.
+    #[inline(always)] // `lit-hotspot` on Cortex-M0: +28 instructions without.
     fn light(self, gain: Gain16) -> Light16 {
         Light16::shifted(high_half(self.0, gain.mantissa), gain.shift - 15)
     }

@@ -175,7 +175,7 @@ fn sum_of_squares(vector: Vec3<i32>, shift: u32) -> u32 {
 /// The result has the direction of `nearly`, but for the rounding of each component down by less than
 /// one unit of 2^-30, and a length with an error of at most 2.4e-8. Also returns the relative excess
 /// of the length over 1, with 26 fraction bits.
-#[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 instructions without.
+#[inline(always)] // `lit-inverted-power` on Cortex-M0: +5 instructions without.
 pub(crate) fn normalised(nearly: Vec3<i32>) -> (Vec3<i32>, i32) {
     // The squared length of `nearly` is `1 + x`, and `1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2`.
     let over = sum_of_squares(nearly, 0).wrapping_sub(1 << 28) as i32;
@@ -205,7 +205,7 @@ impl FineRay {
     /// estimate and the correction of the length are both rounded down, with opposite signs: so each
     /// component is within one unit of 2^-30 of its exact value times the length of the direction.
     /// The length has an error of at most 2.4e-8.
-    #[inline(always)] // `spot-inverted-power-lambert` on Cortex-M0: +5 instructions without.
+    #[inline(always)] // `lit-inverted-power` on Cortex-M0: +5 instructions without.
     pub(super) fn new(way: Vec3<i32>, estimate: u32, bits: u32) -> Self {
         let (direction, excess) = normalised(way.map(|c| signed_high_product(c, estimate)));
         Self { direction, bits: bits as i32, squared: sum_of_squares(way, 0), estimate, excess }
@@ -280,7 +280,7 @@ impl Ray<Fx32> for FineRay {
 impl FixedRamp {
     /// Returns the falloff's argument at a versine: exactly 1 within the hotspot, exactly 0 at and
     /// beyond the limit.
-    #[inline(always)] // `spot-soft` on Cortex-M0: +21 instructions without.
+    #[inline(always)] // `falloff-alone` on Cortex-M0: +21 instructions without.
     pub(super) fn rise_finely(self, versine: Versine) -> Fine {
         let versine = versine.to_bits();
         let past = versine.wrapping_sub(self.inner);
@@ -316,7 +316,7 @@ impl Fine {
     }
 
     /// Returns `t^2 (3 - 2t)` for this fraction `t`.
-    #[inline(always)] // `spot-smooth-lambert` on Cortex-M0: +5 instructions without.
+    #[inline(always)] // `lit-smooth` on Cortex-M0: +5 instructions without.
     pub(super) fn smooth(self) -> Self {
         let square = self.times(self);
         Self((square.0 + 2 * square.times(self.complement()).0).min(Self::ONE.0))
@@ -397,7 +397,7 @@ where
         self.times(other)
     }
 
-    #[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 instructions without.
+    #[inline(always)] // `lit-step` on Cortex-M0: +38 instructions without.
     fn times_value(self, value: Self) -> Self {
         self.times(value)
     }
@@ -417,7 +417,7 @@ where
         if self.0 > 0 { Self::ONE } else { Self(0) }
     }
 
-    #[inline(always)] // `spot-smooth-lambert` on Cortex-M0: +5 instructions without.
+    #[inline(always)] // `lit-smooth` on Cortex-M0: +5 instructions without.
     fn smooth(self) -> Self {
         self.smooth()
     }
@@ -482,7 +482,7 @@ impl Share<Fx32> for Fine {
         self.complement()
     }
 
-    #[inline(always)] // `spot-soft-lambert-smooth-range` on Cortex-M0: +22 instructions without.
+    #[inline(always)] // `lit-smooth-range` on Cortex-M0: +22 instructions without.
     fn times(self, other: Self) -> Self {
         self.times(other)
     }

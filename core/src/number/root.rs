@@ -47,7 +47,7 @@ fn signed_high_product_by_parts(a: i32, b: u32) -> i32 {
 }
 
 /// Returns `a b / 2^32`, rounded down exactly. So the result is monotone in both factors.
-#[inline(always)] // `spot-step-lambert` on Cortex-M0: +38 instructions without.
+#[inline(always)] // `lit-step` on Cortex-M0: +38 instructions without.
 pub(crate) fn high_half(a: u32, b: u32) -> u32 {
     if HAS_HIGH_HALVES { ((u64::from(a) * u64::from(b)) >> 32) as u32 } else { high_half_by_parts(a, b) }
 }

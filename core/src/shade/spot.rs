@@ -47,7 +47,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Surfaces that face away, and points that are clearly outside the cone or beyond the range,
     /// are rejected before the square root. Such points receive exactly zero light, so the result
     /// is bit-identical to [`irradiance_unskipped`](Self::irradiance_unskipped).
-    #[inline(always)] // `spot-soft-lambert-shadow` on Cortex-M0: +44 instructions without.
+    #[inline(always)] // `lit-shadow` on Cortex-M0: +44 instructions without.
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }

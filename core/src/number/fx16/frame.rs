@@ -114,7 +114,7 @@ impl Frame16 {
         }
     }
 
-    #[inline(always)] // `spot-soft-lambert-gobo` on Cortex-M0: +76 instructions without.
+    #[inline(always)] // `lit-gobo` on Cortex-M0: +76 instructions without.
     pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx16> {
         let offset = Offset16::between(light, point);
         let way = offset.way();

@@ -97,7 +97,7 @@ impl Arithmetic for Fx16 {
         offset.way != Vec3::default()
     }
 
-    #[inline(always)] // `spot-soft` on Cortex-M0: +80 instructions without.
+    #[inline(always)] // `falloff-alone` on Cortex-M0: +80 instructions without.
     fn fine_ray(offset: &Offset16) -> FineRay {
         let whole = offset.way.map(|c| c << (31 - WAY_BITS - offset.shift));
         FineRay::new(whole, root::inverse_sqrt_16(offset.squared()), offset.bits)
