@@ -21,59 +21,46 @@ fn text(path: impl AsRef<Path>) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The records behind the figures.
-struct Records {
-    prices: Value,
-    effects: Value,
-    frame: Value,
-}
+/// The record behind the figures.
+struct Records(Value);
 
 impl Records {
     fn read() -> Self {
-        let json = |file| serde_json::from_str(&text(file)).expect("JSON");
-        Self {
-            prices: json("docs/accuracy-vs-cost.json"),
-            effects: json("docs/effects.json"),
-            frame: json("docs/frame.json"),
-        }
+        Self(serde_json::from_str(&text("docs/prices.json")).expect("JSON"))
     }
 
-    /// The row of a kernel in a format, such as `soft.fx16`.
-    fn row(&self, name: &str) -> &Value {
-        let (kernel, format) = name.split_once('.').expect("a kernel and a format");
-        let mut rows = self.prices["rows"].as_array().expect("rows").iter();
-        rows.find(|row| row["kernel"] == kernel && row["format"] == format).expect(name)
+    /// The figures of a name in a group, such as `soft.fx16` on the target `host`.
+    fn figures(&self, group: &str, name: &str) -> &Value {
+        &self.0[group]["figures"][name]
     }
 
-    /// Its cost on a target.
+    /// The cost of a kernel in a format on a target.
     fn cost(&self, name: &str, target: &str) -> String {
-        let found = &self.row(name)["cost"][target];
+        let found = self.figures(target, name);
         cost(found["instructions"].as_f64().unwrap_or_else(|| number(&found["ns"])))
     }
 
     /// Its largest error, at a half angle of 22 degrees.
     fn error(&self, name: &str) -> String {
-        error(number(&self.row(name)["error"]["codes"]))
+        error(number(&self.figures("errors", name)["codes"]))
     }
 
     /// The same in every recorded cone.
     fn errors(&self, name: &str) -> Vec<f64> {
-        let row = self.row(name);
-        let narrower = row["narrower"].as_array().expect("cones").iter();
-        [row].into_iter().chain(narrower).map(|cone| number(&cone["error"]["codes"])).collect()
+        let cones = ["errors", "errors at 15", "errors at 5", "errors at 1"];
+        cones.iter().map(|cone| number(&self.figures(cone, name)["codes"])).collect()
     }
 
-    /// A figure of a program of the effects on a Cortex-M0, and by how much it exceeds the soft
-    /// spotlight's.
-    fn effect(&self, program: &str, unit: &str) -> [f64; 2] {
-        let prices = &self.effects["boards"]["cortex-m0"]["prices"];
-        let [all, base] = [program, "spot-soft-lambert"].map(|program| number(&prices[program][unit]));
+    /// A figure of an effect in `Fx16` on a Cortex-M0, and by how much it exceeds the soft spotlight's.
+    fn effect(&self, name: &str, unit: &str) -> [f64; 2] {
+        let [all, base] =
+            [name, "lit"].map(|name| number(&self.figures("cortex-m0", &format!("{name}.fx16"))[unit]));
         [all, all - base]
     }
 
     /// The compiler of a target.
     fn compiler(&self, target: &str) -> &str {
-        self.prices["meta"]["targets"][target]["compiler"].as_str().expect("a compiler")
+        self.0[target]["about"]["compiler"].as_str().expect("a compiler")
     }
 
     /// The figures in their words. A blank line, a point of a list and a row of a table begin a
@@ -85,12 +72,11 @@ impl Records {
         let libm = libm.split('"').next().expect("a version");
         let m0 = |name: &str| self.cost(name, "cortex-m0");
         let lit = |format: &str| m0(&format!("lit-inverse-square.{format}"));
-        let added =
-            |change| thousands(self.effect(&format!("spot-soft-lambert-{change}"), "instructions")[1]);
+        let added = |change| thousands(self.effect(&format!("lit-{change}"), "instructions")[1]);
         let mut stated = Vec::new();
         let mut say = |words| stated.push(words);
         // An error of all inputs is a bound: rounded up.
-        assert_eq!(self.row("soft.fx16")["error"]["kind"], "exhaustive");
+        assert_eq!(self.figures("errors", "soft.fx16")["kind"], "exhaustive");
         let soft = self.errors("soft.fx16").into_iter().fold(0.0, f64::max);
         say(format!("**{} instructions** for the soft edge", m0("soft.fx16")));
         say(format!("with an error of at most {} of 255.", (1000.0 * soft).ceil() / 1000.0));
@@ -101,9 +87,10 @@ impl Records {
         say("2.6 kB by the quick evaluation".to_owned());
         say(format!("[{} instructions](docs/EFFECTS.md#evaluation-and-set-up)", added("aimed")));
         say(format!("a new cone between two others {}.", added("zoomed")));
-        let cycles = self.frame["boards"]["cortex-m0"]["cycles"].as_object().expect("cycles");
-        let (cycles, pixels): (f64, _) = (cycles.values().map(number).sum(), number(&self.frame["pixels"]));
-        assert_eq!(pixels, 160.0 * 120.0);
+        let stages = ["geometry", "ambient", "light", "shadow", "display"];
+        let cycles =
+            stages.map(|stage| number(&self.figures("cortex-m0", &format!("frame.{stage}"))["cycles"]));
+        let (cycles, pixels) = (cycles.iter().sum::<f64>(), 160.0 * 120.0);
         let a_second = (133e6 / cycles).floor();
         say(format!("{} cycles a pixel, which is {a_second} frames", thousands(cycles / pixels)));
         say(" of 160 x 120 pixels a second at 133 MHz".to_owned());
@@ -127,12 +114,12 @@ impl Records {
     }
 
     fn on_page(&self) -> String {
-        let (row, cost) =
-            (self.row("lit-inverse-square.fx16"), self.cost("lit-inverse-square.fx16", "cortex-m0"));
-        let cone = (2.0 * number(&self.prices["meta"]["half_angle"])).round();
+        let name = "lit-inverse-square.fx16";
+        let (errors, cost) = (self.figures("errors", name), self.cost(name, "cortex-m0"));
+        let cone = (2.0 * number(&self.figures("errors", "cone")["half_angle"])).round();
         // Rounded as in the documents, but for an upper bound, which is rounded up.
-        let hundredths = 100.0 * number(&row["error"]["codes"]);
-        let (bound, hundredths) = match row["error"]["kind"].as_str() {
+        let hundredths = 100.0 * number(&errors["codes"]);
+        let (bound, hundredths) = match errors["kind"].as_str() {
             Some("searched") => ("the largest error found is", hundredths.round()),
             _ => ("the error is at most", hundredths.ceil()),
         };
@@ -147,7 +134,7 @@ impl Records {
             let all = ["f32", "f32-quick", "fx32", "fx16", "fx16-quick"];
             all.map(|format| figure(&format!("lit-inverse-square.{format}"))).join(" | ")
         };
-        let outer = HalfAngle::degrees(number(&self.prices["meta"]["half_angle"]) as f32);
+        let outer = HalfAngle::degrees(number(&self.figures("errors", "cone")["half_angle"]) as f32);
         let field = Cone::from_outer(Soft, outer).expect("a cone").field().to_degrees().round();
         let errors = formats(&|name| self.error(name));
         let title = format!("largest error of a lit point of a soft spotlight of {field} degrees");
@@ -173,7 +160,7 @@ impl Records {
         let mut say = |chapter, words| stated.push((chapter, words));
         for (chapter, program) in FIVE_TIMES {
             say(chapter, "five times the instructions of a lit point on a Cortex-M0".to_owned());
-            let times = [program, "spot-soft-lambert"].map(|program| self.effect(program, "instructions")[0]);
+            let times = [program, "lit"].map(|program| self.effect(program, "instructions")[0]);
             let times = times[0] / times[1];
             assert!((4.5..5.5).contains(&times), "{chapter}: expected five times, found {times}");
         }
@@ -181,7 +168,7 @@ impl Records {
             let count = self.effect(program, "instructions")[usize::from(is_added)];
             say(chapter, words.replace("{}", &thousands(count)));
         }
-        let kilobytes = self.effect("spot-soft-lambert-compiled", "bytes")[1] / 1_000.0;
+        let kilobytes = self.effect("lit-compiled", "flash")[1] / 1_000.0;
         say("core/guide/microcontroller.md", format!(" and {kilobytes:.0} kB of flash"));
         for (format, words) in LIT {
             let count = self.cost(&format!("lit-inverse-square.{format}"), "cortex-m4f");
@@ -203,27 +190,27 @@ const SETTINGS: [(&str, &str); 8] = [
     ("core/guide/porting/direct3d.md", "of 1 is [`Linear`](crate::falloff::Linear), of 2"),
 ];
 
-/// Instructions on a Cortex-M0 of a program of `docs/effects.json`, or by how much they exceed the
+/// Instructions on a Cortex-M0 of an effect, or by how much they exceed the
 /// soft spotlight's. `{}` is the figure.
 const COUNTED: [(&str, &str, bool, &str); 12] = [
-    ("core/guide/falloff.md", "spot-soft-lambert", false, "takes {} instructions with the soft edge"),
-    ("core/guide/falloff.md", "spot-smooth-lambert", true, "smoothstep takes {} more"),
-    ("core/guide/falloff.md", "spot-table-lambert", true, "a table {},"),
-    ("core/guide/falloff.md", "spot-cubic-lambert", true, "a cubic {}."),
-    ("core/guide/falloff.md", "spot-real-power-lambert", true, "real exponent takes {} more"),
-    ("core/guide/microcontroller.md", "spot-soft-lambert-compiled", true, "{} instructions on a Cortex-M0"),
+    ("core/guide/falloff.md", "lit", false, "takes {} instructions with the soft edge"),
+    ("core/guide/falloff.md", "lit-smooth", true, "smoothstep takes {} more"),
+    ("core/guide/falloff.md", "lit-table", true, "a table {},"),
+    ("core/guide/falloff.md", "lit-cubic", true, "a cubic {}."),
+    ("core/guide/falloff.md", "lit-real-power", true, "real exponent takes {} more"),
+    ("core/guide/microcontroller.md", "lit-compiled", true, "{} instructions on a Cortex-M0"),
     ("core/guide/microcontroller.md", "rgb565-ramp", false, "dithered pixel in {} instructions"),
-    ("core/guide/moving.md", "spot-soft-lambert-placed", true, "| `moved_to` | {} |"),
-    ("core/guide/moving.md", "spot-soft-lambert-aimed", true, "| `moved_to` and `aimed_at` | {} |"),
-    ("core/guide/moving.md", "spot-soft-lambert-zoomed", true, "| `zoomed` | {} |"),
-    ("core/guide/moving.md", "spot-soft-lambert-compiled", true, "| compile again | {} |"),
-    ("core/guide/scanline.md", "spot-soft-lambert-normalized", true, "for {} instructions on a Cortex-M0"),
+    ("core/guide/moving.md", "lit-placed", true, "| `moved_to` | {} |"),
+    ("core/guide/moving.md", "lit-aimed", true, "| `moved_to` and `aimed_at` | {} |"),
+    ("core/guide/moving.md", "lit-zoomed", true, "| `zoomed` | {} |"),
+    ("core/guide/moving.md", "lit-compiled", true, "| compile again | {} |"),
+    ("core/guide/scanline.md", "lit-normalized", true, "for {} instructions on a Cortex-M0"),
 ];
 
 /// Falloffs whose instructions on a Cortex-M0 a chapter compares with the soft one's.
 const FIVE_TIMES: [(&str, &str); 2] = [
-    ("core/guide/porting/direct3d.md", "spot-real-power-lambert"),
-    ("core/guide/porting/godot.md", "spot-inverted-real-power-lambert"),
+    ("core/guide/porting/direct3d.md", "lit-real-power"),
+    ("core/guide/porting/godot.md", "lit-inverted-real-power"),
 ];
 
 /// Formats of a lit point on a Cortex-M4F.

@@ -4,22 +4,23 @@ import { whole } from "./numbers.js";
 /** The processor of the prices, as the list and as people call it. */
 const CHIP = { name: "cortex-m0", words: "Cortex-M0" };
 
-/** The program of the list that measures each switch. */
+/**
+ * The program of the list that measures each switch, and the program that it stands on.
+ * @type {Record<string, [string, string?]>}
+ */
 const PROGRAMS = {
-  specular: "difference-form",
-  gobo: "spot-soft-lambert-gobo",
-  shadow: "spot-soft-lambert-shadow",
-  haze: "haze",
-  dither: "dither",
-  "keep-hue": "keep-hue",
+  specular: ["difference-form.fx16", "matte.fx16"],
+  gobo: ["lit-gobo.fx16", "lit.fx16"],
+  shadow: ["lit-shadow.fx16", "lit.fx16"],
+  haze: ["haze.fx16"],
+  dither: ["dither.fx16", "srgb.fx16"],
+  "keep-hue": ["keep-hue.fx16", "clip.fx16"],
 };
 
 /**
  * The part of the list that is read.
- * @typedef {{ instructions: number, bytes: number }} Price of a program
- * @typedef {object} List
- * @property {Record<string, { prices: Record<string, Price> }>} boards
- * @property {{ program: string, over?: string }[]} effects `over` is the program that it stands on
+ * @typedef {{ instructions: number, flash: number }} Price of a program
+ * @typedef {Record<string, { figures: Record<string, Price | undefined> }>} List by processor
  */
 
 /** What the numbers are, for people. */
@@ -33,22 +34,21 @@ export async function loadPrices() {
   /** @type {List | undefined} */
   let list;
   try {
-    const answer = await fetch(new URL("effects.json", import.meta.url));
+    const answer = await fetch(new URL("prices.json", import.meta.url));
     if (!answer.ok) throw new Error(answer.statusText);
     list = await answer.json();
   } catch (error) {
     console.info(`The prices of the effects are not shown: ${error}`);
   }
-  const prices = /** @type {Record<string, Price | undefined>} */ (list?.boards[CHIP.name]?.prices ?? {});
+  const prices = list?.[CHIP.name]?.figures ?? {};
   /** @type {[string, string][]} */
-  const told = Object.entries(PROGRAMS).flatMap(([effect, program]) => {
-    const over = list?.effects.find((row) => row.program === program)?.over;
-    const none = { instructions: 0, bytes: 0 };
+  const told = Object.entries(PROGRAMS).flatMap(([effect, [program, over]]) => {
+    const none = { instructions: 0, flash: 0 };
     const [price, base] = [prices[program], over === undefined ? none : prices[over]];
     if (!price || !base) return [];
     /** @type {(what: keyof Price) => string} */
     const added = (what) => whole(price[what] - base[what]);
-    return [[effect, `+${added("instructions")}, ${added("bytes")} B`]];
+    return [[effect, `+${added("instructions")}, ${added("flash")} B`]];
   });
   return new Map(told);
 }

@@ -90,6 +90,20 @@ export function isNumber(value) {
 const small = (value) =>
   value > 0 && value < 0.001 ? value.toExponential(1) : String(Number(value.toPrecision(2)));
 
+/**
+ * Returns the rows of the record: the kernels with an error, and their costs by target.
+ * @param {Record<string, { figures: Record<string, Cost & { stage?: string, codes?: number, kind?: string }> }>} record
+ * @returns {Row[]}
+ */
+function rowsOf(record) {
+  return Object.entries(record.errors?.figures ?? {}).map(([name, { stage = "", codes, kind }]) => {
+    const [kernel, format] = name.split(".");
+    const costs = Object.keys(TARGETS).map((target) => [target, record[target]?.figures[name]]);
+    const cost = Object.fromEntries(costs.filter(([, cost]) => cost));
+    return { stage, kernel, format, error: { codes, kind }, cost };
+  });
+}
+
 export class PriceList {
   #rows;
   #problem;
@@ -105,9 +119,9 @@ export class PriceList {
   /** Loads the list. A list that is missing or can't be loaded is empty. */
   static async load() {
     try {
-      const answer = await fetch(new URL("accuracy-vs-cost.json", import.meta.url));
+      const answer = await fetch(new URL("prices.json", import.meta.url));
       if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
-      return new PriceList((await answer.json())?.rows ?? []);
+      return new PriceList(rowsOf((await answer.json()) ?? {}));
     } catch (error) {
       return new PriceList([], words(error));
     }

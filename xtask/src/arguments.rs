@@ -32,11 +32,7 @@ Usage: cargo xtask COMMAND [OPTIONS]
 The laboratory, built when it is first called; `cargo xtask COMMAND --help` has the options:
   board         Build the firmware of a board with a display: rp2040
   conform       Compare the results of every model, bit by bit, with the conformance vectors
-  effects       Write what each effect costs: instructions a pixel and bytes of flash
-  firmware      Count what the kernels cost on microcontrollers, in QEMU
-  frame         Draw a picture on microcontrollers, in QEMU, and count the instructions of a pixel
-  measure       Write the price list of accuracy: errors, and costs on every target
-  pick          Count the prices by which `luminaire pick` chooses an evaluation, in QEMU
+  measure       Measure errors, and costs on every target; compare them with the record, or write it
   pictures      Take the pictures of the demo for the documents again
   renderers     Draw the pictures of renderers that are not the project's
   rivals        Time frames of the demo and of three.js without a GPU, in one run

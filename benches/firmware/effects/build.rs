@@ -14,12 +14,15 @@ use luminaire::{
     attenuation::{Attenuation, AttenuationVisitor, InverseSquare, NoAttenuation, attenuations},
     codegen::{Named, Source, as_source},
     display::{Exposure, Rgb565Ramp},
-    falloff::{Falloff, FalloffVisitor, ListedFalloff, Soft, constant_falloffs},
+    dynamic::{Effect, Effects},
+    falloff::{
+        AnyFalloff, Cubic, Falloff, FalloffVisitor, Hard, ListedFalloff, Quadratic, Soft, constant_falloffs,
+    },
     haze::Haze,
     models::Listed,
     number::Quick,
     projector::{Gobo, Projection, Shadow},
-    specular::{LobeVisitor, SpecularLobe, lobes},
+    specular::{LobeVisitor, Phong, SpecularLobe, lobes},
 };
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -47,6 +50,7 @@ fn main() -> Outcome {
         constants::<Fx32>()
     } else {
         quick::<Fx16>()?;
+        fine()?;
         constants::<Fx16>()
     }
 }
@@ -55,8 +59,44 @@ fn soft() -> Result<SpotLight<Soft, NoAttenuation>, Error> {
     key(Cone::from_field(Soft, FIELD)?, NoAttenuation)
 }
 
+/// Calls a macro with the four edges whose lit points have prices by every evaluation.
+macro_rules! edges {
+    ($row:ident) => {
+        $row!("lit", Soft);
+        $row!("lit-hard", Hard);
+        $row!("lit-quadratic", Quadratic::new(0.5)?);
+        $row!("lit-cubic", Cubic::with_slopes(1.25, 3.5)?);
+    };
+}
+
+/// The lights of the quick evaluation.
 fn quick<S: Quick>() -> Outcome {
+    macro_rules! row {
+        ($name:literal, $edge:expr) => {
+            let cone = Cone::from_field($edge, FIELD)?;
+            write(concat!($name, "-quick"), &key(cone, NoAttenuation)?.compile_quick::<S>()?)?;
+            write(concat!($name, "-inverse-square-quick"), &key(cone, InverseSquare)?.compile_quick::<S>()?)?;
+        };
+    }
+    edges!(row);
     write("quick", &soft()?.compile_quick::<S>()?)
+}
+
+/// The lights of which every point takes the fine evaluation, in a cone that is nearly too narrow, or the
+/// coarse one, by a dim light.
+fn fine() -> Outcome {
+    macro_rules! row {
+        ($name:literal, $edge:expr) => {
+            let narrow = 1.02 * Cone::narrowest::<Fx16>($edge).to_degrees();
+            let cone = Cone::from_outer($edge, Angle::degrees(narrow))?;
+            write(concat!($name, "-fine"), &key(cone, NoAttenuation)?.compile::<Fx16>()?)?;
+            let dim = |cone| key(cone, InverseSquare)?.with_intensity(1.0)?.compile::<Fx16>();
+            write(concat!($name, "-inverse-square-fine"), &dim(cone)?)?;
+            write(concat!($name, "-inverse-square-coarse"), &dim(Cone::from_field($edge, FIELD)?)?)?;
+        };
+    }
+    edges!(row);
+    Ok(())
 }
 
 fn constants<S: Scalar>() -> Outcome {
@@ -66,6 +106,8 @@ fn constants<S: Scalar>() -> Outcome {
     spot_of::<S, _, _>("cutoff", cone.with_cutoff(FIELD)?, NoAttenuation)?;
     write("bright", &key(cone, NoAttenuation)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
     spot_of::<S, _, _>("wide", Cone::from_field(Soft, WIDE_FIELD)?, NoAttenuation)?;
+    let narrow = Angle::degrees(1.02 * Cone::narrowest::<Fx16>(Soft).to_degrees());
+    write("narrow", &Cone::from_outer(Soft, narrow)?.outer_versine())?;
     write("part", &S::from_f32(0.375))?;
     write("position", &POSITION.map(S::length))?;
     write("radius", &S::length(0.25))?;
@@ -88,45 +130,72 @@ fn constants<S: Scalar>() -> Outcome {
         "ramp",
         &Rgb565Ramp::new(AMBER.map(|channel| 0.09 * channel), AMBER.map(|channel| 0.9 * channel))?,
     )?;
+    macro_rules! row {
+        ($name:literal, $edge:expr) => {
+            spot_of::<S, _, _>(
+                concat!($name, "-inverse-square"),
+                Cone::from_field($edge, FIELD)?,
+                InverseSquare,
+            )?;
+        };
+    }
+    edges!(row);
+    write("highlight", &Phong::constants::<S>(32))?;
+    write("diffuse", &S::from_f32(0.625))?;
+    write("specular", &S::from_f32(0.375))?;
     write("matte", &paper()?.compile::<S>())
 }
 
 /// Writes a light or a material for each model of the library's lists, as implementations of
-/// `Listed`.
+/// `Listed`, and the rows of the catalogue.
 fn listed<S: Scalar>() -> Outcome {
-    let mut models =
-        Models { implementations: String::new(), calls: String::new(), format: PhantomData::<S> };
+    let mut models = Models { implementations: String::new(), rows: String::new(), format: PhantomData::<S> };
     constant_falloffs(&mut models);
+    models.list("falloffs");
     attenuations(&mut models);
+    models.list("attenuations");
     lobes::<S>(&mut models);
-    let Models { implementations, calls, .. } = models;
-    let each = format!("pub(super) fn each(visit: &mut impl super::Visit) {{\n{calls}}}\n");
-    Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("listed.rs"), implementations + &each)?)
+    models.list("lobes");
+    Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("listed.rs"), models.implementations)?)
 }
 
-/// The source of the implementations so far, and of the calls that visit them.
+/// The source of the implementations so far, and of the rows of a list.
 struct Models<S> {
     implementations: String,
-    calls: String,
+    rows: String,
     format: PhantomData<S>,
 }
 
 impl<S: Scalar> Models<S> {
+    /// Ends a list: a function that visits its rows.
+    fn list(&mut self, name: &str) {
+        let rows = std::mem::take(&mut self.rows);
+        self.implementations += &format!("pub(super) fn {name}(visit: &mut impl Visit) {{\n{rows}}}\n");
+    }
+
     /// The irradiance of a spotlight that has the model.
-    fn spot<P: Falloff, A: Attenuation>(
+    fn spot<M: Listed, P: Falloff, A: Attenuation>(
         &mut self,
-        [model, name, kind]: [&str; 3],
+        [name, kind]: [&str; 2],
+        (effects, over): (Effects, &str),
         falloff: Result<P, Error>,
         attenuation: Result<A, Error>,
     ) {
         let light = (|| key(Cone::from_field(falloff?, FIELD)?, attenuation?)?.compile::<S>())();
-        let light = light.expect("the parameters of the lists are sound");
+        let light = light.expect(SOUND);
         let effect = "Irradiance { Self::CONSTANT.irradiance(surface.point, surface.normal) }";
-        self.model(model, name, &format!("CompiledSpotLight<Format, {kind}>"), &light, effect);
+        let kind = format!("CompiledSpotLight<Format, {kind}>");
+        self.model::<M>([name, &kind, effect], (effects, over), &light);
     }
 
-    fn model(&mut self, model: &str, name: &str, kind: &str, constant: &impl Source, effect: &str) {
+    fn model<M: Listed>(
+        &mut self,
+        [name, kind, effect]: [&str; 3],
+        (effects, over): (Effects, &str),
+        constant: &impl Source,
+    ) {
         let (output, _) = effect.split_once(' ').expect("a type and a block");
+        let model = M::TYPE;
         self.implementations += &format!(
             "impl Listed for {model} {{
                 const NAME: &'static str = \"{name}\";
@@ -139,23 +208,49 @@ impl<S: Scalar> Models<S> {
             }}\n",
             as_source(constant)
         );
-        self.calls += &format!("    visit.surface(<{model}>::NAME, <{model}>::effect);\n");
+        let with: String = effects.iter().map(|effect| format!(".with(Effect::{effect:?})")).collect();
+        let over = if name == over { String::new() } else { format!("\"{over}\"") };
+        self.rows += &format!(
+            "    visit.effect(
+                Entry {{
+                    title: {:?}, name: <{model}>::NAME, listed: Some({model:?}),
+                    effects: Effects::NONE{with}, over: &[{over}], what: {:?},
+                }},
+                Inputs::surface,
+                <{model}>::effect,
+            );\n",
+            M::NAME,
+            M::DOC
+        );
     }
 }
 
+/// Why a sample is accepted.
+const SOUND: &str = "the parameters of the lists are sound";
+
+/// The lit point of the price list has a soft edge, and needs no further name.
 impl<S: Scalar> FalloffVisitor for Models<S> {
     fn falloff<P: ListedFalloff>(&mut self) {
-        let name = format!("spot-{}-lambert", P::NAME);
+        let name = if P::NAME == "soft" { "lit".to_owned() } else { format!("lit-{}", P::NAME) };
         let kind = format!("{}, NoAttenuation", P::TYPE);
-        self.spot([P::TYPE, &name, &kind], P::sample(), Ok(NoAttenuation));
+        let falloff: AnyFalloff = P::sample().expect(SOUND).into();
+        let effects = Effects::NONE.with(falloff.effect());
+        self.spot::<P, _, _>([&name, &kind], (effects, "lit"), P::sample(), Ok(NoAttenuation));
     }
 }
 
+/// An attenuation that limits the inverse square to a range is compared with the plain inverse square.
 impl<S: Scalar> AttenuationVisitor for Models<S> {
     fn attenuation<A: Listed + Attenuation>(&mut self) {
-        let name = format!("spot-soft-lambert-{}", A::NAME);
-        let kind = format!("Soft, {}", A::TYPE);
-        self.spot([A::TYPE, &name, &kind], Ok(Soft), A::sample());
+        let (name, kind) = (format!("lit-{}", A::NAME), format!("Soft, {}", A::TYPE));
+        let effects = A::sample().expect(SOUND).effects();
+        let shown = if effects.has(Effect::Range) && effects.has(Effect::InverseSquare) {
+            let window = effects.iter().filter(|effect| *effect != Effect::InverseSquare);
+            (window.fold(Effects::NONE, Effects::with), "lit-inverse-square")
+        } else {
+            (effects, "lit")
+        };
+        self.spot::<A, _, _>([&name, &kind], shown, Ok(Soft), A::sample());
     }
 }
 
@@ -163,10 +258,11 @@ impl<S: Scalar> LobeVisitor<S> for Models<S> {
     fn lobe<H: Listed + SpecularLobe<Constants<S>: Source> + Named>(&mut self) {
         let grey = Rgb::new(0.5, 0.5, 0.5);
         let surface = (|| paper()?.with_highlight(H::sample()?, grey, 32))();
-        let surface = surface.expect("the parameters of the lists are sound").compile::<S>();
+        let surface = surface.expect(SOUND).compile::<S>();
         let kind = format!("CompiledMaterial<Format, {}>", H::TYPE);
         let effect = "Light { Self::CONSTANT.reflect(&surface, &DIRECTIONAL) }";
-        self.model(H::TYPE, H::NAME, &kind, &surface, effect);
+        let effects = Effects::NONE.with(Effect::Specular);
+        self.model::<H>([H::NAME, &kind, effect], (effects, "matte"), &surface);
     }
 }
 

@@ -3,7 +3,7 @@
 
 use core::fmt;
 
-use luminaire_stage::{Markers, STAGES, Stage, Tally};
+use luminaire_stage::{Markers, Stage, Tally};
 
 use crate::board::{begin, end, println};
 
@@ -27,20 +27,22 @@ impl Markers for Counted {
     }
 }
 
-/// Draws the picture and prints it. The first line states its size and the stages. Then come the
-/// pixels of each row, as hexadecimal digits. The last line states how many pixels the light
-/// reaches, and why it does not reach the others.
+/// Draws the picture and prints it: its size, the pixels of each row as hexadecimal digits, and how many pixels the light reaches, and why it does not reach the others.
 pub fn frame() {
-    println!("{WIDTH} {HEIGHT} {STAGES}");
+    println!("width {WIDTH} pixels");
+    println!("height {HEIGHT} pixels");
     let mut stage = Stage::<WIDTH>::default();
     let mut pixels = [0; WIDTH];
     let mut tally = Tally::default();
     for row in 0..HEIGHT {
         stage.draw::<Counted>(row, &mut pixels);
         stage.add_to(&mut tally);
-        println!("{}", Digits(&pixels));
+        println!("row {} digits", Digits(&pixels));
     }
-    println!("{tally}");
+    let [away, outside, shadow, lit] = tally.counts();
+    println!(
+        "facing-away {away} pixels\noutside {outside} pixels\nin-shadow {shadow} pixels\nlit {lit} pixels"
+    );
 }
 
 /// Displays pixels as four hexadecimal digits each.

@@ -8,6 +8,6 @@ mod measure;
 #[cfg(feature = "effects")]
 mod price;
 
-pub use measure::{COUNT, choose, measure, pass};
+pub use measure::{COUNT, begin_lines, measure, pass, report};
 #[cfg(feature = "effects")]
-pub use price::price;
+pub use price::{evaluations, price};

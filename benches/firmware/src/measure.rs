@@ -3,30 +3,29 @@
 use core::array;
 
 use luminaire_kernels::scene::{Site, Sites};
-use luminaire_kernels::{
-    Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, priced, truth::Point,
-};
+use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, doubles, falloffs, oracle, truth::Point};
 
 use crate::board::{begin, end, opaque, println};
 
 /// Number of inputs that each kernel is run over.
 pub const COUNT: usize = 256;
 
-/// Runs every kernel of the price list over its inputs.
+/// Runs every falloff of the price list, every method of others, and the points in `f64` over their
+/// inputs.
 ///
-/// Each run prints a line: the stage, the format, the name of the kernel, the number of calls, and
-/// a checksum of the results. Before each kernel runs the empty loop over the same inputs, whose
-/// instructions are subtracted from the kernel's.
+/// Each run prints a line, `name sum bits`, with a checksum of the results. Before each kernel runs the
+/// empty loop over the same inputs, whose instructions are subtracted from the kernel's.
 pub fn measure() {
     let setting = Setting::standard();
     let mut bench = Bench { outer: setting.outer_versine() };
+    begin_lines();
     falloffs(setting, &mut bench);
-    points(setting, &mut bench);
+    doubles(setting, &mut bench);
 }
 
-/// Runs the lit points whose prices choose an evaluation, and prints lines as [`measure`] does.
-pub fn choose() {
-    priced(&mut Bench { outer: Setting::standard().outer_versine() });
+/// Prints the first line: the number of inputs.
+pub fn begin_lines() {
+    println!("calls {COUNT} inputs");
 }
 
 struct Bench {
@@ -53,16 +52,14 @@ impl Visitor for Bench {
 #[inline(always)]
 fn run<K: Kernel>(row: Row, kernel: &K, inputs: &[K::Input; COUNT]) {
     let kernel = opaque(kernel);
-    report(row, EMPTY, pass(inputs, |input| K::touch(input)));
-    report(row, row.kernel, pass(inputs, |input| kernel.evaluate(input).bits()));
+    report("empty", row.format, pass(inputs, |input| K::touch(input)));
+    report(row.kernel, row.format, pass(inputs, |input| kernel.evaluate(input).bits()));
 }
 
-/// The name of the loop that does nothing.
-const EMPTY: &str = "empty";
-
+/// Prints the checksum of a kernel's results.
 #[inline(never)]
-fn report(row: Row, kernel: &str, sum: u32) {
-    println!("{} {} {kernel} {COUNT} {sum:08x}", row.stage.name(), row.format);
+pub fn report(kernel: &str, format: &str, sum: u32) {
+    println!("{kernel}.{format} {sum:08x} bits");
 }
 
 /// The loop over the inputs. Not inlined: each kernel has its own copy, so that no kernel affects

@@ -2,7 +2,8 @@
 //!
 //! Firmware, host, browser and demo run the same code, so that the error and the cost in a row
 //! belong to the same function. [`falloffs`] and [`points`] pass every row to a [`Visitor`],
-//! [`rungs`] the lit points of each evaluation, [`priced`] those whose prices choose one.
+//! [`rungs`] the lit points of each evaluation. On microcontrollers the lit points that
+//! are measured are those of a light that is a constant: the crate `luminaire-effects` has them.
 //!
 //! A falloff maps the angle off axis, in the form that the kernel takes, to an intensity. A point
 //! maps a position and a normal to an irradiance. Each kernel gets the exact input rounded to its
@@ -38,7 +39,7 @@ mod value;
 pub use cosine::CosineFalloff;
 pub use double::{DoubleFalloff, DoublePoint};
 pub use kernel::{Kernel, Row, Stage, Visitor};
-pub use list::{Setting, falloffs, points, priced, rungs};
+pub use list::{Setting, doubles, falloffs, points, rungs};
 pub use luminaire::falloff::ListedFalloff;
 pub use ours::{Highlit, OurFalloff, OurPoint, QuickPoint};
 #[cfg(feature = "std")]

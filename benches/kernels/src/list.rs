@@ -3,9 +3,7 @@
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Scalar, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
-    falloff::{
-        Cubic, FalloffVisitor, Hard, ListedFalloff, Power, Quadratic, Smooth, Soft, constant_falloffs,
-    },
+    falloff::{FalloffVisitor, ListedFalloff, Power, Smooth, Soft, constant_falloffs},
     number::Quick,
 };
 use luminaire_oracle as oracle;
@@ -136,6 +134,11 @@ pub fn points(setting: Setting, visitor: &mut impl Visitor) {
     format::<f32>(setting, visitor);
     quick::<Fx16>("fx16-quick", setting, visitor);
     quick::<f32>("f32-quick", setting, visitor);
+    doubles(setting, visitor);
+}
+
+/// The points in f64.
+pub fn doubles(setting: Setting, visitor: &mut impl Visitor) {
     let outer = setting.outer_versine();
     for (kernel, population) in REJECTS.into_iter().chain([("lit", Population::Lit)]) {
         let truth = light_of::<Soft>(setting, population, 1.0, false);
@@ -190,38 +193,13 @@ fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut 
 
 /// The lit points of a cone with the edge `P`, without and with an inverse square, in every format
 /// and by every evaluation.
-pub fn rungs<P: ListedFalloff>(setting: Setting, visitor: &mut impl Visitor) {
-    evaluations::<P>(LIT, INTENSITY, setting, visitor);
-}
-
-/// The lit points whose prices choose an evaluation: those of four edges by every evaluation, and
-/// by the fine evaluation of `Fx16`, which the narrowest cone takes at every point. The light is so
-/// dim that `Fx16` takes the coarse evaluation at every point of the standard cone.
-pub fn priced(visitor: &mut impl Visitor) {
-    edge::<Soft>(["soft", "soft-inverse-square"], visitor);
-    edge::<Hard>(["hard", "hard-inverse-square"], visitor);
-    edge::<Quadratic>(["quadratic", "quadratic-inverse-square"], visitor);
-    edge::<Cubic>(["cubic", "cubic-inverse-square"], visitor);
-}
-
-fn edge<P: ListedFalloff>(kernels: [&'static str; 2], visitor: &mut impl Visitor) {
-    evaluations::<P>(kernels, 1.0, Setting::standard(), visitor);
-    let narrow = Setting::ending_at(Angle::degrees(2.04 * narrowest::<Fx16, P>()));
-    lit::<Fx16, P>(kernels.map(|kernel| Row::lit(kernel, "fx16-fine")), 1.0, narrow, visitor);
-}
-
-fn evaluations<P: ListedFalloff>(
-    kernels: [&'static str; 2],
-    intensity: f32,
-    setting: Setting,
-    visitor: &mut impl Visitor,
-) {
+pub fn rungs<P: ListedFalloff>(kernels: [&'static str; 2], setting: Setting, visitor: &mut impl Visitor) {
     let rows = |format| kernels.map(|kernel| Row::lit(kernel, format));
-    quickly_lit::<Fx16, P>(rows("fx16-quick"), intensity, setting, visitor);
-    lit::<Fx16, P>(rows(Fx16::NAME), intensity, setting, visitor);
-    lit::<Fx32, P>(rows(Fx32::NAME), intensity, setting, visitor);
-    quickly_lit::<f32, P>(rows("f32-quick"), intensity, setting, visitor);
-    lit::<f32, P>(rows(f32::NAME), intensity, setting, visitor);
+    quickly_lit::<Fx16, P>(rows("fx16-quick"), INTENSITY, setting, visitor);
+    lit::<Fx16, P>(rows(Fx16::NAME), INTENSITY, setting, visitor);
+    lit::<Fx32, P>(rows(Fx32::NAME), INTENSITY, setting, visitor);
+    quickly_lit::<f32, P>(rows("f32-quick"), INTENSITY, setting, visitor);
+    lit::<f32, P>(rows(f32::NAME), INTENSITY, setting, visitor);
 }
 
 fn lit<S: Format, P: ListedFalloff>(

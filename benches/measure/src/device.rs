@@ -2,18 +2,18 @@
 //! the whole chip.
 
 mod check;
-pub mod steps;
 mod uf2;
 
 use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use tools::board::RP2040;
+use tools::board::{RP2040, in_folder};
 use tools::progress::Progress;
-use tools::{board, project};
+use tools::suite::Suite;
+use tools::{board, command, project, tally};
 
-use crate::size::program::Program;
+use crate::program::Program;
 
 /// The options of `board`.
 #[derive(Debug, PartialEq, clap::Args)]
@@ -43,7 +43,24 @@ pub fn run(options: &DeviceOptions) -> Result<()> {
     }
     let image = project::target().join(format!("{}.uf2", options.device));
     fs::write(&image, uf2::image(&file)?).with_context(|| format!("cannot write {}", image.display()))?;
-    let bytes = Program::read(&file)?.bytes;
+    let bytes = Program::read(&file)?.bytes();
     println!("{}: {bytes} bytes of flash; copy it to the drive of the board's boot ROM", image.display());
     Ok(())
+}
+
+/// Adds the steps: the packages are formatted, and the firmware is built and checked in an emulator.
+pub(crate) fn steps(suite: &mut Suite) {
+    for name in ["panel", "template", RP2040] {
+        suite.step(&format!("board: {name}, cargo fmt"), |progress| {
+            let mut fmt = in_folder(name, command::cargo("fmt"));
+            fmt.arg("--check");
+            progress.run(fmt)
+        });
+    }
+    suite.count("board: panel, cargo test", |progress| {
+        tally::cargo_test(in_folder("panel", command::cargo("test")), progress)
+    });
+    suite.remarked("board: rp2040 sends the host's pixels to its display", |progress| {
+        check::check(&build(progress)?, progress)
+    });
 }

@@ -1,58 +1,282 @@
-//! `cargo xtask effects`: what each effect adds to the price of a pixel, and to a firmware's flash.
+//! What kernels and effects cost on boards: instructions, cycles and bytes.
 
-mod browser;
-pub(crate) mod catalogue;
-mod list;
-mod page;
-mod prices;
-pub mod steps;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Context, Result, ensure};
+use luminaire_effects::{Entry, Input, Inputs, Output, Visit, each};
 
-use self::list::EffectList;
-use self::prices::{STANDS, Stand};
-use crate::record;
+use crate::counted::{self, Cost, FIRMWARE, Firmware, SIZE, thousandths};
+use crate::program::Program;
+use crate::record::Group;
+use crate::target::Board;
 use tools::progress::Progress;
+use tools::project;
 
-/// The options of `effects`.
-#[derive(Debug, Default, PartialEq, clap::Args)]
-pub struct EffectsOptions {
-    /// Compare with what is recorded instead, and write nothing
-    #[arg(long)]
-    pub check: bool,
-    /// Write the prices also where they differ from those recorded
-    #[arg(long, conflicts_with = "check")]
-    pub bless: bool,
-    /// Time the effects in a browser again, which requires an otherwise idle machine
-    #[arg(long, conflicts_with = "check")]
-    pub time: bool,
+/// The program that runs every effect.
+const EFFECTS: &str = "effects";
+/// The program that does nothing. Its bytes are subtracted from those of every effect.
+pub(crate) const EMPTY: &str = "empty";
+/// The program with effects that its constants switch off.
+pub(crate) const UNUSED: &str = "unused";
+
+/// A number format, which a feature of the programs selects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Format {
+    Fx16,
+    Fx32,
+    F32,
 }
 
-/// Counts, compares with the record, and writes the record and the page.
-pub fn run(options: &EffectsOptions) -> Result<()> {
-    let progress = Progress::Live;
-    if options.check {
-        for stand in &STANDS {
-            check(stand, &progress)?.iter().for_each(|remark| println!("{remark}"));
+/// The processors whose bytes are counted, and of which every effect is on record: the smallest, and one
+/// with a floating point unit, each with the format that suits it.
+pub(crate) const SUITED: [(&str, Format); 2] = [("cortex-m0", Format::Fx16), ("cortex-m4f", Format::F32)];
+
+impl Format {
+    pub(crate) const ALL: [Self; 3] = [Self::Fx16, Self::Fx32, Self::F32];
+
+    /// The name that the library gives it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Fx16 => "fx16",
+            Self::Fx32 => "fx32",
+            Self::F32 => "f32",
         }
-        println!("the prices are those on record");
-        return Ok(());
     }
-    let mut new = EffectList::default();
-    for stand in &STANDS {
-        new.boards.insert(stand.board.to_owned(), prices::count(stand, &progress)?);
+
+    /// Arguments of cargo that select it in the programs of one effect each.
+    pub(crate) fn features(self) -> &'static [&'static str] {
+        match self {
+            Self::Fx16 => &[],
+            Self::Fx32 => &["--features", "fx32"],
+            Self::F32 => &["--features", "f32"],
+        }
     }
-    new.browser = if options.time {
-        Some(browser::time(&progress)?)
-    } else {
-        record::load::<EffectList>()?.and_then(|old| old.browser)
-    };
-    record::write(&new, options.bless, &progress)
+
+    /// A program that runs effects.
+    fn firmware(self, name: &'static str) -> Firmware<'static> {
+        let options: &[&str] = match self {
+            Self::Fx16 => &["--features", "effects"],
+            Self::Fx32 => &["--features", "effects-fx32"],
+            Self::F32 => &["--features", "effects-f32"],
+        };
+        Firmware::new(name, options)
+    }
 }
 
-/// Compares the prices of one board with the record. Returns remarks if the comparison has passed.
-fn check(stand: &Stand, progress: &Progress) -> Result<Vec<String>> {
-    let mut new = EffectList::default();
-    new.boards.insert(stand.board.to_owned(), prices::count(stand, progress)?);
-    record::check(&new)
+/// A group of the catalogue.
+#[derive(Debug)]
+pub(crate) struct Chapter {
+    pub(crate) title: &'static str,
+    pub(crate) note: &'static str,
+    pub(crate) entries: Vec<Entry>,
+}
+
+/// The catalogue of effects, in the order of the page.
+pub(crate) fn catalogue() -> Vec<Chapter> {
+    struct Reader(Vec<Chapter>);
+    impl Visit for Reader {
+        fn group(&mut self, title: &'static str, note: &'static str) {
+            self.0.push(Chapter { title, note, entries: Vec::new() });
+        }
+
+        fn effect<I: Input, O: Output>(&mut self, entry: Entry, _: fn(&mut Inputs) -> I, _: impl Fn(I) -> O) {
+            self.again(entry);
+        }
+
+        fn again(&mut self, entry: Entry) {
+            self.0.last_mut().expect("a group begins first").entries.push(entry);
+        }
+    }
+    let mut reader = Reader(Vec::new());
+    each(&mut reader);
+    reader.0
+}
+
+/// The name of a program's figures: `lit-hard-quick` in `fx16` is `lit-hard.fx16-quick`.
+pub(crate) fn figure(program: &str, format: &str) -> String {
+    let name = program.replace('_', "-");
+    for evaluation in ["-quick", "-fine", "-coarse"] {
+        if let Some(kernel) = name.strip_suffix(evaluation) {
+            return format!("{kernel}.{format}{evaluation}");
+        }
+    }
+    format!("{name}.{format}")
+}
+
+/// Whether a kernel is on the price list of every processor: a lit point by an evaluation, or an early-out.
+fn is_priced(name: &str) -> bool {
+    let kernel = name.split('.').next().unwrap_or_default();
+    let kernel = kernel.trim_end_matches("-inverse-square");
+    ["away", "outside", "lit", "lit-hard", "lit-quadratic", "lit-cubic", "lit-specular"].contains(&kernel)
+}
+
+/// The costs of every kernel on a board.
+pub(crate) fn costs(board: &'static Board, progress: &Progress) -> Result<Vec<Cost>> {
+    let (mut costs, _) = Firmware::new("cost", &[]).costs(board, progress)?;
+    for format in Format::ALL {
+        costs.extend(of_format(format, board, progress)?);
+    }
+    Ok(costs)
+}
+
+/// The costs of the effects, and of lit points by other evaluations, in a format on a board.
+fn of_format(format: Format, board: &'static Board, progress: &Progress) -> Result<Vec<Cost>> {
+    let (mut costs, _) = format.firmware(EFFECTS).costs(board, progress)?;
+    costs.extend(format.firmware("evaluations").costs(board, progress)?.0);
+    for cost in &mut costs {
+        let (program, format) = cost.name.split_once('.').context("a name has no format")?;
+        cost.name = figure(program, format);
+    }
+    // This format has one evaluation.
+    costs.retain(|cost| !cost.name.ends_with("fx32-quick"));
+    Ok(costs)
+}
+
+/// The figures of a board: the kernels, the lit points in each format, and every effect in the format that
+/// suits the board, with its bytes of flash.
+pub(crate) fn counted(board: &'static Board, progress: &Progress) -> Result<Group> {
+    let (kernels, run) = Firmware::new("cost", &[]).costs(board, progress)?;
+    let mut group = run.group();
+    kernels.iter().for_each(|cost| add(&mut group, cost));
+    for format in Format::ALL {
+        let is_suited = SUITED.contains(&(board.name, format));
+        let costs = of_format(format, board, progress)?;
+        costs.iter().filter(|cost| is_suited || is_priced(&cost.name)).for_each(|cost| add(&mut group, cost));
+        if is_suited {
+            for_size(format, board, &mut group, progress)?;
+        }
+    }
+    Ok(group)
+}
+
+fn add(group: &mut Group, cost: &Cost) {
+    group.add(&cost.name, "instructions", thousandths(cost.instructions));
+    if let Some(cycles) = cost.cycles {
+        group.add(&cost.name, "cycles", thousandths(cycles));
+    }
+    group.add(&cost.name, "bytes", cost.bytes);
+}
+
+/// Adds what is counted of programs that are compiled for size. Every program of the catalogue must have
+/// been counted for speed, too.
+fn for_size(format: Format, board: &'static Board, group: &mut Group, progress: &Progress) -> Result<()> {
+    let (costs, _) = Firmware { profile: SIZE, ..format.firmware(EFFECTS) }.costs(board, progress)?;
+    let programs = Effects::build(board, format, progress)?;
+    let empty = programs.program(EMPTY)?.bytes();
+    for entry in catalogue().iter().flat_map(|chapter| &chapter.entries) {
+        let name = figure(entry.name, format.name());
+        let is_it = |cost: &&Cost| cost.name == format!("{}.{}", entry.name, format.name());
+        let cost = costs.iter().find(is_it).with_context(|| format!("{name} was not counted for size"))?;
+        ensure!(group.figures.contains_key(&name), "{name} was not counted for speed");
+        group.add(&name, "instructions_for_size", thousandths(cost.instructions));
+        let bytes = programs.program(&file_name(entry.name))?.bytes().saturating_sub(empty);
+        group.add(&name, "flash", bytes);
+    }
+    Ok(())
+}
+
+/// The programs of one effect each that were built. Another format for the same target replaces them.
+#[derive(Debug)]
+pub(crate) struct Effects {
+    folder: PathBuf,
+}
+
+impl Effects {
+    /// Builds all programs for size. A program that can panic does not link.
+    fn build(board: &Board, format: Format, progress: &Progress) -> Result<Self> {
+        Self::build_some(&["--bins"], board, format, progress)
+    }
+
+    /// Builds the programs that arguments of cargo select.
+    pub(crate) fn build_some(
+        programs: &[&str],
+        board: &Board,
+        format: Format,
+        progress: &Progress,
+    ) -> Result<Self> {
+        write_programs()?;
+        let package = ["--profile", SIZE, "--package", "luminaire-effects"];
+        let options = [&package, programs, format.features()].concat();
+        Ok(Self { folder: counted::build_in(FIRMWARE, board, &options, progress)?.artifacts(SIZE) })
+    }
+
+    /// A program.
+    pub(crate) fn program(&self, name: &str) -> Result<Program> {
+        Program::read(&self.folder.join(name))
+    }
+}
+
+fn file_name(program: &str) -> String {
+    program.replace('-', "_")
+}
+
+/// The programs by file name, each with the function of the one effect that it runs.
+fn programs() -> BTreeMap<String, String> {
+    let function = |entry: &Entry| match entry.listed {
+        Some(model) => {
+            // Spaced as rustfmt does it: `stringify!` writes a type as `Power < 4 >`.
+            let model = model.replace(' ', "").replace(',', ", ");
+            format!("<{model} as luminaire_effects::Listed>::effect")
+        }
+        None => format!("luminaire_effects::effects::{}", entry.name),
+    };
+    let entries = catalogue().into_iter().flat_map(|chapter| chapter.entries);
+    let programs = entries.map(|entry| (file_name(entry.name), function(&entry)));
+    programs.chain([(EMPTY.to_owned(), "|(): ()| ()".to_owned())]).collect()
+}
+
+/// Writes a source file if its content changes: cargo would recompile a file that is written again.
+pub(crate) fn write_source(folder: &Path, name: &str, source: &str) -> Result<()> {
+    fs::create_dir_all(folder)?;
+    let file = folder.join(format!("{name}.rs"));
+    if fs::read_to_string(&file).ok().as_deref() != Some(source) {
+        fs::write(&file, source).with_context(|| format!("cannot write {}", file.display()))?;
+    }
+    Ok(())
+}
+
+/// Writes the source files of the programs, and removes the files of programs that no longer exist.
+pub(crate) fn write_programs() -> Result<()> {
+    let (programs, folder) = (programs(), project::root().join(FIRMWARE).join("effects/src/bin"));
+    for (program, function) in &programs {
+        let source = format!(
+            "//! The effect `{program}` alone. Written by `cargo xtask`.\n\
+             #![cfg_attr(target_os = \"none\", no_std, no_main)]\n\n\
+             #[allow(unused_imports, clippy::wildcard_imports, reason = \"the types of the lists\")]\n\
+             use luminaire::{{attenuation::*, falloff::*, specular::*}};\n\n\
+             luminaire_effects::program!({function});\n"
+        );
+        write_source(&folder, program, &source)?;
+    }
+    for entry in fs::read_dir(&folder)? {
+        let path = entry?.path();
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        if !programs.contains_key(&*name) {
+            fs::remove_file(&path)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn program_runs_the_function_of_its_effect() {
+        let programs = programs();
+        assert_eq!(programs["lit_hard"], "<Hard as luminaire_effects::Listed>::effect");
+        assert!(programs["difference_form"].starts_with("<DifferenceForm<Phong, 3> as "), "{programs:?}");
+        assert!(programs["rgb565_dithered"].ends_with("::rgb565_dithered"), "{programs:?}");
+    }
+
+    #[test]
+    fn figure_has_the_evaluation_behind_the_format() {
+        assert_eq!(figure("lit_quick", "fx16"), "lit.fx16-quick");
+        assert_eq!(figure("lit-hard-inverse-square-fine", "fx16"), "lit-hard-inverse-square.fx16-fine");
+        assert_eq!(figure("rgb565_dithered_fast", "f32"), "rgb565-dithered-fast.f32");
+        assert!(is_priced("lit-hard-inverse-square.fx16-fine") && !is_priced("lit-gobo.fx16"));
+    }
 }

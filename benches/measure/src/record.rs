@@ -1,307 +1,291 @@
-//! Figures on record: files under version control. New measurements are compared with them, or
-//! replace them together with the documents that show them.
+//! Figures on record: a JSON file under version control. New measurements are compared with it, or
+//! replace it together with the documents that show its figures.
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::collections::BTreeSet;
 use std::{fs, io};
 
 use anyhow::{Context, Result, bail, ensure};
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use tools::progress::Progress;
 use tools::project;
 
-/// Relative difference that instructions may have if another compiler is used.
-const LEEWAY: f64 = 0.05;
+use crate::documents;
 
+/// The file, below the project's folder.
+const FILE: &str = "docs/prices.json";
+/// The command that writes it.
+const COMMAND: &str = "cargo xtask measure --bless";
+
+/// Relative difference that counts may have if another compiler is used.
+const LEEWAY: f64 = 0.05;
 /// Largest number of differences that are listed for a group.
 const SHOWN: usize = 20;
 
-/// The content of a file with figures on record.
-pub(crate) trait Record: Sized {
-    /// The file, below the project's folder.
-    const FILE: &'static str;
-    /// The command that writes it.
-    const COMMAND: &'static str;
+/// The groups of figures: those of one target, or those that depend on no target.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub(crate) struct Record(pub(crate) IndexMap<String, Group>);
 
-    /// Reads the file's text.
-    fn read(text: &str) -> Result<Self>;
-
-    /// The text of the file.
-    fn text(&self) -> Result<String>;
-
-    /// The figures that are compared, by group.
-    fn figures(&self) -> BTreeMap<String, Group>;
-
-    /// The documents that show the figures, each with its content.
-    fn documents(&self) -> Result<Vec<(PathBuf, Vec<u8>)>>;
-}
-
-/// Figures that are measured together: the figures of one target, or those that depend on no
-/// target.
-#[derive(Debug, Default, PartialEq)]
+/// Figures that are measured together.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Group {
-    compiler: Option<String>,
-    figures: BTreeMap<String, Figure>,
+    /// What the figures depend on, such as the compiler.
+    pub(crate) about: IndexMap<String, String>,
+    /// Numbers or texts by name, such as `soft.fx16`, and unit.
+    pub(crate) figures: IndexMap<String, IndexMap<String, Value>>,
 }
 
-/// A figure. Its variant says when a measured figure counts as different from the recorded one.
+/// A line that a measured program prints: `name value unit`.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Figure {
-    /// A number that no compiler changes.
-    Exact(f64),
-    /// A text that no compiler changes.
-    Text(String),
-    /// Another compiler may give 5 % more or fewer.
-    Instructions(f64),
-    /// Compared only if the compiler is the same.
-    Bytes(u64),
+pub(crate) struct Line {
+    pub(crate) name: String,
+    pub(crate) value: String,
+    pub(crate) unit: String,
+}
+
+impl Line {
+    /// Reads the lines that a program has printed.
+    pub(crate) fn all(text: &str) -> Result<Vec<Self>> {
+        let read = |line: &str| {
+            let words: Vec<_> = line.split(' ').map(str::to_owned).collect();
+            let [name, value, unit] = <[String; 3]>::try_from(words).ok()?;
+            Some(Self { name, value, unit })
+        };
+        text.lines()
+            .map(|line| read(line).with_context(|| format!("not `name value unit`: {line}")))
+            .collect()
+    }
 }
 
 impl Group {
-    /// Figures that no compiler changes.
-    pub(crate) fn exact() -> Self {
-        Self::default()
+    /// A group that depends on a compiler, an emulator and more.
+    pub(crate) fn about(facts: &[(&str, String)]) -> Self {
+        let about = facts.iter().map(|(name, fact)| ((*name).to_owned(), fact.clone())).collect();
+        Self { about, figures: IndexMap::new() }
     }
 
-    /// Figures that depend on the compiler.
-    pub(crate) fn of(compiler: &str) -> Self {
-        Self { compiler: Some(compiler.to_owned()), ..Self::default() }
+    /// Adds a figure.
+    pub(crate) fn add(&mut self, name: &str, unit: &str, value: impl Into<Value>) {
+        self.figures.entry(name.to_owned()).or_default().insert(unit.to_owned(), value.into());
     }
 
-    /// Adds a figure by its name.
-    pub(crate) fn add(&mut self, name: impl Into<String>, figure: Figure) {
-        self.figures.insert(name.into(), figure);
+    /// Adds the figures that a program has printed. A value that is no number is a text.
+    pub(crate) fn add_lines(&mut self, text: &str) -> Result<()> {
+        for Line { name, value, unit } in Line::all(text)? {
+            let value = value.parse::<serde_json::Number>().map_or_else(|_| value.into(), Value::from);
+            self.add(&name, &unit, value);
+        }
+        Ok(())
     }
 
-    /// Returns whether the group has no figure. A group that was not measured is not compared.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.figures.is_empty()
+    /// The number of a name and a unit.
+    pub(crate) fn number(&self, name: &str, unit: &str) -> Option<f64> {
+        self.figures.get(name)?.get(unit)?.as_f64()
+    }
+
+    /// The text of a name and a unit.
+    pub(crate) fn text(&self, name: &str, unit: &str) -> Option<&str> {
+        self.figures.get(name)?.get(unit)?.as_str()
     }
 
     fn differences(&self, now: &Self) -> Vec<String> {
-        let is_same = self.compiler == now.compiler;
-        let mut found = Vec::new();
-        for (name, before) in &self.figures {
-            match now.figures.get(name) {
-                Some(now) => {
-                    found.extend(before.difference(now, is_same).map(|told| format!("{name}{told}")))
-                }
-                None => found.push(format!("{name}: is no longer measured")),
-            }
-        }
-        let is_new = |name: &&String| !self.figures.contains_key(*name);
-        found.extend(now.figures.keys().filter(is_new).map(|name| format!("{name}: is not on record")));
-        found
-    }
-}
-
-impl Figure {
-    fn difference(&self, now: &Self, is_same: bool) -> Option<String> {
-        let leeway = if is_same { 0.0 } else { LEEWAY };
-        let number = |before: f64, now: f64, leeway: f64| {
-            let word = if now > before { "worse" } else { "better" };
-            ((now - before).abs() > leeway * before).then(|| format!(": {word}: {now}, {before} on record"))
+        let compiler = |group: &Self| group.about.get("compiler").cloned();
+        let is_same = compiler(self) == compiler(now);
+        let names = |group: &Self| -> Vec<(String, String)> {
+            let units = |(name, units): (&String, &IndexMap<String, Value>)| {
+                units.keys().map(|unit| (name.clone(), unit.clone())).collect::<Vec<_>>()
+            };
+            group.figures.iter().flat_map(units).collect()
         };
-        match (self, now) {
-            (Self::Exact(before), Self::Exact(now)) => number(*before, *now, 0.0),
-            (Self::Instructions(before), Self::Instructions(now)) => number(*before, *now, leeway),
-            (Self::Bytes(_), Self::Bytes(_)) if !is_same => None,
-            (Self::Bytes(before), Self::Bytes(now)) => number(*before as f64, *now as f64, 0.0),
-            (Self::Text(before), Self::Text(now)) => {
-                (before != now).then(|| format!(": {now}, {before} on record"))
+        let mut seen = BTreeSet::new();
+        let all = names(self).into_iter().chain(names(now)).filter(|name| seen.insert(name.clone()));
+        let found = all.filter_map(|(name, unit)| {
+            let leeway = leeway(&unit, is_same)?;
+            let value = |group: &Self| group.figures.get(&name)?.get(&unit).cloned();
+            let told = match (value(self), value(now)) {
+                (Some(_), None) => "is no longer measured".to_owned(),
+                (None, Some(_)) => "is not on record".to_owned(),
+                (Some(before), Some(now)) => difference(&before, &now, leeway)?,
+                (None, None) => return None,
+            };
+            Some(format!("{name}, {unit}: {told}"))
+        });
+        found.collect()
+    }
+}
+
+/// The relative difference that figures of a unit may have; none if they are not compared.
+fn leeway(unit: &str, is_same_compiler: bool) -> Option<f64> {
+    match unit {
+        _ if unit.starts_with("ns") || unit.starts_with("ms") => None,
+        "instructions" | "instructions_for_size" | "cycles" if !is_same_compiler => Some(LEEWAY),
+        "bytes" | "flash" | "kibibytes" if !is_same_compiler => None,
+        _ => Some(0.0),
+    }
+}
+
+fn difference(before: &Value, now: &Value, leeway: f64) -> Option<String> {
+    match (before.as_f64(), now.as_f64()) {
+        (Some(old), Some(new)) => {
+            let word = if new > old { "worse" } else { "better" };
+            ((new - old).abs() > leeway * old).then(|| format!("{word}: {new}, {old} on record"))
+        }
+        _ => (before != now).then(|| format!("{now}, {before} on record")),
+    }
+}
+
+impl Record {
+    /// Reads the record. It is empty if there is no file.
+    pub(crate) fn load() -> Result<Self> {
+        match fs::read_to_string(project::root().join(FILE)) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Self::default()),
+            text => serde_json::from_str(&text?).context(FILE),
+        }
+    }
+
+    /// A group, or an empty one.
+    pub(crate) fn group(&self, name: &str) -> Group {
+        self.0.get(name).cloned().unwrap_or_default()
+    }
+
+    /// The text of the file, with one line for each name, so that a `diff` shows which figures changed.
+    fn text(&self) -> Result<String> {
+        let groups = self.0.iter().map(|(name, Group { about, figures })| {
+            let figures = figures
+                .iter()
+                .map(|(name, units)| Ok(format!("\"{name}\": {}", serde_json::to_string(units)?)));
+            let figures = figures.collect::<Result<Vec<_>>>()?.join(",\n");
+            Ok(format!(
+                "\"{name}\": {{\n\"about\": {},\n\"figures\": {{\n{figures}\n}}}}",
+                serde_json::to_string(about)?
+            ))
+        });
+        Ok(format!("{{\n{}\n}}\n", groups.collect::<Result<Vec<_>>>()?.join(",\n")))
+    }
+
+    /// Compares groups that were measured now with those on record: the differences, and remarks that
+    /// are no differences.
+    fn compare(&self, now: &Self) -> [Vec<String>; 2] {
+        let [mut differences, mut remarks] = [(); 2].map(|()| Vec::new());
+        for (name, now) in &now.0 {
+            let Some(before) = self.0.get(name) else {
+                differences.push(format!("{name}: is not on record"));
+                continue;
+            };
+            if let (Some(old), Some(new)) = (before.about.get("compiler"), now.about.get("compiler"))
+                && old != new
+            {
+                let percent = 100.0 * LEEWAY;
+                remarks
+                    .push(format!("{name}: {new}, the record is of {old}: counts may differ by {percent} %"));
             }
-            _ => Some(format!(": {now:?}, {self:?} on record")),
+            let found = before.differences(now);
+            let more = found.len().saturating_sub(SHOWN);
+            differences.extend(found.into_iter().take(SHOWN).map(|told| format!("{name}: {told}")));
+            differences.extend((more > 0).then(|| format!("{name}: {more} more")));
         }
+        [differences, remarks]
     }
-}
 
-/// The result of a comparison.
-#[derive(Debug, Default, PartialEq)]
-struct Verdict {
-    differences: Vec<String>,
-    /// Remarks for the reader, which do not make the comparison fail.
-    remarks: Vec<String>,
-}
-
-/// Compares the groups that were measured now with those on record.
-fn compare(old: &impl Record, new: &impl Record) -> Verdict {
-    let (old, mut verdict) = (old.figures(), Verdict::default());
-    for (name, now) in new.figures() {
-        let Some(before) = old.get(&name) else {
-            verdict.differences.push(format!("{name}: is not on record"));
-            continue;
-        };
-        if let (Some(before), Some(now)) = (&before.compiler, &now.compiler)
-            && before != now
-        {
-            verdict.remarks.push(format!(
-                "{name}: {now}, the record is of {before}: instructions may differ by {:.0} %",
-                100.0 * LEEWAY
-            ));
-        }
-        let found = before.differences(&now);
-        let more = found.len().saturating_sub(SHOWN);
-        verdict.differences.extend(found.into_iter().take(SHOWN).map(|told| format!("{name}: {told}")));
-        if more > 0 {
-            verdict.differences.push(format!("{name}: {more} more"));
-        }
+    /// Fails if a figure that was measured now differs from the record, or if a document is not the one
+    /// that the record gives. Otherwise returns remarks.
+    pub(crate) fn check(now: &Self) -> Result<Vec<String>> {
+        let old = Self::load()?;
+        let [differences, remarks] = old.compare(now);
+        ensure!(differences.is_empty(), "{FILE}: not what is measured:\n    {}", differences.join("\n    "));
+        old.check_documents()?;
+        Ok(remarks)
     }
-    verdict
-}
 
-/// Reads the record, or returns `None` if there is no file.
-pub(crate) fn load<R: Record>() -> Result<Option<R>> {
-    let failed = || format!("cannot read {}", R::FILE);
-    match fs::read_to_string(project::root().join(R::FILE)) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        text => R::read(&text.with_context(failed)?).with_context(failed).map(Some),
-    }
-}
-
-/// Fails if a measured figure differs from the record, or if a document is not the one that the
-/// record gives. Otherwise returns the remarks of the comparison.
-pub(crate) fn check<R: Record>(new: &R) -> Result<Vec<String>> {
-    let (file, command) = (R::FILE, R::COMMAND);
-    let old: R = load()?.with_context(|| format!("there is no {file}: `{command}` writes it"))?;
-    let verdict = compare(&old, new);
-    if !verdict.differences.is_empty() {
-        let told = verdict.differences.join("\n    ");
-        bail!("{file} is not what is measured: `{command} --bless` accepts it\n    {told}");
-    }
-    check_documents(&old)?;
-    Ok(verdict.remarks)
-}
-
-/// Fails if a document is not the one that the record gives.
-pub(crate) fn check_documents<R: Record>(record: &R) -> Result<()> {
-    for (path, content) in files(record)? {
-        let shown = project::shown(&path);
-        let found = fs::read(&path).with_context(|| format!("cannot read {shown}"))?;
-        ensure!(found == content, "{shown} is not what {} says: `{}` writes it", R::FILE, R::COMMAND);
-    }
-    Ok(())
-}
-
-/// Writes the measured figures and their documents. Differences from the record are printed, and
-/// without `bless` they are an error and nothing is written.
-pub(crate) fn write<R: Record>(new: &R, bless: bool, progress: &Progress) -> Result<()> {
-    if let Some(old) = load::<R>()? {
-        let Verdict { differences, remarks } = compare(&old, new);
+    /// Writes what was measured now, with the other groups on record, and the documents. Differences are
+    /// printed, and without `bless` they are an error and nothing is written.
+    pub(crate) fn write(now: Self, bless: bool, progress: &Progress) -> Result<()> {
+        let mut record = Self::load()?;
+        let [differences, remarks] = record.compare(&now);
         remarks.iter().chain(&differences).for_each(|line| println!("{line}"));
-        ensure!(
-            differences.is_empty() || bless,
-            "{} is not what is measured: `{} --bless` accepts it",
-            R::FILE,
-            R::COMMAND
-        );
+        ensure!(differences.is_empty() || bless, "{FILE} is not what is measured: `{COMMAND}` accepts it");
+        record.0.extend(now.0);
+        for (file, content) in record.files()? {
+            fs::write(project::root().join(&file), content)
+                .with_context(|| format!("cannot write {file}"))?;
+            progress.say("Written", file);
+        }
+        Ok(())
     }
-    for (path, content) in files(new)? {
-        fs::write(&path, content).with_context(|| format!("cannot write {}", project::shown(&path)))?;
-        progress.say("Written", project::shown(&path));
-    }
-    Ok(())
-}
 
-/// Every file with the content that it should have.
-fn files(record: &impl Record) -> Result<Vec<(PathBuf, Vec<u8>)>> {
-    fn file<R: Record>(_: &R) -> PathBuf {
-        project::root().join(R::FILE)
+    /// Fails if a document is not the one that the record gives.
+    fn check_documents(&self) -> Result<()> {
+        for (file, content) in self.files()? {
+            let found = fs::read_to_string(project::root().join(&file)).context(file.clone())?;
+            if found != content {
+                bail!("{file} is not what {FILE} says: `{COMMAND}` writes it");
+            }
+        }
+        Ok(())
     }
-    let mut files = record.documents()?;
-    files.push((file(record), record.text()?.into_bytes()));
-    Ok(files)
-}
 
-/// Returns a document with the part between two lines replaced.
-pub(crate) fn replaced(document: &str, [begin, end]: [&str; 2], part: &str) -> Result<String> {
-    let missing = |line: &str| format!("the line is missing: {}", line.trim_end());
-    let (before, rest) = document.split_once(begin).with_context(|| missing(begin))?;
-    let (_, after) = rest.split_once(end).with_context(|| missing(end))?;
-    Ok(format!("{before}{begin}{part}{end}{after}"))
+    fn files(&self) -> Result<Vec<(String, String)>> {
+        let mut files = documents::of(self)?;
+        files.push((FILE.to_owned(), self.text()?));
+        Ok(files)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[derive(Debug)]
-    struct Sample(&'static str, Figure);
-
-    impl Record for Sample {
-        const FILE: &'static str = "no such file";
-        const COMMAND: &'static str = "cargo xtask sample";
-
-        fn read(_: &str) -> Result<Self> {
-            unreachable!("there is no file")
-        }
-
-        fn text(&self) -> Result<String> {
-            Ok(String::new())
-        }
-
-        fn figures(&self) -> BTreeMap<String, Group> {
-            let mut group = Group::of(self.0);
-            group.add("soft.fx16", self.1.clone());
-            BTreeMap::from([("cortex-m0".to_owned(), group)])
-        }
-
-        fn documents(&self) -> Result<Vec<(PathBuf, Vec<u8>)>> {
-            Ok(Vec::new())
-        }
-    }
-
-    const COMPILER: &str = "rustc 1.96.0";
-
-    fn verdict(compiler: &'static str, before: Figure, now: Figure) -> Verdict {
-        compare(&Sample(COMPILER, before), &Sample(compiler, now))
+    fn group(compiler: &str, unit: &str, value: f64) -> Record {
+        let mut group = Group::about(&[("compiler", compiler.to_owned())]);
+        group.add("soft.fx16", unit, value);
+        Record([("cortex-m0".to_owned(), group)].into())
     }
 
     #[test]
-    fn the_same_compiler_has_no_leeway() {
-        use Figure::{Bytes, Exact, Instructions, Text};
-        let text = |words: &str| Text(words.to_owned());
-        for (before, now, told) in [
-            (Exact(0.5), Exact(0.25), "better: 0.25, 0.5 on record"),
-            (Instructions(20.0), Instructions(20.02), "worse: 20.02, 20 on record"),
-            (Bytes(400), Bytes(402), "worse: 402, 400 on record"),
-            (text("f32"), text("fx16"), "fx16, f32 on record"),
-        ] {
-            assert_eq!(verdict(COMPILER, before.clone(), before.clone()), Verdict::default());
-            let differences = verdict(COMPILER, before, now).differences;
-            assert_eq!(differences, [format!("cortex-m0: soft.fx16: {told}")]);
-        }
+    fn documents_are_those_that_the_record_gives() {
+        let record = Record::load().unwrap();
+        assert!(record.0.len() > 5);
+        record.check_documents().unwrap();
     }
 
     #[test]
-    fn another_compiler_has_five_percent_and_a_remark() {
-        let of_another = |before, now| verdict("rustc 1.97.0", before, now);
-        let within = of_another(Figure::Instructions(100.0), Figure::Instructions(104.9));
-        assert!(within.differences.is_empty(), "{within:?}");
-        assert!(within.remarks[0].contains("1.97.0") && within.remarks[0].contains("5 %"), "{within:?}");
-        for now in [94.9, 105.1] {
-            let beyond = of_another(Figure::Instructions(100.0), Figure::Instructions(now));
-            assert_eq!(beyond.differences.len(), 1);
+    fn record_with_one_compiler_has_no_leeway_but_for_times() {
+        for unit in ["instructions", "cycles", "bytes", "codes"] {
+            let [differences, _] = group("rustc 1", unit, 20.0).compare(&group("rustc 1", unit, 20.02));
+            assert_eq!(differences, [format!("cortex-m0: soft.fx16, {unit}: worse: 20.02, 20 on record")]);
         }
-        assert!(of_another(Figure::Bytes(400), Figure::Bytes(500)).differences.is_empty());
-        assert_eq!(of_another(Figure::Exact(0.5), Figure::Exact(0.51)).differences.len(), 1);
-    }
-
-    #[test]
-    fn a_figure_that_is_gone_or_new_is_a_difference() {
-        let [mut before, mut now] = [Group::exact(), Group::exact()];
-        before.add("hard.fx16", Figure::Exact(0.0));
-        now.add("bell.fx16", Figure::Exact(0.0));
         assert_eq!(
-            before.differences(&now),
-            ["hard.fx16: is no longer measured", "bell.fx16: is not on record"]
+            group("rustc 1", "ns", 1.0).compare(&group("rustc 1", "ns", 9.0)),
+            [(); 2].map(|()| Vec::<String>::new())
         );
     }
 
     #[test]
-    fn only_what_is_between_the_lines_is_replaced() {
-        let lines = ["<!-- begin -->\n", "<!-- end -->\n"];
-        let document = "# Before\n<!-- begin -->\nold\n<!-- end -->\nafter\n";
-        let new = replaced(document, lines, "new\n").unwrap();
-        assert_eq!(new, "# Before\n<!-- begin -->\nnew\n<!-- end -->\nafter\n");
-        assert!(replaced("# Before\n", lines, "").unwrap_err().to_string().contains("begin"));
+    fn record_with_another_compiler_has_five_percent_and_a_remark() {
+        let [differences, remarks] =
+            group("rustc 1", "instructions", 100.0).compare(&group("rustc 2", "instructions", 104.9));
+        assert!(differences.is_empty() && remarks[0].contains("5 %"), "{differences:?} {remarks:?}");
+        for (unit, value, count) in [("instructions", 105.1, 1), ("bytes", 500.0, 0), ("codes", 100.1, 1)] {
+            let [differences, _] = group("rustc 1", unit, 100.0).compare(&group("rustc 2", unit, value));
+            assert_eq!(differences.len(), count, "{differences:?}");
+        }
+    }
+
+    #[test]
+    fn record_with_a_figure_that_is_gone_or_new_differs() {
+        let [differences, _] = group("rustc 1", "bytes", 1.0).compare(&group("rustc 1", "flash", 1.0));
+        let told = ["bytes: is no longer measured", "flash: is not on record"];
+        assert_eq!(differences, told.map(|told| format!("cortex-m0: soft.fx16, {told}")));
+    }
+
+    #[test]
+    fn line_has_three_words() {
+        let mut group = Group::default();
+        group.add_lines("soft.fx16 0.021 codes\nsoft.fx16 exhaustive kind\n").unwrap();
+        assert_eq!(group.number("soft.fx16", "codes"), Some(0.021));
+        assert_eq!(group.text("soft.fx16", "kind"), Some("exhaustive"));
+        assert!(group.add_lines("soft.fx16 0.021").unwrap_err().to_string().contains("soft.fx16"));
     }
 }

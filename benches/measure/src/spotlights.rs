@@ -1,22 +1,14 @@
 //! The spotlight of embedded-3dgfx beside the kernel's: errors against f64, and instructions.
 
 use anyhow::{Context, Result};
-
-use crate::boards::board::Board;
-use crate::boards::cost::{self, Cost};
-use crate::boards::laboratory::{Laboratory, on_the_host_of};
-use tools::command;
 use tools::progress::Progress;
-use tools::project;
+use tools::{command, project};
+
+use crate::counted::{Firmware, RELEASE};
+use crate::target::BOARDS;
 
 /// The workspace of both spotlights.
 const FOLDER: &str = "examples/renderers/spotlights";
-
-/// The program whose instructions are counted.
-const PROGRAM: &str = "luminaire-spotlights";
-
-/// The processors, as the columns of the table.
-const BOARDS: [&str; 2] = ["cortex-m0", "cortex-m4f"];
 
 /// What is counted: its words in the table, and its name in the program.
 const KERNELS: [(&str, &str); 6] = [
@@ -28,36 +20,37 @@ const KERNELS: [(&str, &str); 6] = [
     ("luminaire in `Fx16`: the whole pixel", "pixel.fx16"),
 ];
 
+fn program(name: &str) -> Firmware<'_> {
+    Firmware { folder: FOLDER, name, options: &[], profile: RELEASE }
+}
+
 /// Returns the rows of the table of errors.
 ///
 /// # Errors
 /// If the program does not compile or its asserts fail.
 pub fn errors(progress: &Progress) -> Result<Vec<String>> {
-    on_the_host_of(FOLDER, "errors", progress)
+    Ok(program("errors").on_the_host(progress)?.lines().map(str::to_owned).collect())
 }
 
-/// Returns the compiler and the rows of the table of instructions, counted in QEMU.
+/// Returns the compiler and the rows of the table of instructions, counted in QEMU on a Cortex-M0 and a
+/// Cortex-M4F.
 ///
 /// # Errors
 /// If a result differs from the host's.
 pub fn instructions(progress: &Progress) -> Result<(String, Vec<String>)> {
-    let host = on_the_host_of(FOLDER, PROGRAM, progress)?;
     let mut counted = Vec::new();
-    for board in BOARDS {
-        let board = Board::named(board).map_err(anyhow::Error::msg)?;
-        let laboratory = Laboratory::with_program_of(FOLDER, PROGRAM, board, progress)?;
-        counted.push(cost::measure(&laboratory, PROGRAM, &host, None)?);
+    for board in [&BOARDS[0], &BOARDS[2]] {
+        counted.push(program("luminaire-spotlights").costs(board, progress)?);
     }
-    let cell = |costs: &[Cost], name: &str| {
-        let cost = costs.iter().find(|cost| cost.name() == name).context("a line for each kernel")?;
-        anyhow::Ok(format!("{:.0}", cost.instructions))
-    };
     let row = |(title, name): (&str, &str)| {
-        let cells: Result<Vec<_>> = counted.iter().map(|costs| cell(&costs.kernels, name)).collect();
-        Ok(format!("| {title} | {} |", cells?.join(" | ")))
+        let cells = counted.iter().map(|(costs, _)| {
+            let cost = costs.iter().find(|cost| cost.name == name).context("a line for each kernel")?;
+            Ok(format!("{:.0}", cost.instructions))
+        });
+        Ok(format!("| {title} | {} |", cells.collect::<Result<Vec<_>>>()?.join(" | ")))
     };
     let rows: Result<Vec<_>> = KERNELS.into_iter().map(row).collect();
-    Ok((counted[0].compiler.clone(), rows?))
+    Ok((counted[0].1.about[0].1.clone(), rows?))
 }
 
 /// Checks the source: its format, and Clippy's rules.

@@ -5,84 +5,21 @@ use luminaire_kernels::truth::{Point, widened};
 use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, points};
 use luminaire_oracle::{Cone, half_degrees, linear_codes};
 
-use serde::{Serialize, Serializer};
-
-use crate::{Named, site};
+use crate::{Lines, four_digits, site};
 
 /// Number of versines per cone.
 const VERSINES: u32 = 1 << 18;
 
-/// How the largest error was found: by trying every input, or some.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// Every input was tried: the error is a bound.
-    Exhaustive,
-    /// The error is the largest of many inputs.
-    Searched,
-}
-
-/// The errors of a kernel in a cone, in linear codes: 1/255 of full scale, or of the exact light
-/// where that is over full scale.
-#[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Accuracy {
-    /// The kernel.
-    #[serde(flatten)]
-    pub kernel: Named,
-    /// The outer half angle in degrees.
-    pub half_angle: f32,
-    /// The errors, or `None` if the kernel's format does not support the cone.
-    pub error: Option<Errors>,
-    /// The narrowest half angle in degrees that the format supports, if it does not support the
-    /// cone.
-    pub narrowest: Option<f32>,
-}
-
-/// The errors of a kernel in a cone.
-#[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Errors {
-    /// The largest error in linear codes.
-    #[serde(serialize_with = "four_digits")]
-    pub codes: f64,
-    /// The largest error in steps of the format at 1.
-    #[serde(serialize_with = "four_digits")]
-    pub lsb: f64,
-    /// The input with the largest error. `None` if no input has an error.
-    pub at: Option<Place>,
-    /// The mean error over the evenly spread inputs, in linear codes.
-    #[serde(serialize_with = "four_digits")]
-    pub mean_codes: f64,
-    /// The 99.9th percentile of the errors of the evenly spread inputs, in linear codes.
-    #[serde(serialize_with = "four_digits")]
-    pub p999_codes: f64,
-    /// How the largest error was found.
-    pub kind: Kind,
-}
-
-/// The input with the largest error of a kernel.
-#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
-pub struct Place {
-    /// The angle off axis.
-    pub degrees_off_axis: f64,
-    /// The distance of a point.
-    pub distance: Option<f64>,
-    /// The angle of incidence at a point.
-    pub degrees_of_incidence: Option<f64>,
-}
-
-impl Accuracy {
-    /// The errors of every kernel in a cone.
-    pub fn of_all(setting: Setting) -> Vec<Self> {
-        let mut search = Search { setting, found: Vec::new() };
-        falloffs(setting, &mut search);
-        points(setting, &mut search);
-        search.found
-    }
-}
-
-/// Serialises four digits, which are more than any comparison needs.
-pub(crate) fn four_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_f64(format!("{value:.3e}").parse().unwrap_or(*value))
+/// Returns the errors of every kernel in a cone, as lines, after the cone's half angle: the largest in linear codes, 1/255 of full scale
+/// or of the exact light where that is over full scale, and in steps of the format at 1; the input with
+/// the largest error; the mean and the 99.9th percentile over the evenly spread inputs; and how the largest
+/// was found. For a format that does not hold the cone, the narrowest half angle in degrees that it holds.
+pub fn errors(setting: Setting) -> String {
+    let cone = format!("cone {} half_angle\n", setting.outer().to_degrees() / 2.0);
+    let mut search = Search { setting, lines: Lines(cone) };
+    falloffs(setting, &mut search);
+    points(setting, &mut search);
+    search.lines.0
 }
 
 /// Rounds to three decimals.
@@ -92,7 +29,7 @@ fn thousandths(value: f64) -> f64 {
 
 struct Search {
     setting: Setting,
-    found: Vec<Accuracy>,
+    lines: Lines,
 }
 
 /// The errors found so far at places `P`.
@@ -121,26 +58,27 @@ impl<P: Copy> Tally<P> {
         self.errors.push(error);
     }
 
-    fn errors<V: Value>(mut self, describe: impl Fn(P) -> Place, kind: Kind) -> Errors {
+    /// Writes the errors, and the place of the largest as `describe` gives it: numbers with their units.
+    fn write<V: Value>(
+        mut self,
+        lines: &mut Lines,
+        row: Row,
+        kind: &str,
+        describe: impl Fn(P) -> Vec<(f64, &'static str)>,
+    ) {
         let count = self.errors.len();
         let mean = self.errors.iter().sum::<f64>() / count as f64;
         let (_, nearly_all, _) = self.errors.select_nth_unstable_by(count - 1 - count / 1000, f64::total_cmp);
         let (largest, place) = self.worst;
-        Errors {
-            codes: largest,
-            lsb: largest / 255.0 / V::STEP,
-            at: place.filter(|_| largest > 0.0).map(describe),
-            mean_codes: mean,
-            p999_codes: *nearly_all,
-            kind,
+        lines.add(row, row.stage.name(), "stage");
+        lines.add(row, four_digits(largest), "codes");
+        lines.add(row, four_digits(largest / 255.0 / V::STEP), "lsb");
+        for (value, unit) in place.filter(|_| largest > 0.0).map(describe).into_iter().flatten() {
+            lines.add(row, thousandths(value), unit);
         }
-    }
-}
-
-impl Search {
-    fn note(&mut self, row: Row, error: Option<Errors>, narrowest: Option<f32>) {
-        let half_angle = self.setting.outer().to_degrees() / 2.0;
-        self.found.push(Accuracy { kernel: row.into(), half_angle, error, narrowest });
+        lines.add(row, four_digits(mean), "mean_codes");
+        lines.add(row, four_digits(*nearly_all), "p999_codes");
+        lines.add(row, kind, "kind");
     }
 }
 
@@ -168,13 +106,9 @@ impl Visitor for Search {
                 tally.glance(versine, kernel.evaluate(&input), truth.falloff(versine));
             }
         });
-        let kind = if is_whole { Kind::Exhaustive } else { Kind::Searched };
-        let describe = |versine| Place {
-            degrees_off_axis: thousandths(half_degrees(versine)),
-            distance: None,
-            degrees_of_incidence: None,
-        };
-        self.note(row, Some(tally.errors::<K::Output>(describe, kind)), None);
+        let kind = if is_whole { "exhaustive" } else { "searched" };
+        let describe = |versine| vec![(half_degrees(versine), "degrees_off_axis")];
+        tally.write::<K::Output>(&mut self.lines, row, kind, describe);
     }
 
     fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point) {
@@ -186,17 +120,17 @@ impl Visitor for Search {
             let point = widened(site.point);
             let to_light = truth.light.position - point;
             let incidence = to_light.angle_between(widened(site.normal)).to_degrees();
-            Place {
-                degrees_off_axis: thousandths(half_degrees(truth.light.versine(point))),
-                distance: Some(thousandths(to_light.length())),
-                degrees_of_incidence: Some(thousandths(incidence)),
-            }
+            vec![
+                (half_degrees(truth.light.versine(point)), "degrees_off_axis"),
+                (to_light.length(), "distance"),
+                (incidence, "degrees_of_incidence"),
+            ]
         };
-        self.note(row, Some(tally.errors::<K::Output>(describe, Kind::Searched)), None);
+        tally.write::<K::Output>(&mut self.lines, row, "searched", describe);
     }
 
     fn refused(&mut self, row: Row, narrowest: f32) {
-        self.note(row, None, Some(narrowest));
+        self.lines.add(row, narrowest, "narrowest_degrees");
     }
 }
 
@@ -206,15 +140,17 @@ mod tests {
     use luminaire_kernels::Stage;
 
     #[test]
-    fn the_largest_error_is_told_with_its_place_and_a_lack_of_one_is_no_error() {
+    fn largest_error_is_told_with_its_place_and_nan_is_infinite() {
         let mut tally = Tally::new();
         for i in 0..1000 {
             tally.look(i, if i == 7 { 1.5_f32 } else { 1.0 }, 1.0);
         }
-        let place = |i| Place { degrees_off_axis: f64::from(i), distance: None, degrees_of_incidence: None };
-        let errors = tally.errors::<f32>(place, Kind::Searched);
-        assert_eq!((errors.codes, errors.at, errors.p999_codes), (127.5, Some(place(7)), 0.0));
-        assert_eq!(errors.mean_codes, 0.1275);
+        let row = Row { kernel: "k", stage: Stage::Lit, format: "f" };
+        let mut lines = Lines::default();
+        tally.write::<f32>(&mut lines, row, "searched", |i| vec![(f64::from(i), "place")]);
+        for line in ["k.f 127.5 codes", "k.f 7 place", "k.f 0.1275 mean_codes", "k.f 0 p999_codes"] {
+            assert!(lines.0.lines().any(|found| found == line), "{line}: {}", lines.0);
+        }
         let mut tally = Tally::new();
         tally.look((), f32::NAN, 0.0);
         assert_eq!(tally.worst.0, f64::INFINITY);
@@ -222,14 +158,10 @@ mod tests {
 
     #[test]
     fn every_number_of_a_small_format_is_looked_at() {
-        let all = Accuracy::of_all(Setting::standard());
-        for row in &all {
-            let is_small = row.kernel.stage == Stage::Falloff.name() && row.kernel.format == "fx16";
-            let is_whole = row.error.as_ref().is_some_and(|error| error.kind == Kind::Exhaustive);
-            assert_eq!(is_whole, is_small, "{row:?}");
+        let text = errors(Setting::standard());
+        assert!(text.contains("soft.fx16 exhaustive kind") && text.contains("lit.fx16 searched kind"));
+        for line in text.lines().filter(|line| line.ends_with(" exhaustive kind")) {
+            assert!(line.contains(".fx16 ") && !line.starts_with("lit"), "{line}");
         }
-        let soft = all.iter().find(|row| (row.kernel.kernel, row.kernel.format) == ("soft", "fx16")).unwrap();
-        let error = soft.error.as_ref().unwrap();
-        assert!(error.p999_codes <= error.codes && error.mean_codes < error.p999_codes, "{soft:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! Measures the error and the time of each kernel: the same functions whose instructions the
 //! firmware counts.
 //!
-//! Each measurement is a line of JSON, on the host as in a browser. Errors are the same in every
+//! Each measurement is a line, `name value unit`, on the host as in a browser. Errors are the same in every
 //! run. Times vary, and are given with their quartiles.
 #![forbid(unsafe_code)]
 
@@ -12,26 +12,27 @@ mod time;
 #[cfg(target_arch = "wasm32")]
 mod web;
 
-pub use accuracy::{Accuracy, Errors, Kind, Place};
-pub use ladder::{Rung, Steps};
-pub use time::{BATCH, Clock, Times};
+use std::fmt::{Display, Write as _};
+
+pub use accuracy::errors;
+pub use ladder::steps;
+pub use time::{BATCH, Clock, count, time};
 
 use luminaire_kernels::Row;
-use serde::Serialize;
 
-/// The name of a kernel in its format.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-pub struct Named {
-    /// The kernel.
-    pub kernel: &'static str,
-    /// `falloff`, `lit` and so on.
-    pub stage: &'static str,
-    /// The number format.
-    pub format: &'static str,
+/// Lines of measurements.
+#[derive(Debug, Default)]
+pub(crate) struct Lines(pub(crate) String);
+
+impl Lines {
+    /// Adds a figure of a kernel.
+    pub(crate) fn add(&mut self, row: Row, value: impl Display, unit: &str) {
+        // Writing to a string does not fail.
+        let _ = writeln!(self.0, "{}.{} {value} {unit}", row.kernel, row.format);
+    }
 }
 
-impl From<Row> for Named {
-    fn from(row: Row) -> Self {
-        Self { kernel: row.kernel, stage: row.stage.name(), format: row.format }
-    }
+/// Rounds to four digits, which are more than any comparison needs.
+pub(crate) fn four_digits(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
 }

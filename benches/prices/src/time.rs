@@ -5,9 +5,7 @@ use std::hint::black_box;
 use luminaire_kernels::scene::{Site, Sites};
 use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, truth::Point};
 
-use serde::Serialize;
-
-use crate::Named;
+use crate::Lines;
 
 /// Number of inputs in a batch, which a kernel evaluates from memory to memory.
 pub const BATCH: usize = 4096;
@@ -23,36 +21,23 @@ pub trait Clock {
     fn shortest(&self) -> f64;
 }
 
-/// The time of a kernel.
-#[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct Times {
-    /// The kernel.
-    #[serde(flatten)]
-    pub kernel: Named,
-    /// Nanoseconds a call: the lower quartile, the median and the upper quartile.
-    pub quartiles: [f64; 3],
-    /// A checksum of the results.
-    pub sum: u32,
+/// Counts the kernels.
+pub fn count() -> usize {
+    let mut count = Count(0);
+    falloffs(Setting::standard(), &mut count);
+    points(Setting::standard(), &mut count);
+    count.0
 }
 
-impl Times {
-    /// Counts the kernels.
-    pub fn count() -> usize {
-        let mut count = Count(0);
-        falloffs(Setting::standard(), &mut count);
-        points(Setting::standard(), &mut count);
-        count.0
-    }
-
-    /// Times the kernel of this number.
-    pub fn of(number: usize, clock: &impl Clock) -> Option<Self> {
-        let setting = Setting::standard();
-        let outer = setting.outer_versine();
-        let mut stopwatch = Stopwatch { clock, outer, wanted: number, seen: 0, found: None };
-        falloffs(setting, &mut stopwatch);
-        points(setting, &mut stopwatch);
-        stopwatch.found
-    }
+/// Times the kernel of this number. Returns lines: nanoseconds a call, the median and the quartiles, and a
+/// checksum of the results. Empty if there is no such kernel.
+pub fn time(number: usize, clock: &impl Clock) -> String {
+    let setting = Setting::standard();
+    let outer = setting.outer_versine();
+    let mut stopwatch = Stopwatch { clock, outer, wanted: number, seen: 0, lines: Lines::default() };
+    falloffs(setting, &mut stopwatch);
+    points(setting, &mut stopwatch);
+    stopwatch.lines.0
 }
 
 struct Count(usize);
@@ -73,7 +58,7 @@ struct Stopwatch<'a, C> {
     outer: f32,
     wanted: usize,
     seen: usize,
-    found: Option<Times>,
+    lines: Lines,
 }
 
 impl<C: Clock> Stopwatch<'_, C> {
@@ -94,9 +79,10 @@ impl<C: Clock> Stopwatch<'_, C> {
         let mut samples: Vec<_> =
             (0..SAMPLES).map(|_| self.lapse(kernel, inputs, &mut outputs, batches) / calls).collect();
         samples.sort_by(f64::total_cmp);
-        let quartiles =
-            [SAMPLES / 4, SAMPLES / 2, 3 * SAMPLES / 4].map(|index| (samples[index] * 1e4).round() / 1e4);
-        self.found = Some(Times { kernel: row.into(), quartiles, sum });
+        for (index, unit) in [(SAMPLES / 2, "ns"), (SAMPLES / 4, "ns_lower"), (3 * SAMPLES / 4, "ns_upper")] {
+            self.lines.add(row, (samples[index] * 1e4).round() / 1e4, unit);
+        }
+        self.lines.add(row, format_args!("{sum:08x}"), "bits");
     }
 
     /// Measures the time of `batches` batches, in nanoseconds.
@@ -163,11 +149,9 @@ mod tests {
     }
 
     #[test]
-    fn a_kernel_is_timed_by_its_number_and_the_last_is_the_last() {
+    fn kernel_is_timed_by_its_number_and_the_last_is_the_last() {
         let clock = Ticking(Cell::new(0.0));
-        let first = Times::of(0, &clock).unwrap();
-        assert_eq!((first.kernel.kernel, first.quartiles), ("soft", [1.0; 3]));
-        assert!(Times::of(Times::count() - 1, &clock).is_some());
-        assert!(Times::of(Times::count(), &clock).is_none());
+        assert!(time(0, &clock).starts_with("soft.fx16 1 ns\nsoft.fx16 1 ns_lower\n"));
+        assert!(!time(count() - 1, &clock).is_empty() && time(count(), &clock).is_empty());
     }
 }

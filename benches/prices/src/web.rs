@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::Performance;
 
-use crate::time::{Clock, Times};
+use crate::time::Clock;
 
 /// `performance.now()`, whose resolution is 5 microseconds if the page is cross-origin isolated.
 struct PageClock(Performance);
@@ -21,12 +21,12 @@ impl Clock for PageClock {
 /// Returns the number of kernels.
 #[wasm_bindgen]
 pub fn count() -> usize {
-    Times::count()
+    crate::count()
 }
 
-/// Times the kernel of this number. Returns a line of JSON, as the host prints it.
+/// Times the kernel of this number. Returns its lines, as the host prints them.
 #[wasm_bindgen]
 pub fn time(number: usize) -> Option<String> {
     let clock = PageClock(web_sys::window()?.performance()?);
-    serde_json::to_string(&Times::of(number, &clock)?).ok()
+    Some(crate::time(number, &clock))
 }

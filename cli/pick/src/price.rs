@@ -36,7 +36,7 @@ struct OnBoard {
 /// Instructions, bytes, and cycles if they were counted.
 type Counted = (f64, u64, Option<f64>);
 
-/// Returns the recorded price of a kernel. `cargo xtask pick --bless` writes the record.
+/// Returns the recorded price of a kernel. `cargo xtask measure --bless` writes the record.
 fn recorded(chip: Chip, kernel: &str) -> Counted {
     static RECORD: OnceLock<BTreeMap<String, OnBoard>> = OnceLock::new();
     let read = || serde_json::from_str(include_str!("../prices.json")).expect("a record of prices");

@@ -119,12 +119,17 @@ const ROWS = [
 
 /** A script that answers the page's request for the price list. */
 const answering = (list) => `{ const ask = window.fetch.bind(window);
-  window.fetch = (what, ...more) => String(what).endsWith("accuracy-vs-cost.json")
+  window.fetch = (what, ...more) => String(what).endsWith("prices.json")
     ? Promise.resolve(new Response(${JSON.stringify(JSON.stringify(list))})) : ask(what, ...more); }`;
 
 more("prices stand beside the errors", async () => {
-  const rows = ROWS.map(([kernel, stage, format, error, cost]) => ({ kernel, stage, format, error, cost }));
-  await open(FORMS, { script: answering({ rows }) });
+  const record = { errors: { figures: {} } };
+  for (const [kernel, stage, format, error, cost] of ROWS) {
+    const name = `${kernel}.${format}`;
+    record.errors.figures[name] = { stage, ...error };
+    for (const [target, figures] of Object.entries(cost)) ((record[target] ??= { figures: {} }).figures[name] = figures);
+  }
+  await open(FORMS, { script: answering(record) });
   const cells = (selector) => ask((selector) => Array.from(document.querySelectorAll(selector), (row) => row.innerText).join("|"), selector);
   must(await cells("#costs tr"), (costs) => costs.includes("Cortex-M0\t2,500\t5,000") && costs.includes("5 ns\t2.5 ns"), "both costs");
   const marked = ["A\tlit, no attenuation\tf32-cosine\t0.5", "B\tlit, no attenuation\tf32\t0.25"];

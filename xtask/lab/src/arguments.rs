@@ -2,13 +2,9 @@
 
 use std::path::PathBuf;
 
-use measure::boards::FirmwareOptions;
+use measure::MeasureOptions;
 use measure::conform::ConformOptions;
 use measure::device::DeviceOptions;
-use measure::effects::EffectsOptions;
-use measure::frame::FrameOptions;
-use measure::pick::PickOptions;
-use measure::prices::MeasureOptions;
 use measure::rivals::RivalsOptions;
 
 /// The commands of the laboratory.
@@ -23,19 +19,11 @@ pub(crate) enum Request {
     /// Draw the pictures of renderers that are not the project's, and compare the spotlight of
     /// embedded-3dgfx with the kernel's
     Renderers,
-    /// Count what the kernels cost on microcontrollers, in QEMU
-    Firmware(FirmwareOptions),
     /// Build the firmware of a board with a display: rp2040
     Board(DeviceOptions),
-    /// Draw a picture on microcontrollers, in QEMU, and count the instructions of a pixel
-    Frame(FrameOptions),
-    /// Write what each effect costs: instructions a pixel and bytes of flash, on two processors
-    Effects(EffectsOptions),
-    /// Count the prices by which `luminaire pick` chooses an evaluation, in QEMU
-    Pick(PickOptions),
     /// Time frames of the demo and of three.js without a GPU, in one run
     Rivals(RivalsOptions),
-    /// Write the price list of accuracy: errors, and costs on every target
+    /// Measure errors, and costs on every target, and compare them with the record or write it
     Measure(MeasureOptions),
     /// Compare the results of every model, bit by bit, with the conformance vectors on every target
     Conform(ConformOptions),
@@ -81,10 +69,8 @@ mod tests {
     fn a_refused_word_is_named_with_what_is_expected() {
         for (line, name) in [
             ("tset", "tset"),
-            ("effects --check --bless", "--bless"),
             ("measure --check --bless", "--bless"),
             ("measure --target gpu", "wasm-simd"),
-            ("firmware --target cortex-m1", "cortex-m1"),
             ("conform --target cortex-m1", "cortex-m1"),
         ] {
             let error = parse(line).unwrap_err().to_string();

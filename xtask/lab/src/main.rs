@@ -11,7 +11,7 @@ mod steps;
 use std::process::ExitCode;
 
 use clap::Parser;
-use measure::{boards, conform, device, effects, frame, pick, prices, rivals};
+use measure::{conform, device, rivals};
 
 use arguments::Request;
 
@@ -21,13 +21,9 @@ fn main() -> ExitCode {
         Request::Steps(options) => steps::run(options).map(done),
         Request::Pictures => pictures::run().map(done),
         Request::Renderers => renderers::run().map(done),
-        Request::Firmware(options) => boards::run(&options).map(done),
         Request::Board(options) => device::run(&options).map(done),
-        Request::Frame(options) => frame::run(&options).map(done),
-        Request::Effects(options) => effects::run(&options).map(done),
-        Request::Pick(options) => pick::run(&options).map(done),
         Request::Rivals(options) => rivals::run(&options).map(done),
-        Request::Measure(options) => prices::run(&options).map(done),
+        Request::Measure(options) => measure::run(&options).map(done),
         Request::Conform(options) => conform::run(&options),
     };
     outcome.unwrap_or_else(|error| {

@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 use tempfile::TempDir;
 
-use measure::size::program::Program;
+use measure::program::Program;
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
@@ -220,8 +220,8 @@ fn scanline(folder: &Path, progress: &Progress) -> Result<u64> {
     program.has_no_float()?;
     let panics = program.names_of(|name| name.starts_with("core::panicking"));
     ensure!(panics.is_empty(), "there are panics: {}", panics.join(", "));
-    ensure!(program.bytes > 500, "expected a scanline, found {} bytes", program.bytes);
-    Ok(program.bytes)
+    ensure!(program.bytes() > 500, "expected a scanline, found {} bytes", program.bytes());
+    Ok(program.bytes())
 }
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");

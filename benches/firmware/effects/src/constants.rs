@@ -7,7 +7,7 @@ use luminaire::{
     falloff::Soft,
     light::{CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight},
     projector::{CompiledGobo, Shadow},
-    specular::NoSpecular,
+    specular::{NoSpecular, Phong, SpecularLobe},
 };
 
 use crate::{Format, Light};
@@ -37,6 +37,7 @@ constants! {
     "bright.rs" BRIGHT: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "wide.rs" WIDE: CompiledSpotLight<Format, Soft, NoAttenuation>;
     "part.rs" PART: Format;
+    "narrow.rs" NARROW: f32;
     "position.rs" POSITION: Vec3<<Format as Scalar>::Length>;
     "radius.rs" RADIUS: <Format as Scalar>::Length;
     "axis_back.rs" AXIS_BACK: Vec3<<Format as Scalar>::Unit>;
@@ -48,6 +49,9 @@ constants! {
     "directional.rs" DIRECTIONAL: CompiledDirectionalLight<Format>;
     "ambient.rs" AMBIENT: Light;
     "exposure.rs" EXPOSURE: CompiledExposure<Format>;
+    "highlight.rs" HIGHLIGHT: <Phong as SpecularLobe>::Constants<Format>;
+    "diffuse.rs" DIFFUSE: Format;
+    "specular.rs" SPECULAR: Format;
     "matte.rs" MATTE: CompiledMaterial<Format, NoSpecular>;
 }
 

@@ -5,11 +5,11 @@
 
 pub mod constants;
 pub mod effects;
-mod memory;
+mod input;
 mod output;
 
-pub use effects::{Listed, Visit, each};
-pub use memory::{Input, Place, run};
+pub use effects::{Entry, Listed, Visit, each, each_evaluation};
+pub use input::{Input, Inputs, Place, run};
 pub use output::Output;
 
 #[cfg(feature = "f32")]

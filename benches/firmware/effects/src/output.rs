@@ -2,6 +2,7 @@
 
 use luminaire::number::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Rgb, display::Rgb565};
+use luminaire_kernels::Value;
 
 /// A result of an effect.
 pub trait Output {
@@ -22,11 +23,11 @@ macro_rules! outputs {
 }
 
 outputs! {
-    f32: |value| value.to_bits();
-    Fx16: |value| i32::from(value.to_bits()).cast_unsigned();
-    Light16: |value| value.to_bits();
-    Fx32: |value| value.to_bits().cast_unsigned();
-    Light32: |value| (value.to_bits() >> 32) as u32 ^ value.to_bits() as u32;
+    f32: |value| value.bits();
+    Fx16: |value| value.bits();
+    Light16: |value| value.bits();
+    Fx32: |value| value.bits();
+    Light32: |value| value.bits();
     u8: |code| code.into();
     Rgb565: |pixel| pixel.0.into();
 }

@@ -10,8 +10,7 @@ use tools::command;
 use tools::progress::Progress;
 use tools::project;
 
-use crate::boards::Rp2040;
-use crate::frame;
+use crate::{frame, rp2040};
 
 /// Runs firmware in the emulator.
 const SCRIPT: &str = "benches/measure/src/device/rp2040.mjs";
@@ -72,9 +71,8 @@ pub(super) fn check(firmware: &Path, progress: &Progress) -> Result<Vec<String>>
 }
 
 fn run(firmware: &Path, progress: &Progress) -> Result<Recorded> {
-    let emulator = Rp2040::find(progress)?;
     let result = project::target().join("rp2040.json");
-    let mut node = emulator.script(SCRIPT);
+    let mut node = rp2040::script(SCRIPT, progress)?;
     command::answer(node.arg(firmware).arg(PICTURES.to_string()).arg(&result))?;
     let text = fs::read_to_string(&result).context("rp2040js has recorded nothing")?;
     serde_json::from_str(&text).context("rp2040js has recorded something else")

@@ -1,6 +1,6 @@
 //! Counts the pixels that the light reaches, and the others by the reason.
 
-use core::{fmt, slice};
+use core::slice;
 
 use luminaire::{
     Fx16, Scalar, Vec3,
@@ -23,6 +23,11 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// The number of pixels that face away, that are outside the cone, in shadow, and lit.
+    pub fn counts(&self) -> [u32; 4] {
+        [self.facing_away, self.outside, self.in_shadow, self.lit]
+    }
+
     /// Adds the pixels of a row, with the light that arrives there.
     pub(super) fn add(&mut self, key: &Key, sites: &[Site], lights: &[Light16]) {
         const PLACE: Vec3<i32> = Vec3::new(steps(LIGHT[0]), steps(LIGHT[1]), steps(LIGHT[2]));
@@ -48,11 +53,4 @@ fn is_reached(key: &Key, site: &Site) -> bool {
     let mut light = [Light16::ZERO];
     paint::light(key, slice::from_ref(site), &mut light);
     light != [Light16::ZERO]
-}
-
-impl fmt::Display for Tally {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { facing_away, outside, in_shadow, lit } = self;
-        write!(out, "{facing_away} facing away, {outside} outside the cone, {in_shadow} in shadow, {lit} lit")
-    }
 }

@@ -6,8 +6,7 @@ use core::array;
 
 use embedded_graphics_core::pixelcolor::{IntoStorage as _, Rgb565};
 use luminaire::{Fx16, Length, Vec3};
-use luminaire_firmware::board::println;
-use luminaire_firmware::{COUNT, pass};
+use luminaire_firmware::{COUNT, begin_lines, pass, report};
 use luminaire_kernels::scene::{Population, Site, Sites};
 use luminaire_spotlights::{cone, cone16, cone32, ours, pixel, theirs};
 use nalgebra::Point3;
@@ -21,6 +20,7 @@ const HALF: f32 = 22.0;
 type Site16 = (Vec3<Length>, Vec3<Fx16>);
 
 fn spotlights() {
+    begin_lines();
     floats();
     integers();
 }
@@ -35,13 +35,13 @@ fn floats() {
     let mut sites = sites();
     let sites: [Site; COUNT] = array::from_fn(|_| sites.next().expect("an endless sequence"));
     let theirs = theirs(HALF);
-    run("f32 embedded-3dgfx", &sites, word, |site| {
+    run("embedded-3dgfx.f32", &sites, word, |site| {
         theirs.contribution_at(Point3::new(site.point.x, site.point.y, site.point.z))
     });
     let (Ok(light), Ok(light16)) = (ours::<f32>(HALF), ours::<Fx16>(HALF)) else { return };
-    run("f32 cone", &sites, word, |site| cone32(&light, site.point));
-    run("f32 pixel", &sites, word, |site| pixel(&light, site.point, site.normal));
-    run("fx16 cone-of-floats", &sites, word, |site| cone16(&light16, Fx16::point(site.point.into())));
+    run("cone.f32", &sites, word, |site| cone32(&light, site.point));
+    run("pixel.f32", &sites, word, |site| pixel(&light, site.point, site.normal));
+    run("cone-of-floats.fx16", &sites, word, |site| cone16(&light16, Fx16::point(site.point.into())));
 }
 
 #[inline(never)]
@@ -53,8 +53,8 @@ fn integers() {
     });
     let Ok(light) = ours::<Fx16>(HALF) else { return };
     let word = |(point, _): &Site16| point.x.to_bits() as u32;
-    run("fx16 cone", &sites, word, |(point, _)| cone16(&light, *point));
-    run("fx16 pixel", &sites, word, |(point, normal)| pixel(&light, *point, *normal));
+    run("cone.fx16", &sites, word, |(point, _)| cone16(&light, *point));
+    run("pixel.fx16", &sites, word, |(point, normal)| pixel(&light, *point, *normal));
 }
 
 fn word(site: &Site) -> u32 {
@@ -64,6 +64,7 @@ fn word(site: &Site) -> u32 {
 // Not inlined: each kernel has its own copy of the loop.
 #[inline(never)]
 fn run<I>(name: &str, inputs: &[I; COUNT], word: impl Fn(&I) -> u32, kernel: impl Fn(&I) -> Rgb565) {
-    println!("spotlight f32 empty {COUNT} {:08x}", pass(inputs, word));
-    println!("spotlight {name} {COUNT} {:08x}", pass(inputs, |input| kernel(input).into_storage().into()));
+    let (kernel_name, format) = name.split_once('.').unwrap_or_default();
+    report("empty", format, pass(inputs, word));
+    report(kernel_name, format, pass(inputs, |input| kernel(input).into_storage().into()));
 }

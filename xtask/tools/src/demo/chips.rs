@@ -31,12 +31,12 @@ const CHIPS: [Chip; 4] = [
 const EVALUATIONS: [&str; 5] = ["fx16-quick", "fx16", "fx32", "f32-quick", "f32"];
 
 /// The stage of the recorded picture that depends on the evaluation of the light.
-const LIGHT: &str = "light";
+const LIGHT: &str = "frame.light";
 
-/// Writes the list into the demo's folder, from the records in `docs`.
+/// Writes the list into the demo's folder, from the record in `docs`.
 pub(super) fn write(docs: &Path, site: &Path) -> Result<()> {
     let file = site.join(FILE);
-    let list = list(&read(docs, "frame.json")?, &read(docs, "accuracy-vs-cost.json")?)?;
+    let list = list(&read(docs, "prices.json")?)?;
     fs::write(&file, list.to_string()).with_context(|| format!("cannot write {}", file.display()))
 }
 
@@ -47,69 +47,54 @@ fn read(docs: &Path, name: &str) -> Result<Value> {
 
 /// The chips, each with the instructions and cycles of the recorded picture but for its lit points.
 /// `reached` is the number of lit points: what a shadow covers is lit before the shadow is known.
-fn list(frame: &Value, prices: &Value) -> Result<Value> {
-    let pixels = Pixels::parse(frame["light"].as_str().context("the frame has no pixels")?)?;
+fn list(record: &Value) -> Result<Value> {
+    let pixels = |name: &str| {
+        let count = record["picture"]["figures"][name]["pixels"].as_f64();
+        count.with_context(|| format!("the picture does not say how many pixels are {name}"))
+    };
+    let skipped = [("away", pixels("facing-away")?), ("outside", pixels("outside")?)];
     let chips = CHIPS.iter().map(|chip| {
-        let board = &frame["boards"][chip.name];
-        let rest = EVALUATIONS.iter().map(|evaluation| {
-            let rest = |unit| pixels.rest(board, prices, chip.name, evaluation, unit);
+        let figures = &record[chip.name]["figures"];
+        let all = EVALUATIONS.iter().map(|evaluation| {
+            let rest = |unit| rest(figures, skipped, evaluation, unit).context(chip.name);
             Ok((*evaluation, json!({ "instructions": rest("instructions")?, "cycles": rest("cycles")? })))
         });
         Ok(json!({
             "name": chip.name, "title": chip.title, "part": chip.part, "megahertz": chip.megahertz,
-            "rest": rest.collect::<Result<BTreeMap<_, _>>>()?,
+            "rest": all.collect::<Result<BTreeMap<_, _>>>()?,
         }))
     });
     Ok(json!({
-        "pixels": frame["pixels"], "reached": pixels.reached, "chips": chips.collect::<Result<Vec<_>>>()?,
+        "pixels": pixels("width")? * pixels("height")?,
+        "reached": pixels("in-shadow")? + pixels("lit")?,
+        "chips": chips.collect::<Result<Vec<_>>>()?,
     }))
 }
 
-/// How many pixels of the recorded picture cost how much light.
-struct Pixels {
-    facing_away: f64,
-    outside: f64,
-    reached: f64,
+/// Instructions or cycles of the recorded picture but for its lit points; `None` if they were not counted.
+/// `skipped` are the early-outs, with the number of their pixels.
+fn rest(figures: &Value, skipped: [(&str, f64); 2], evaluation: &str, unit: &str) -> Result<Option<f64>> {
+    let counted = picture(figures, unit, LIGHT);
+    if counted == 0.0 {
+        return Ok(None);
+    }
+    let mut rest = counted;
+    for (kernel, pixels) in skipped {
+        rest += pixels * price(figures, kernel, evaluation, unit)?;
+    }
+    Ok(Some(rest.round()))
 }
 
-impl Pixels {
-    fn parse(text: &str) -> Result<Self> {
-        let count = |what: &str| {
-            let part = text.split(", ").find_map(|part| part.strip_suffix(what)?.trim().parse::<f64>().ok());
-            part.with_context(|| format!("the frame does not say how many pixels are {what}"))
-        };
-        Ok(Self {
-            facing_away: count("facing away")?,
-            outside: count("outside the cone")?,
-            reached: count("in shadow")? + count("lit")?,
-        })
-    }
-
-    /// Instructions or cycles of the picture on a chip but for its lit points; `None` if they were
-    /// not counted.
-    fn rest(
-        &self,
-        board: &Value,
-        prices: &Value,
-        chip: &str,
-        evaluation: &str,
-        unit: &str,
-    ) -> Result<Option<f64>> {
-        let Some(stages) = board[unit].as_object() else { return Ok(None) };
-        let others = stages.iter().filter(|(stage, _)| *stage != LIGHT);
-        let others: f64 = others.filter_map(|(_, count)| count.as_f64()).sum();
-        let away = price(prices, "away", evaluation, chip, unit)?;
-        let outside = price(prices, "outside", evaluation, chip, unit)?;
-        Ok(Some((others + self.facing_away * away + self.outside * outside).round()))
-    }
+/// The sum of the stages of the recorded picture but for one.
+fn picture(figures: &Value, unit: &str, without: &str) -> f64 {
+    let stages = figures.as_object().into_iter().flatten();
+    let stages = stages.filter(|(name, _)| name.starts_with("frame.") && *name != without);
+    stages.filter_map(|(_, figures)| figures[unit].as_f64()).sum()
 }
 
-fn price(prices: &Value, kernel: &str, evaluation: &str, chip: &str, unit: &str) -> Result<f64> {
-    let mut rows = prices["rows"].as_array().into_iter().flatten();
-    let row =
-        rows.find(|row| row["kernel"] == kernel && row["format"] == evaluation && row["stage"] == "lit");
-    row.and_then(|row| row["cost"][chip][unit].as_f64())
-        .with_context(|| format!("the price list has no {unit} of {kernel} in {evaluation} on the {chip}"))
+fn price(figures: &Value, kernel: &str, evaluation: &str, unit: &str) -> Result<f64> {
+    let name = format!("{kernel}.{evaluation}");
+    figures[&name][unit].as_f64().with_context(|| format!("the record has no {unit} of {name}"))
 }
 
 #[cfg(test)]
@@ -121,16 +106,18 @@ mod tests {
     /// here as for every other evaluation.
     #[test]
     fn the_estimate_of_a_picture_is_near_the_recorded_one() {
-        let docs = project::root().join("docs");
-        let [frame, prices] = ["frame.json", "accuracy-vs-cost.json"].map(|name| read(&docs, name).unwrap());
-        let list = list(&frame, &prices).unwrap();
+        let record = read(&project::root().join("docs"), "prices.json").unwrap();
+        let list = list(&record).unwrap();
         let number = |value: &Value| value.as_f64().unwrap();
         for chip in list["chips"].as_array().unwrap() {
             let name = chip["name"].as_str().unwrap();
+            let figures = &record[name]["figures"];
             for unit in ["instructions", "cycles"] {
-                let Some(stages) = frame["boards"][name][unit].as_object() else { continue };
-                let counted: f64 = stages.values().map(number).sum();
-                let point = price(&prices, "lit-inverse-square", "fx16-quick", name, unit).unwrap();
+                let counted = picture(figures, unit, "");
+                if counted == 0.0 {
+                    continue;
+                }
+                let point = price(figures, "lit-inverse-square", "fx16-quick", unit).unwrap();
                 let estimated = number(&chip["rest"]["fx16-quick"][unit]) + number(&list["reached"]) * point;
                 let error = estimated / counted - 1.0;
                 assert!(error.abs() < 0.1, "{name}: {estimated} {unit}, {counted} were counted");

@@ -48,7 +48,7 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
         let step = progress.begin("Gathering", project::shown(&site));
         let docs = project::root().join("docs");
         let mut files = project::files(&project::root().join("wasm-demo/web"), &[])?;
-        for (folder, name) in [("", "accuracy-vs-cost.json"), ("", "effects.json"), ("figures", PREVIEW)] {
+        for (folder, name) in [("", "prices.json"), ("figures", PREVIEW)] {
             let file = docs.join(folder).join(name);
             let content = fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?;
             files.insert(name.into(), content);

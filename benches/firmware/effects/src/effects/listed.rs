@@ -4,8 +4,9 @@ use luminaire::light::{CompiledMaterial, CompiledSpotLight};
 #[allow(clippy::wildcard_imports, reason = "the types of the lists")]
 use luminaire::{attenuation::*, falloff::*, specular::*};
 
+use super::{Effect, Effects, Entry, Visit};
 use crate::constants::DIRECTIONAL;
-use crate::{Format, Irradiance, Light, Surface};
+use crate::{Format, Inputs, Irradiance, Light, Surface};
 
 /// A model of a list, and the effect that shows its cost.
 pub trait Listed {
@@ -23,5 +24,5 @@ pub trait Listed {
 }
 
 // The build script writes the models: for each, its constant as an implementation of `Listed`, and
-// its call in the function `each`.
+// its row of the catalogue in the functions `falloffs`, `attenuations` and `lobes`.
 include!(concat!(env!("OUT_DIR"), "/listed.rs"));

@@ -1,0 +1,89 @@
+//! The parts of other documents with figures: the README's prices, and the picture that firmware draws.
+
+use super::{cells, cost, error, table};
+use crate::plot;
+use crate::record::Record;
+use crate::target::{BOARDS, Target};
+
+/// The rows of the README, and their titles.
+const ROWS: [(&str, &str); 4] = [
+    ("soft.fx16", "soft edge, `Fx16`"),
+    ("powf-libm.rival", "power of the cosine, libm's `powf`"),
+    ("lit-inverse-square.fx16", "lit point, `Fx16`"),
+    ("lit-inverse-square.f32", "lit point, `f32`"),
+];
+
+/// The part of the README: errors in a wide and a narrow cone, and costs.
+pub(super) fn readme(record: &Record) -> String {
+    let targets = ["cortex-m0", "cortex-m4f", "rv32imc", "host"].map(Target::named).into_iter().flatten();
+    let targets: Vec<_> = targets.collect();
+    let mut heads = cells(["", "error at 22°", "at 1°"]);
+    heads.extend(targets.iter().map(|target| match target {
+        Target::Board(board) => format!("{}, instr.", board.title),
+        _ => "host, ns".to_owned(),
+    }));
+    let rows = ROWS.map(|(name, title)| {
+        let error_in =
+            |group: &str| record.group(group).number(name, "codes").map_or("refused".to_owned(), error);
+        let mut row = vec![title.to_owned(), error_in("errors"), error_in("errors at 1")];
+        let price = |target: &Target| record.group(target.name()).number(name, target.unit());
+        row.extend(targets.iter().map(|target| price(target).map_or_else(String::new, cost)));
+        row
+    });
+    let picture = plot::FILE;
+    table(&heads, rows)
+        + &format!("\n![Error against instructions on a Cortex-M0, both logarithmic]({picture})\n")
+}
+
+/// The stages of the picture, and their titles.
+const STAGES: [(&str, &str); 5] = [
+    ("geometry", "geometry: what the pixel sees, point and normal"),
+    ("ambient", "pixels of ambient light alone, from a table"),
+    ("light", "light: falloff, Lambert's cosine, inverse square"),
+    ("shadow", "shadow: is the ball or the column in the way"),
+    ("display", "display: the dithered pixel of the material in its light, where the light arrives"),
+];
+
+/// Instructions and cycles of a pixel, by stage and board.
+pub(super) fn frame(record: &Record) -> String {
+    let picture = record.group("picture");
+    let pixels = |name: &str| picture.number(name, "pixels").unwrap_or_default();
+    let count = pixels("width") * pixels("height");
+    let mut columns = Vec::new();
+    for board in &BOARDS {
+        columns.push((board.title, board.name, "instructions"));
+        if record.group(board.name).number("frame.light", "cycles").is_some() {
+            columns.push(("cycles of an RP2040", board.name, "cycles"));
+        }
+    }
+    let row = |title: &str, stages: &[&str]| {
+        let sum = |(_, board, unit): &(&str, &str, &str)| {
+            let group = record.group(board);
+            let figures = stages.iter().filter_map(|stage| group.number(&format!("frame.{stage}"), unit));
+            format!("{:.1}", figures.sum::<f64>() / count)
+        };
+        [title.to_owned()].into_iter().chain(columns.iter().map(sum)).collect::<Vec<_>>()
+    };
+    let mut rows: Vec<_> = STAGES.iter().map(|(stage, title)| row(title, &[*stage])).collect();
+    rows.push(row("the picture without the spotlight", &["geometry", "ambient"]));
+    rows.push(row("the picture with the spotlight", &STAGES.map(|(stage, _)| stage)));
+    rows.push(row("so the spotlight", &["light", "shadow", "display"]));
+    let flash = columns.iter().map(|(_, board, unit)| match *unit {
+        "cycles" => String::new(),
+        _ => {
+            record.group(board).number("frame", "kibibytes").map_or_else(String::new, |size| size.to_string())
+        }
+    });
+    rows.push(["KiB of flash, the whole program".to_owned()].into_iter().chain(flash).collect());
+    let heads =
+        ["instructions a pixel, on average"].into_iter().chain(columns.iter().map(|(title, ..)| *title));
+    let heads: Vec<_> = heads.map(str::to_owned).collect();
+    table(&heads, rows)
+        + &format!(
+            "\nOf {count} pixels: {} facing away, {} outside the cone, {} in shadow, {} lit.\n",
+            pixels("facing-away"),
+            pixels("outside"),
+            pixels("in-shadow"),
+            pixels("lit")
+        )
+}

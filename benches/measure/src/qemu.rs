@@ -1,0 +1,167 @@
+//! Running programs in QEMU, with the instruction counter loaded or without.
+
+use std::collections::BTreeMap;
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+use tools::progress::Progress;
+use tools::{command, install, project};
+
+use crate::target::Board;
+
+/// Upper bound, in seconds, of the run time of firmware on a busy machine. Without it a crashed processor
+/// would loop for ever.
+const PATIENCE: &str = "600";
+
+/// Debian's packages of the emulators, and of the files that the emulators share.
+const PACKAGES: [&str; 4] = ["qemu-system-arm", "qemu-system-misc", "qemu-system-common", "qemu-system-data"];
+
+/// The executions in a region between two markers, by address.
+pub(crate) type Region = BTreeMap<u64, u64>;
+
+/// QEMU with the arguments that select a board.
+#[derive(Debug)]
+pub(crate) struct Qemu {
+    program: PathBuf,
+    board: &'static Board,
+    /// Major and minor.
+    version: (u32, u32),
+}
+
+impl Qemu {
+    /// Finds the emulator of a board, on PATH or among unpacked packages. As root on Debian, unpacks the
+    /// packages if they are missing.
+    pub(crate) fn find(board: &'static Board, progress: &Progress) -> Result<Self> {
+        let folder = project::target().join("tools/qemu");
+        let unpacked = folder.join("usr/bin").join(board.emulator);
+        let program = match command::on_path(&[board.emulator]) {
+            Some(program) => program,
+            None if unpacked.is_file() => unpacked,
+            None if install::debian_root() => {
+                unpack(&folder, progress)?;
+                unpacked
+            }
+            None => {
+                bail!("{} is missing: on Debian, `apt-get install {}`", board.emulator, PACKAGES.join(" "))
+            }
+        };
+        let answer = command::answer(Command::new(&program).arg("--version"))?;
+        let version = version(&answer).with_context(|| format!("QEMU has no version: {answer}"))?;
+        Ok(Self { program, board, version })
+    }
+
+    /// QEMU's version and the board, as in `QEMU 7.2, -M microbit`.
+    pub(crate) fn describe(&self) -> String {
+        let (major, minor) = self.version;
+        format!("QEMU {major}.{minor}, {}", self.board.machine.join(" "))
+    }
+
+    /// A call that still lacks the firmware. `settings` are further ones of semihosting.
+    pub(crate) fn command(&self, settings: &str) -> Command {
+        let mut qemu = if cfg!(unix) { Command::new("timeout") } else { Command::new(&self.program) };
+        if cfg!(unix) {
+            qemu.arg(PATIENCE).arg(&self.program);
+        }
+        qemu.args(self.board.machine).args(["-nographic", "-monitor", "none", "-serial", "none"]);
+        qemu.arg("-semihosting-config").arg(format!("enable=on,target=native{settings}"));
+        qemu
+    }
+
+    /// Runs firmware with the counter. Returns what it prints, and its regions.
+    pub(crate) fn count(&self, firmware: &Path, progress: &Progress) -> Result<(String, Vec<Region>)> {
+        let counter = self.counter(progress)?;
+        let counts = project::target().join(format!("{}.counts", self.board.name));
+        // The file of an earlier run must not pass for that of this run.
+        fs::write(&counts, "")?;
+        // In a list of options QEMU expects each comma of a path doubled.
+        let path = |path: &Path| path.display().to_string().replace(',', ",,");
+        let mut qemu = self.command("");
+        qemu.arg("-plugin").arg(format!("{},out={}", path(&counter), path(&counts)));
+        let printed = command::answer(qemu.arg("-kernel").arg(firmware))?;
+        Ok((printed, regions(&fs::read_to_string(&counts)?)?))
+    }
+
+    /// Builds the counter.
+    fn counter(&self, progress: &Progress) -> Result<PathBuf> {
+        let mut build = command::cargo("build");
+        build.args(["--release", "--package", "luminaire-counter"]);
+        if self.version >= (9, 1) {
+            build.args(["--features", "api-3"]);
+        }
+        progress.run(build)?;
+        Ok(project::target().join("release").join(format!("{DLL_PREFIX}luminaire_counter{DLL_SUFFIX}")))
+    }
+}
+
+/// Reads the counter's file: `region address count` on each line. A region without executed instructions
+/// has no line.
+fn regions(text: &str) -> Result<Vec<Region>> {
+    let mut regions = Vec::new();
+    for line in text.lines() {
+        let words: Vec<_> = line.split(' ').collect();
+        let [region, address, count] = words[..] else { bail!("not a count: {line}") };
+        let region: usize = region.parse()?;
+        regions.resize(regions.len().max(region + 1), Region::new());
+        regions[region].insert(u64::from_str_radix(address, 16)?, count.parse()?);
+    }
+    Ok(regions)
+}
+
+/// The version in `QEMU emulator version 7.2.22 (Debian …)`.
+fn version(answer: &str) -> Option<(u32, u32)> {
+    let (_, version) = answer.lines().next()?.split_once("version ")?;
+    let mut numbers = version.split(|c: char| !c.is_ascii_digit()).map_while(|number| number.parse().ok());
+    Some((numbers.next()?, numbers.next()?))
+}
+
+/// Unpacks the packages instead of installing them, and installs the libraries that they need. The
+/// packages have some of the same files as a `qemu-utils` of another release: installed beside one, they
+/// would leave the machine's packages in disorder.
+fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
+    fs::create_dir_all(folder)?;
+    for words in [&["update"][..], &[&["download"][..], &PACKAGES].concat()] {
+        install::apt_get(words, folder, progress)?;
+    }
+    let mut libraries = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let file = entry?.path();
+        if file.extension().is_none_or(|extension| extension != "deb") {
+            continue;
+        }
+        let depends = command::answer(Command::new("dpkg-deb").arg("-f").arg(&file).arg("Depends"))?;
+        // The first of each choice, as in `libc6 (>= 2.34), libfdt1 | libfdt2`.
+        let first = depends.split(',').filter_map(|choice| choice.split_whitespace().next());
+        libraries.extend(first.filter(|name| name.starts_with("lib")).map(str::to_owned));
+        let mut extract = Command::new("dpkg-deb");
+        extract.arg("-x").arg(&file).arg(folder);
+        progress.run(extract)?;
+    }
+    libraries.sort_unstable();
+    libraries.dedup();
+    install::apt(&libraries.iter().map(String::as_str).collect::<Vec<_>>(), progress)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn version_is_read_with_and_without_a_distribution() {
+        let debian = "QEMU emulator version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18)\nCopyright (c) 2003-2022\n";
+        assert_eq!(version(debian), Some((7, 2)));
+        assert_eq!(version("QEMU emulator version 10.1.0"), Some((10, 1)));
+        assert_eq!(version("qemu-system-arm: not a version"), None);
+    }
+
+    #[test]
+    fn regions_are_read_also_where_they_are_empty() {
+        let regions = regions("1 10a 3\n1 10c 4\n2 10a 1\n").unwrap();
+        assert_eq!(regions.iter().map(|region| region.values().sum::<u64>()).collect::<Vec<_>>(), [0, 7, 1]);
+        for text in ["0 10a\n", "0 xyz 1\n"] {
+            assert!(super::regions(text).is_err(), "{text}");
+        }
+    }
+}

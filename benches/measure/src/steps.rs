@@ -1,0 +1,99 @@
+//! The laboratory's part of `cargo xtask test` and `cargo xtask full`.
+
+use anyhow::ensure;
+
+use crate::effects::{EMPTY, Effects, Format, UNUSED, write_programs};
+use crate::proof::{CONFIGURATIONS, no_panic};
+use crate::record::Record;
+use crate::target::{BOARDS, Target};
+use crate::{c, conform, counted, device, on};
+use tools::suite::Suite;
+use tools::{command, project, tally};
+
+/// Upper bound, in bytes of flash, of a soft spotlight with Lambert's cosine in `Fx16` on the
+/// smallest processor.
+const BUDGET: u64 = 1920;
+
+/// The program of that spotlight.
+const SPOT: &str = "lit";
+
+/// Adds the promises that need a linker or other processors than the host's: no panic, nothing for what is
+/// not used, the budget of bytes, and the same bits. What panics does so on every processor.
+pub fn smallest_board(suite: &mut Suite) {
+    suite.remarked("effects: no function panics and none allocates on cortex-m0", |progress| {
+        Ok(vec![no_panic(CONFIGURATIONS[0], &BOARDS[0], &[Format::Fx16], progress)?])
+    });
+    linked(suite);
+    conform::steps(suite, false);
+}
+
+/// Adds all that is promised or recorded of any board.
+pub fn all_boards(suite: &mut Suite) {
+    firmware(suite);
+    for board in &BOARDS {
+        suite.step(&format!("firmware: the counter is exact on {}", board.name), |progress| {
+            counted::is_exact(board, progress)
+        });
+        suite.remarked(&format!("measure: the counts are those on record on {}", board.name), |progress| {
+            Record::check(&on(Target::Board(board), true, progress)?)
+        });
+        suite.remarked(
+            &format!("effects: no function panics and none allocates on {}", board.name),
+            |progress| Ok(vec![no_panic(CONFIGURATIONS[0], board, &Format::ALL, progress)?]),
+        );
+    }
+    for configuration in &CONFIGURATIONS[1..] {
+        let name = format!("effects: no function panics in the configuration {}", configuration.0);
+        suite.remarked(&name, |progress| {
+            Ok(vec![no_panic(*configuration, &BOARDS[0], &Format::ALL, progress)?])
+        });
+    }
+    linked(suite);
+    suite.remarked("measure: the errors are those on record", |progress| {
+        Record::check(&on(Target::Errors, true, progress)?)
+    });
+    c::steps(suite);
+    device::steps(suite);
+    conform::steps(suite, true);
+}
+
+/// The firmware on the host: format, lints and its own tests.
+fn firmware(suite: &mut Suite) {
+    let cargo = |subcommand: &str, arguments: &[&str]| {
+        let mut cargo = command::cargo(subcommand);
+        cargo.args(arguments).current_dir(project::root().join(counted::FIRMWARE));
+        cargo
+    };
+    suite.step("firmware: cargo fmt", |progress| progress.run(cargo("fmt", &["--all", "--check"])));
+    suite.step("firmware: cargo clippy", |progress| {
+        write_programs()?;
+        let options = ["--workspace", "--features", "conform,effects", "--all-targets", "--", "-Dwarnings"];
+        progress.run(cargo("clippy", &options))
+    });
+    suite.count("firmware: its tests on the host", |progress| {
+        tally::cargo_test(cargo("test", &["--workspace", "--lib"]), progress)
+    });
+}
+
+/// What linked programs prove of effects that are not used, and of the soft spotlight.
+fn linked(suite: &mut Suite) {
+    suite.step("effects: what is not used adds no byte and no instruction", |progress| {
+        let names = [EMPTY, SPOT, UNUSED];
+        let options: Vec<_> = names.iter().flat_map(|name| ["--bin", name]).collect();
+        let effects = Effects::build_some(&options, &BOARDS[0], Format::Fx16, progress)?;
+        let [empty, alone, beside] = names.map(|name| effects.program(name));
+        let (empty, alone, beside) = (empty?, alone?, beside?);
+        // A program that could name other effects, but does not, is the same to the byte.
+        ensure!(
+            alone.flash == beside.flash,
+            "{} bytes alone, {} beside others",
+            alone.bytes(),
+            beside.bytes()
+        );
+        let used = empty.names_of(|name| name.contains("luminaire::"));
+        ensure!(used.is_empty(), "the empty program has {}", used.join(", "));
+        let bytes = alone.bytes() - empty.bytes();
+        ensure!(bytes <= BUDGET, "the soft spotlight takes {bytes} bytes, and {BUDGET} are promised");
+        Ok(())
+    });
+}

@@ -1,0 +1,120 @@
+//! The targets: this machine, a browser, and processors on boards that QEMU emulates.
+
+/// What is measured together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// The errors, which are the same on every target.
+    Errors,
+    /// This machine; costs are times.
+    Host,
+    /// A browser, with or without vector instructions; costs are times.
+    Browser {
+        /// Whether it may use vector instructions.
+        simd: bool,
+    },
+    /// A microcontroller; costs are instructions.
+    Board(&'static Board),
+}
+
+/// A processor with the board that it sits on.
+#[derive(Debug, PartialEq)]
+pub struct Board {
+    /// The processor, as the command line and the record name it.
+    pub name: &'static str,
+    /// The processor's name in texts for people.
+    pub title: &'static str,
+    /// The target that firmware for it is compiled for.
+    pub target: &'static str,
+    /// The program of QEMU that emulates the board.
+    pub emulator: &'static str,
+    /// QEMU's arguments that select the board.
+    pub machine: &'static [&'static str],
+}
+
+/// All boards: the Cortex-M from the smallest up, then a RISC-V without a floating point unit.
+pub static BOARDS: [Board; 4] = [
+    Board {
+        name: "cortex-m0",
+        title: "Cortex-M0",
+        target: "thumbv6m-none-eabi",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "microbit"],
+    },
+    Board {
+        name: "cortex-m3",
+        title: "Cortex-M3",
+        target: "thumbv7m-none-eabi",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "lm3s6965evb"],
+    },
+    Board {
+        name: "cortex-m4f",
+        title: "Cortex-M4F",
+        target: "thumbv7em-none-eabihf",
+        emulator: "qemu-system-arm",
+        machine: &["-M", "mps2-an386"],
+    },
+    Board {
+        name: "rv32imc",
+        title: "RV32IMC",
+        target: "riscv32imc-unknown-none-elf",
+        emulator: "qemu-system-riscv32",
+        machine: &["-M", "virt", "-bios", "none", "-cpu", "rv32,a=false,f=false,d=false"],
+    },
+];
+
+impl Target {
+    /// Every target, in the order of the page.
+    pub fn all() -> Vec<Self> {
+        let others = [Self::Errors, Self::Host, Self::Browser { simd: false }, Self::Browser { simd: true }];
+        others.into_iter().chain(BOARDS.iter().map(Self::Board)).collect()
+    }
+
+    /// Returns the target of this name, or an error that lists the names.
+    pub fn named(name: &str) -> Result<Self, String> {
+        let names: Vec<_> = Self::all().iter().map(Self::name).collect();
+        let found = Self::all().into_iter().find(|target| target.name() == name);
+        found.ok_or_else(|| format!("target = {name}: expected one of {}", names.join(", ")))
+    }
+
+    /// The name on the command line and in the record.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Errors => "errors",
+            Self::Host => "host",
+            Self::Browser { simd: false } => "wasm",
+            Self::Browser { simd: true } => "wasm-simd",
+            Self::Board(board) => board.name,
+        }
+    }
+
+    /// The name for people.
+    pub fn title(&self) -> &'static str {
+        match self {
+            Self::Errors => "Errors",
+            Self::Host => "Host",
+            Self::Browser { simd: false } => "Browser",
+            Self::Browser { simd: true } => "Browser, SIMD",
+            Self::Board(board) => board.title,
+        }
+    }
+
+    /// The unit of the costs.
+    pub fn unit(&self) -> &'static str {
+        if matches!(self, Self::Board(_)) { "instructions" } else { "ns" }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn target_is_found_by_its_name_or_the_names_are_told() {
+        for target in Target::all() {
+            assert_eq!(Target::named(target.name()), Ok(target));
+        }
+        let refused = Target::named("gpu").unwrap_err();
+        assert!(refused.contains("gpu") && refused.contains("wasm-simd"), "{refused}");
+    }
+}
