@@ -15,7 +15,7 @@ use crate::features::{ALL, BARE_METAL, SETS, STD};
 use crate::{contributing, features, lab, msrv, scripts, semver};
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
-const TOOLS: [&str; 6] = ["browser", "lab", "luminaire-counter", "measure", "tools", "xtask"];
+const TOOLS: [&str; 5] = ["lab", "luminaire-counter", "measure", "tools", "xtask"];
 
 /// How the names of steps begin that are of this program alone: they run without the laboratory.
 const OWN: [&str; 13] = [

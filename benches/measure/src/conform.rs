@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail, ensure};
-use browser::Visit;
+use tools::browser::Visit;
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::counted::{self, FIRMWARE};

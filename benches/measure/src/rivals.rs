@@ -12,12 +12,12 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
-use browser::turntable::{Frame, LOADS, Load};
-use browser::{Act, Visit, WebGl};
 use serde::Deserialize;
+use tools::browser::{Act, Visit, WebGl};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
+use tools::turntable::{Frame, LOADS, Load};
 use tools::{install, project};
 
 /// The files of the package that the page imports.

@@ -9,11 +9,11 @@ use luminaire::dynamic::Effect;
 use serde_json::Value;
 
 use crate::record::{Group, Record};
-use browser::turntable::{self, LOADS};
-use browser::{Act, Found, Visit};
+use tools::browser::{Act, Found, Visit};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
+use tools::turntable::{self, LOADS};
 use tools::{command, project, toolchain, wasm};
 
 /// Outer half angles in degrees at which errors are measured beside the standard cone, because there the

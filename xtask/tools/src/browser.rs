@@ -1,10 +1,14 @@
-//! Programs that drive browsers.
+//! Pages in a headless Chromium. [Scripts](../../browser) drive the browser by puppeteer-core; the [tests of the
+//! page](../../../wasm-demo/tests/browser) start it the same way.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::{env, fs};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
+use serde::Deserialize;
+use serde_json::{Value, json};
 
 use crate::progress::Progress;
 use crate::{command, install, project};
@@ -44,4 +48,87 @@ pub fn check(address: &str, picture: Option<&Path>, progress: &Progress) -> Resu
     let verdict = command::answer(&mut node)?;
     step.done();
     Ok(verdict)
+}
+
+/// What draws the WebGL of pages on a machine without a GPU.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum WebGl {
+    /// SwiftShader, which is a part of Chromium.
+    SwiftShader,
+    /// llvmpipe, which is a part of Mesa.
+    Llvmpipe,
+}
+
+/// Lets Chromium draw without a GPU, as on a machine that has none.
+const NO_GPU: &str = "--disable-gpu";
+
+/// Lets Chromium draw by Mesa's OpenGL, on an X display.
+const MESA: [&str; 4] =
+    ["--ozone-platform=x11", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist"];
+
+/// Something that is done with a page.
+#[derive(Clone, Debug)]
+pub enum Act {
+    /// Evaluates a JavaScript expression; a promise is awaited.
+    Ask(String),
+    /// Writes a PNG of the page, of 1440 x 900 pixels.
+    Picture(PathBuf),
+}
+
+/// A page to open.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Visit<'a> {
+    /// Its address.
+    pub address: &'a str,
+    /// A script that runs before the page's own.
+    pub script: &'a str,
+    /// What draws its WebGL, if it has any.
+    pub web_gl: Option<WebGl>,
+}
+
+/// What a visit has found.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Found {
+    /// The browser's name and version.
+    pub version: String,
+    /// The value of each act; `null` of a picture.
+    pub values: Vec<Value>,
+}
+
+impl Visit<'_> {
+    /// Opens the page, waits until it is ready and acts. It is an error if the page complains on its
+    /// console.
+    pub fn run(&self, acts: &[Act], progress: &Progress) -> Result<Found> {
+        let is_mesa = self.web_gl == Some(WebGl::Llvmpipe);
+        let mut flags = if is_mesa { MESA.to_vec() } else { vec![NO_GPU] };
+        flags.extend((self.web_gl == Some(WebGl::SwiftShader)).then_some("--enable-unsafe-swiftshader"));
+        let acts = acts.iter().map(|act| match act {
+            Act::Ask(expression) => json!({ "ask": expression }),
+            Act::Picture(file) => json!({ "picture": file }),
+        });
+        let request = json!({
+            "address": self.address, "script": self.script, "flags": flags, "display": is_mesa,
+            "acts": acts.collect::<Vec<_>>(),
+        });
+        let mut node = node(progress)?;
+        if is_mesa {
+            node.env("XVFB", find("XVFB", &["Xvfb"], &["xvfb", "libgl1-mesa-dri"], progress)?);
+        }
+        node.arg(project::root().join("xtask/browser/drive.mjs"))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped());
+        let mut child = node.stderr(Stdio::piped()).spawn().context("cannot start node")?;
+        child.stdin.take().context("node takes no input")?.write_all(request.to_string().as_bytes())?;
+        let ended = child.wait_with_output()?;
+        if !ended.status.success() {
+            bail!("{}: {}", self.address, String::from_utf8_lossy(&ended.stderr).trim());
+        }
+        serde_json::from_slice(&ended.stdout).context("the browser's script has not printed JSON")
+    }
+
+    /// The value of a single expression in the page.
+    pub fn ask(&self, expression: &str, progress: &Progress) -> Result<Value> {
+        let mut found = self.run(&[Act::Ask(expression.to_owned())], progress)?;
+        found.values.pop().context("the page has no answer")
+    }
 }

@@ -13,4 +13,5 @@ pub mod server;
 pub mod suite;
 pub mod tally;
 pub mod toolchain;
+pub mod turntable;
 pub mod wasm;

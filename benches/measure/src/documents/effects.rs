@@ -1,9 +1,9 @@
 //! The page `docs/EFFECTS.md`.
 
 use anyhow::{Context, Result};
-use browser::turntable::LOADS;
 use luminaire::dynamic::Effect;
 use luminaire_effects::Entry;
+use tools::turntable::LOADS;
 
 use super::{cells, table};
 use crate::effects::{SUITED, catalogue, figure};
