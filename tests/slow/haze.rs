@@ -20,7 +20,7 @@ use support::{
     in_scattering::Beam,
     oracle::{self, DVec3},
     sweep,
-    views::{distances, exact, exactly, near_beam, place, view},
+    views::{distances, exactly, view},
     with_every_shape,
 };
 

@@ -4,7 +4,7 @@
 use fastrand::Rng;
 use luminaire::{
     Cone, Fx16, Fx32, HalfAngle,
-    falloff::{Falloff, Soft, Step},
+    falloff::{Falloff, Step},
 };
 use support::{falloffs::Shape, format::Format, oracle, sweep, with_every_shape};
 

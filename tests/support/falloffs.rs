@@ -153,6 +153,21 @@ pub fn sound<T>(sample: Result<T, luminaire::Error>) -> T {
     sample.expect("the parameters of the list are sound")
 }
 
+/// The falloffs of the list, chosen at run time.
+pub fn listed() -> Vec<Shape<AnyFalloff>> {
+    struct Listed(Vec<Shape<AnyFalloff>>);
+
+    impl FalloffVisitor for Listed {
+        fn falloff<P: ListedFalloff>(&mut self) {
+            self.0.push(Shape::plain(P::NAME, sound(P::sample()).into(), P::truth));
+        }
+    }
+
+    let mut listed = Listed(Vec::new());
+    falloffs(&mut listed);
+    listed.0
+}
+
 /// Visits a shape.
 pub trait ShapeVisitor {
     /// The result for a shape.
@@ -168,7 +183,7 @@ pub trait ShapeVisitor {
 /// is compiled once a format.
 pub fn every_shape<V: ShapeVisitor>(visitor: V) -> Vec<V::Output> {
     let mut each = Each { visitor, results: Vec::new() };
-    falloffs(&mut each);
+    listed().iter().for_each(|shape| each.shape(shape));
     each.shape(&Shape::<Power<4>>::listed());
     each.shape(&Shape::<InvertedPower<4>>::listed());
     each.shape(&Shape::plain("power-15", Power::<15>, oracle::power_15));
@@ -186,12 +201,6 @@ struct Each<V: ShapeVisitor> {
 impl<V: ShapeVisitor> Each<V> {
     fn shape<P: Falloff + Into<AnyFalloff> + 'static>(&mut self, shape: &Shape<P>) {
         self.results.push(self.visitor.shape(shape));
-    }
-}
-
-impl<V: ShapeVisitor> FalloffVisitor for Each<V> {
-    fn falloff<P: ListedFalloff>(&mut self) {
-        self.shape(&Shape::plain(P::NAME, sound(P::sample()).into(), P::truth));
     }
 }
 
