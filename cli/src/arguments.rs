@@ -6,7 +6,7 @@ use luminaire::falloff::AnyFalloff;
 use luminaire_export::Language;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
-use crate::words::{self, Law, Window};
+use crate::words::{self, Law};
 
 /// Spotlights from the angles of a data sheet: their cheapest evaluation on a chip, and their source in
 /// other languages.
@@ -112,7 +112,7 @@ pub(crate) struct Export {
     /// An angle that ends the light before its falloff does
     #[arg(long)]
     pub(crate) cutoff: Option<f32>,
-    /// none, inverse-square, polynomial=A,B,C or smooth-range [default: inverse-square]
+    /// none, inverse-square, polynomial=A,B,C, decay=EXPONENT,CAP or smooth-range [default: inverse-square]
     #[arg(long)]
     pub(crate) attenuation: Option<Law>,
     /// The distance at which the light ends
@@ -120,7 +120,7 @@ pub(crate) struct Export {
     pub(crate) range: Option<f32>,
     /// How the light ends at its range: cut, gltf or square [default: cut]
     #[arg(long, requires = "range")]
-    pub(crate) window: Option<Window>,
+    pub(crate) window: Option<String>,
     /// The linear colour [default: 1,1,1]
     #[arg(long, value_name = "R,G,B", value_parser = vector)]
     pub(crate) color: Option<[f32; 3]>,

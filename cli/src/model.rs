@@ -1,46 +1,33 @@
 //! The light of `luminaire export`, with any falloff and any attenuation.
 
-use luminaire::attenuation::{
-    AnyAttenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
-    Windowed,
-};
+use luminaire::attenuation::AnyAttenuation;
 use luminaire::falloff::{AnyFalloff, Soft};
 use luminaire::{Angle, Cone, Rgb, SpotLight};
 use luminaire_export::ExportError;
 
 use crate::arguments::Export;
-use crate::words::{Law, Window};
+use crate::words::{Given, Law, Row, rows};
 
 fn refused(parameter: &str, value: &str, expected: &str) -> ExportError {
     ExportError { parameter: parameter.to_owned(), value: value.to_owned(), expected: expected.to_owned() }
 }
 
 fn attenuation(options: &Export) -> Result<AnyAttenuation, ExportError> {
-    let (law, range) = (options.attenuation.unwrap_or(Law::InverseSquare), options.range);
-    let window = options.window.unwrap_or(Window::Cut);
-    Ok(match (law, window) {
-        (Law::None, Window::Cut) => CutAt::new(NoAttenuation, range)?.into(),
-        (Law::None, Window::Square) => Windowed::new(NoAttenuation, range)?.into(),
-        (Law::InverseSquare, Window::Cut) => CutAt::new(InverseSquare, range)?.into(),
-        (Law::InverseSquare, Window::Gltf) => GltfRange::new(InverseSquare, range)?.into(),
-        (Law::InverseSquare, Window::Square) => FilamentRange::new(InverseSquare, range)?.into(),
-        (Law::Polynomial([a, b, c]), Window::Cut) => CutAt::new(Polynomial::new(a, b, c)?, range)?.into(),
-        (Law::Polynomial([a, b, c]), Window::Square) => {
-            Windowed::new(Polynomial::new(a, b, c)?, range)?.into()
-        }
-        (_, Window::Gltf) => {
-            return Err(refused(
-                "window",
-                "gltf",
-                "cut or square: the window of glTF is one of the inverse square",
-            ));
-        }
-        (Law::SmoothRange, _) => {
-            let range = range
-                .ok_or_else(|| refused("range", "none", "a distance, because smooth-range ends there"))?;
-            SmoothRange::new(range)?.into()
-        }
-    })
+    let standard = Law { name: "inverse-square".to_owned(), numbers: Vec::new() };
+    let law = options.attenuation.as_ref().unwrap_or(&standard);
+    let window = options.window.as_deref().unwrap_or("cut");
+    let rows = rows();
+    let fits = |row: &Row| row.law == law.name && row.window.as_ref().is_none_or(|own| own == window);
+    let Some(index) = rows.iter().position(fits) else {
+        let own = rows.iter().filter(|row| row.law == law.name);
+        let windows: Vec<_> = own.filter_map(|row| row.window.as_deref()).collect();
+        return Err(refused("window", window, &windows.join(" or ")));
+    };
+    if rows[index].window.is_none() && options.range.is_none() {
+        return Err(refused("range", "none", &format!("a distance, because {} ends there", law.name)));
+    }
+    let mut given = Given { numbers: &law.numbers, used: 0, range: options.range };
+    Ok(AnyAttenuation::built(index, &mut given)?)
 }
 
 fn cone(options: &Export) -> Result<Cone<AnyFalloff>, ExportError> {
@@ -80,7 +67,8 @@ fn cone(options: &Export) -> Result<Cone<AnyFalloff>, ExportError> {
 /// Returns the light.
 pub(crate) fn light(options: &Export) -> Result<SpotLight<AnyFalloff, AnyAttenuation>, ExportError> {
     let spot = &options.spot;
-    let intensity = if matches!(options.attenuation, Some(Law::None)) { 1.0 } else { 16.0 };
+    let intensity =
+        if options.attenuation.as_ref().is_some_and(|law| law.name == "none") { 1.0 } else { 16.0 };
     let [red, green, blue] = options.color.unwrap_or([1.0; 3]);
     let (position, axis) = (spot.position.unwrap_or([0.0; 3]), spot.axis.unwrap_or([0.0, -1.0, 0.0]));
     let light = SpotLight::new(position, axis, cone(options)?)?.with_color(Rgb::new(red, green, blue))?;

@@ -4,25 +4,75 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use luminaire::Error;
+use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
 use luminaire::falloff::{
     AnyFalloff, Cubic, IntegerPower, InvertedIntegerPower, InvertedRealPower, Quadratic, RealPower, Table,
 };
+use luminaire::models::Parameters;
 
-/// An attenuation without its range.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Law {
-    None,
-    InverseSquare,
-    Polynomial([f32; 3]),
-    SmoothRange,
+/// An attenuation without its range: its name and its numbers.
+#[derive(Clone, Debug)]
+pub(crate) struct Law {
+    pub(crate) name: String,
+    pub(crate) numbers: Vec<f32>,
 }
 
-/// How a light ends at its range.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Window {
-    Cut,
-    Gltf,
-    Square,
+/// A row of the kernel's list of attenuations.
+#[derive(Default)]
+pub(crate) struct Row {
+    pub(crate) law: String,
+    /// `None` for a law that has a range always.
+    pub(crate) window: Option<String>,
+    /// How many numbers the law takes.
+    numbers: usize,
+}
+
+/// Names that this program has for laws.
+const NAMES: [(&str, &str); 2] = [("constant", "none"), ("smoothstep", "smooth-range")];
+
+impl Describe for Row {
+    fn law(&mut self, _: &str, law: &str, _: &[(&str, &[f32])]) {
+        let own = NAMES.iter().find(|(name, _)| *name == law);
+        self.law = own.map_or(law, |(_, own)| own).to_owned();
+    }
+
+    fn window(&mut self, _: &str, window: &str, _: Option<f32>) {
+        self.window = Some(window.to_owned());
+    }
+}
+
+/// Builds a row from given numbers, and counts them.
+pub(crate) struct Given<'a> {
+    pub(crate) numbers: &'a [f32],
+    pub(crate) used: usize,
+    pub(crate) range: Option<f32>,
+}
+
+impl Parameters for Given<'_> {
+    fn number(&mut self, most: f32) -> f32 {
+        self.used += 1;
+        self.numbers.get(self.used - 1).copied().unwrap_or(most / 2.0)
+    }
+
+    fn range(&mut self) -> Option<f32> {
+        self.range
+    }
+
+    fn end(&mut self) -> f32 {
+        self.range.unwrap_or(f32::NAN)
+    }
+}
+
+/// The rows of the list, in their order.
+pub(crate) fn rows() -> Vec<Row> {
+    let row = |index| {
+        let mut given = Given { numbers: &[], used: 0, range: Some(1.0) };
+        let sample = AnyAttenuation::built(index, &mut given).expect("half of the most is accepted");
+        let mut row = Row { numbers: given.used, ..Row::default() };
+        sample.describe(&mut row);
+        row
+    };
+    (0..AnyAttenuation::COUNT).map(row).collect()
 }
 
 /// Splits `name=1,2` into the name and the numbers.
@@ -80,27 +130,17 @@ impl FromStr for Law {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, numbers) = split(text)?;
-        match (name, &numbers[..]) {
-            ("none", []) => Ok(Self::None),
-            ("inverse-square", []) => Ok(Self::InverseSquare),
-            ("polynomial", &[constant, linear, quadratic]) => {
-                Ok(Self::Polynomial([constant, linear, quadratic]))
+        let rows = rows();
+        if rows.iter().any(|row| row.law == name && row.numbers == numbers.len()) {
+            return Ok(Self { name: name.to_owned(), numbers });
+        }
+        let mut laws = Vec::new();
+        for Row { law, numbers, .. } in rows {
+            let law = if numbers == 0 { law } else { format!("{law} with {numbers} numbers") };
+            if !laws.contains(&law) {
+                laws.push(law);
             }
-            ("smooth-range", []) => Ok(Self::SmoothRange),
-            _ => Err("expected none, inverse-square, polynomial=A,B,C or smooth-range".to_owned()),
         }
-    }
-}
-
-impl FromStr for Window {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Self, String> {
-        match name {
-            "cut" => Ok(Self::Cut),
-            "gltf" => Ok(Self::Gltf),
-            "square" => Ok(Self::Square),
-            _ => Err("expected cut, gltf or square".to_owned()),
-        }
+        Err(format!("expected one of {}", laws.join(", ")))
     }
 }

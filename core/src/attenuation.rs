@@ -5,6 +5,7 @@
 //! | [`NoAttenuation`] | 1 | a directional light with a position |
 //! | [`InverseSquare`] | `1 / d^2` | physics; the default |
 //! | [`Polynomial`] | `1 / (a0 + a1 d + a2 d^2)`, at most 1 | OpenGL and Direct3D 9, with the cap common in textbooks |
+//! | [`Decay`] | `d^-k`, at most a cap, real `k` in (0, 16] | three.js and Godot, with their windows |
 //! | [`SmoothRange`] | `t^2 (3 - 2t)` with `t = 1 - d/r` | the dual-cone spotlight, smoothstep from its range to 0 |
 //! | [`GltfRange`] | `(1 - (d/r)^4) / d^2`, at least 0 | glTF's KHR_lights_punctual |
 //! | [`FilamentRange`] | `(1 - (d/r)^4)^2 / d^2` within r | Filament, Bevy, three.js with decay 2 |
@@ -21,12 +22,20 @@
 //! function of the distance.
 
 mod any;
+mod decay;
+mod plain;
+mod polynomial;
 mod ranged;
+mod smooth_range;
 
 pub(crate) use self::any::WithConstants;
 pub use self::{
     any::{AnyAttenuation, CompiledAnyAttenuation},
+    decay::Decay,
+    plain::{InverseSquare, NoAttenuation},
+    polynomial::Polynomial,
     ranged::{Cut, CutAt, FilamentRange, GltfRange, GltfWindow, Ranged, SquareWindow, Windowed},
+    smooth_range::SmoothRange,
 };
 #[cfg(feature = "arithmetic")]
 pub use self::{
@@ -35,11 +44,21 @@ pub use self::{
 };
 
 use crate::{
-    effect::{Effect, Effects},
-    error::{Error, Expected, Parameter, check_between},
+    effect::Effects,
+    error::{Error, Expected, Parameter},
     number::{Gain, Offset, Ray, Scalar, Share},
-    source::{Named, Source, named},
+    source::{Named, Source},
 };
+
+/// Receives the parameters of an attenuation: for generators of source and data.
+pub trait Describe {
+    /// The name of the type, the name of the law, and the arguments of the constructor with their
+    /// names. Without arguments the type is its only value.
+    fn law(&mut self, kind: &str, law: &str, arguments: &[(&str, &[f32])]);
+
+    /// The window around the law so far: the name of its constructor, its name, and the range.
+    fn window(&mut self, kind: &str, window: &str, range: Option<f32>);
+}
 
 /// An attenuation. The type selects the attenuation at compile time: there is no branch per point,
 /// and an unused attenuation is not linked.
@@ -80,9 +99,17 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
     /// The result is the reference for error measurements.
     fn exact(&self, distance: f64) -> f64;
 
-    /// Returns whether the attenuation factor may exceed 1 at distances below 1.
-    fn grows(&self) -> bool {
-        true
+    /// Returns the exponent `k` by which the light grows towards its position: at a distance `d` the
+    /// attenuation factor is at most about `d^-k`; 0 for a factor of at most 1 everywhere.
+    fn growth(&self) -> f32;
+
+    /// Tells the law and its parameters, and then the windows, the innermost first.
+    fn describe(&self, to: &mut dyn Describe);
+
+    /// Passes the attenuation as its own type, without the windows that have no range.
+    #[cfg(feature = "arithmetic")]
+    fn with<V: WithAttenuation>(self, visitor: V) -> V::Output {
+        visitor.attenuation(self)
     }
 
     /// Returns a share of the intensity times the window that ends the light at a range.
@@ -106,32 +133,6 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
         intensity: S::Gain,
     ) -> S::Irradiance;
 }
-
-/// No attenuation: the same intensity at every distance.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct NoAttenuation;
-
-/// The inverse-square law, the default: an intensity of 1 lights a facing surface at distance 1 to
-/// full scale.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct InverseSquare;
-
-/// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: never more than the intensity.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Polynomial {
-    coefficients: [f32; 3],
-}
-
-/// Smoothstep to a range: 1 at distance 0, 0 at the range, with derivative 0 at both ends.
-///
-/// The dual-cone article writes `smoothstep(range, 0, d)`. In GLSL this expression is undefined,
-/// because its edges are in descending order; `SmoothRange` implements the intended function.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct SmoothRange {
-    range: f32,
-}
-
-named!(NoAttenuation InverseSquare Polynomial SmoothRange);
 
 /// The shortest and the longest range. The squares of both ranges, and the reciprocals of these
 /// squares, are well inside the limits of f32.
@@ -163,178 +164,4 @@ fn squared_fraction<S: Scalar, O: Offset<S>>(inverse_squared: S::Gain, offset: &
 #[inline(always)] // `lit-smooth-range` on Cortex-M0: +22 instructions without.
 fn dimmed<S: Scalar, T: Share<S>>(share: T, factor: T) -> T {
     if share > T::default() { share.times(factor) } else { T::default() }
-}
-
-impl Polynomial {
-    /// Creates the polynomial with a constant, a linear and a quadratic coefficient, for distances
-    /// in scene units. If all three coefficients are 0, the attenuation factor is capped at 1
-    /// everywhere.
-    ///
-    /// # Errors
-    /// A coefficient outside 0 to 1e9.
-    pub fn new(constant: f32, linear: f32, quadratic: f32) -> Result<Self, Error> {
-        let coefficients = [constant, linear, quadratic];
-        for value in coefficients {
-            check_between(Parameter::Attenuation, value, 0.0, 1e9)?;
-        }
-        Ok(Self { coefficients })
-    }
-
-    /// Returns the constant, the linear and the quadratic coefficient.
-    pub fn coefficients(&self) -> [f32; 3] {
-        self.coefficients
-    }
-}
-
-impl SmoothRange {
-    /// Creates the attenuation with this range, in scene units.
-    ///
-    /// # Errors
-    /// A range outside 0.001 to 1e9.
-    pub fn new(range: f32) -> Result<Self, Error> {
-        Ok(Self { range: checked_range(range)? })
-    }
-
-    /// Returns the range.
-    pub fn range(&self) -> f32 {
-        self.range
-    }
-}
-
-impl Attenuation for NoAttenuation {
-    type Constants<S: Scalar> = ();
-
-    fn constants<S: Scalar>(self) {}
-
-    fn effects(&self) -> Effects {
-        Effects::NONE.with(Effect::Unattenuated)
-    }
-
-    fn exact(&self, _: f64) -> f64 {
-        1.0
-    }
-
-    fn grows(&self) -> bool {
-        false
-    }
-
-    #[inline(always)] // `lit-hotspot` on Cortex-M0: +28 instructions without.
-    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
-        (): &(),
-        _: &O,
-        _: &R,
-        share: R::Share,
-        intensity: S::Gain,
-    ) -> S::Irradiance {
-        share.light(intensity)
-    }
-}
-
-impl Attenuation for InverseSquare {
-    type Constants<S: Scalar> = ();
-
-    fn constants<S: Scalar>(self) {}
-
-    fn effects(&self) -> Effects {
-        Effects::NONE.with(Effect::InverseSquare)
-    }
-
-    fn exact(&self, d: f64) -> f64 {
-        1.0 / (d * d)
-    }
-
-    #[inline]
-    fn is_inverse_square<S: Scalar>(_: &()) -> bool {
-        true
-    }
-
-    #[inline]
-    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
-        (): &(),
-        _: &O,
-        ray: &R,
-        share: R::Share,
-        intensity: S::Gain,
-    ) -> S::Irradiance {
-        ray.light(share, intensity)
-    }
-}
-
-impl Attenuation for Polynomial {
-    type Constants<S: Scalar> = [S::Gain; 3];
-
-    fn constants<S: Scalar>(self) -> [S::Gain; 3] {
-        self.coefficients.map(S::gain)
-    }
-
-    fn effects(&self) -> Effects {
-        Effects::NONE.with(Effect::Polynomial)
-    }
-
-    fn exact(&self, d: f64) -> f64 {
-        let [constant, linear, quadratic] = self.coefficients.map(f64::from);
-        1.0 / (constant + linear * d + quadratic * d * d).max(1.0)
-    }
-
-    fn grows(&self) -> bool {
-        false
-    }
-
-    #[inline(always)] // `lit-polynomial` on Cortex-M0: +174 instructions without.
-    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
-        &[constant, linear, quadratic]: &[S::Gain; 3],
-        _: &O,
-        ray: &R,
-        share: R::Share,
-        intensity: S::Gain,
-    ) -> S::Irradiance {
-        let distance = ray.distance();
-        let divisor = quadratic.times(distance).plus(linear).times(distance).plus(constant);
-        share.light(divisor.inverse_capped().times(intensity))
-    }
-}
-
-impl Attenuation for SmoothRange {
-    /// The reciprocals of the range and of its square.
-    type Constants<S: Scalar> = [S::Gain; 2];
-
-    fn constants<S: Scalar>(self) -> [S::Gain; 2] {
-        [S::gain(1.0 / self.range), inverse_squared::<S>(Some(self.range))]
-    }
-
-    fn range(&self) -> Option<f32> {
-        Some(self.range)
-    }
-
-    fn effects(&self) -> Effects {
-        Effects::NONE.with(Effect::SmoothRange).with(Effect::Range)
-    }
-
-    fn exact(&self, d: f64) -> f64 {
-        let t = (1.0 - d / f64::from(self.range)).max(0.0);
-        t * t * (3.0 - 2.0 * t)
-    }
-
-    fn grows(&self) -> bool {
-        false
-    }
-
-    #[inline]
-    fn is_beyond<S: Scalar, O: Offset<S>>(&[_, squared]: &[S::Gain; 2], offset: &O) -> bool {
-        squared_fraction::<S, O>(squared, offset) == S::ONE
-    }
-
-    #[inline(always)] // `lit-smooth-range` on Cortex-M0: +273 instructions without.
-    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
-        constants: &[S::Gain; 2],
-        offset: &O,
-        ray: &R,
-        share: R::Share,
-        intensity: S::Gain,
-    ) -> S::Irradiance {
-        let smooth = ray.near(constants[0]).complement().smooth();
-        let is_beyond = ray.squared_near(offset, constants[1]).is_one();
-        let smooth = if is_beyond { R::Share::default() } else { smooth };
-        dimmed::<S, _>(share, smooth).light(intensity)
-    }
 }

@@ -68,7 +68,7 @@ use crate::{
     number::{Quick, Scalar},
     projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
     shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
-    source::{Written, call, name},
+    source::{Written, call},
     specular::SpecularLobe,
     vec3::Vec3,
 };
@@ -78,9 +78,9 @@ pub use self::parts::Tables;
 #[cfg(feature = "arithmetic")]
 pub use self::parts::{ConeParts, Parts};
 #[cfg(feature = "arithmetic")]
-pub use crate::source::{Named, Source};
+pub use crate::source::{Name, Named, Source, name};
 #[cfg(not(feature = "arithmetic"))]
-use crate::source::{Named, Source};
+use crate::source::{Named, Source, name};
 
 impl<T: Source> Source for Vec3<T> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {

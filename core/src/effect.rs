@@ -2,14 +2,21 @@
 
 use core::fmt;
 
-use crate::models::falloffs;
+use crate::models::{attenuations, falloffs};
 
-/// Declares the effects with their names. The names are the keys of the cost list.
+/// Declares the effects with their names: first those in brackets and the falloffs, then those in
+/// further brackets, the attenuations, and the rest. The names are the keys of the cost list.
 macro_rules! effects {
-    ([$($before:tt)*] [$($after:tt)*]
+    (@falloffs [$($before:tt)*] $after:tt $rest:tt
      $(#[doc = $doc:literal] $falloff:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
        $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
-        effects! { $($before)* $(#[doc = $doc] $falloff = $name,)* $($after)* }
+        attenuations! { effects; @attenuations [$($before)* $(#[doc = $doc] $falloff = $name,)*] $after $rest }
+    };
+    (@attenuations [$($before:tt)*] [$($after:tt)*] [$($rest:tt)*]
+     $(#[doc = $doc:literal] $variant:ident($type:ty) $(from $law:ty)? = $make:expr
+       $(, effect #[doc = $effect_doc:literal] $effect:ident = $name:literal)?
+       $(, #[doc = $its_doc:literal] $constant:ty = $its_name:literal, $value:expr)*;)*) => {
+        effects! { $($before)* $($after)* $($(#[doc = $effect_doc] $effect = $name,)?)* $($rest)* }
     };
     ($($(#[$meta:meta])* $effect:ident = $name:literal,)*) => {
         /// An effect that a scene may require. An effect costs nothing in scenes that do not
@@ -34,7 +41,7 @@ macro_rules! effects {
     };
 }
 
-falloffs! { effects; [
+falloffs! { effects; @falloffs [
     /// Ambient light.
     Ambient = "ambient",
     /// Lambert's cosine.
@@ -52,14 +59,7 @@ falloffs! { effects; [
     Hotspot = "hotspot",
     /// A cutoff: a cone that ends before its falloff does.
     Cutoff = "cutoff",
-    /// A light without attenuation.
-    Unattenuated = "unattenuated",
-    /// The inverse-square law.
-    InverseSquare = "inverse-square",
-    /// An attenuation of one over a polynomial of the distance.
-    Polynomial = "polynomial",
-    /// An attenuation by smoothstep to a range.
-    SmoothRange = "smooth-range",
+] [
     /// A window that ends the light at a range.
     Window = "window",
     /// A range at which a light ends.

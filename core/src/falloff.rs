@@ -25,7 +25,6 @@ mod any;
 mod choice;
 mod cubic;
 mod curve;
-pub(crate) mod exponent;
 pub(crate) mod fit;
 mod formula;
 mod integer;

@@ -58,43 +58,71 @@ macro_rules! falloffs {
     };
 }
 
-/// Calls a macro with the list of all run-time attenuations.
+/// Calls a macro with the given arguments, followed by the list of all run-time attenuations.
 ///
-/// A row is `doc variant(type) = any |n| ...;`. The part `any` draws a random attenuation from
-/// numbers `n()` in [0, 1). The row also lists the types that replace the run-time type in programs
-/// that know the attenuation at compile time, each as `doc type = name, value`.
+/// A row is `doc variant(type) = |n| ...;`. The closure builds the attenuation from [`Parameters`].
+/// Three parts of a row are optional:
+///
+/// - `from law` after the type: the law without a range, which converts into the variant.
+/// - `effect doc variant = name`: the law as a variant of [`Effect`](crate::dynamic::Effect).
+/// - `doc type = name, value`, any number of times: a type that replaces the run-time type in programs
+///   that know the attenuation at compile time.
 macro_rules! attenuations {
-    ($consumer:ident) => {
+    ($consumer:ident $(; $($arguments:tt)*)?) => {
         $consumer! {
+            $($($arguments)*)?
             /// No attenuation, with an optional cut-off range.
-            Constant(CutAt<NoAttenuation>) = any |n| CutAt::new(NoAttenuation, range(n));
+            Constant(CutAt<NoAttenuation>) from NoAttenuation = |n| CutAt::new(NoAttenuation, n.range()),
+                effect /// A light without attenuation.
+                Unattenuated = "unattenuated";
             /// The inverse-square law, with an optional cut-off range.
-            InverseSquare(CutAt<InverseSquare>) = any |n| CutAt::new(InverseSquare, range(n)),
+            InverseSquare(CutAt<InverseSquare>) from InverseSquare = |n| CutAt::new(InverseSquare, n.range()),
+                effect /// The inverse-square law.
+                InverseSquare = "inverse-square",
                 /// The law of a small source: the default of every spot and point light.
                 InverseSquare = "inverse-square", Ok(InverseSquare),
                 /// Cut off at a range: nothing from there on, and the law unchanged before.
                 CutAt<InverseSquare> = "cut-at", CutAt::new(InverseSquare, Some(9.0));
             /// One over a polynomial, with an optional cut-off range.
-            Polynomial(CutAt<Polynomial>) = any |n| CutAt::new(Polynomial::new(4.0 * n(), 4.0 * n(), 4.0 * n())?, range(n)),
+            Polynomial(CutAt<Polynomial>) from Polynomial = |n| {
+                CutAt::new(Polynomial::new(n.number(4.0), n.number(4.0), n.number(4.0))?, n.range())
+            },
+                effect /// An attenuation of one over a polynomial of the distance.
+                Polynomial = "polynomial",
                 /// `1/(a0 + a1 d + a2 d^2)`, capped at 1: the lights of OpenGL and Direct3D.
                 Polynomial = "polynomial", Polynomial::new(1.0, 0.2, 0.03);
             /// The inverse-square law with glTF's window.
-            GltfRange(GltfRange) = any |n| GltfRange::new(InverseSquare, range(n)),
+            GltfRange(GltfRange) = |n| GltfRange::new(InverseSquare, n.range()),
                 /// The window by which lights of glTF end at their range.
                 GltfRange = "gltf-range", GltfRange::new(InverseSquare, Some(9.0));
             /// No attenuation, with the window `(1 - (d/r)^4)^2`.
-            WindowedConstant(Windowed<NoAttenuation>) = any |n| Windowed::new(NoAttenuation, range(n));
+            WindowedConstant(Windowed<NoAttenuation>) = |n| Windowed::new(NoAttenuation, n.range());
             /// The inverse-square law with the window `(1 - (d/r)^4)^2`.
-            FilamentRange(FilamentRange) = any |n| FilamentRange::new(InverseSquare, range(n)),
+            FilamentRange(FilamentRange) = |n| FilamentRange::new(InverseSquare, n.range()),
                 /// The window of glTF squared, as Filament and Godot have it.
                 FilamentRange = "filament-range", FilamentRange::new(InverseSquare, Some(9.0));
             /// One over a polynomial, with the window `(1 - (d/r)^4)^2`.
-            WindowedPolynomial(Windowed<Polynomial>) = any |n|
-                Windowed::new(Polynomial::new(4.0 * n(), 4.0 * n(), 4.0 * n())?, range(n));
+            WindowedPolynomial(Windowed<Polynomial>) = |n| {
+                Windowed::new(Polynomial::new(n.number(4.0), n.number(4.0), n.number(4.0))?, n.range())
+            };
             /// Smoothstep to a range.
-            SmoothRange(SmoothRange) = any |n| SmoothRange::new(40.0 * n()),
+            SmoothRange(SmoothRange) = |n| SmoothRange::new(n.end()),
+                effect /// An attenuation by smoothstep to a range.
+                SmoothRange = "smooth-range",
                 /// A smoothstep that ends at a range.
                 SmoothRange = "smooth-range", SmoothRange::new(9.0);
+            /// A real power of the distance, with an optional cut-off range.
+            Decay(CutAt<Decay>) from Decay = |n| {
+                CutAt::new(Decay::new(n.number(8.0), n.number(1_000.0))?, n.range())
+            },
+                effect /// A real power of the distance.
+                Decay = "decay",
+                /// `d^-k` with a real exponent, capped: by a logarithm and an exponential.
+                Decay = "decay", Decay::new(1.5, 100.0);
+            /// A real power of the distance, with the window `(1 - (d/r)^4)^2`: three.js and Godot.
+            WindowedDecay(Windowed<Decay>) = |n| {
+                Windowed::new(Decay::new(n.number(8.0), n.number(1_000.0))?, n.range())
+            };
         }
     };
 }
@@ -172,14 +200,35 @@ pub fn exponent(number: f32) -> f32 {
     libm::powf(1_024.0, number)
 }
 
-/// Returns a range in [0, 40), or `None` for one number in ten.
+/// The parameters that the row of an attenuation is built from.
 #[cfg(feature = "arithmetic")]
-pub(crate) fn range(numbers: &mut impl FnMut() -> f32) -> Option<f32> {
-    (numbers() >= 0.1).then(|| 40.0 * numbers())
+pub trait Parameters {
+    /// Returns the next parameter; at random from 0 to `most`.
+    fn number(&mut self, most: f32) -> f32;
+    /// Returns the range of the light; `None` for a light without a range.
+    fn range(&mut self) -> Option<f32>;
+    /// Returns the range of an attenuation that has one always.
+    fn end(&mut self) -> f32;
 }
 
-/// Calls the closure `any` of a row.
+/// Parameters from random numbers in [0, 1): a range is less than 40, and one in ten is `None`.
 #[cfg(feature = "arithmetic")]
-pub(crate) fn draw<N: FnMut() -> f32, T>(numbers: &mut N, make: impl FnOnce(&mut N) -> T) -> T {
-    make(numbers)
+impl<N: FnMut() -> f32> Parameters for N {
+    fn number(&mut self, most: f32) -> f32 {
+        most * self()
+    }
+
+    fn range(&mut self) -> Option<f32> {
+        (self() >= 0.1).then(|| self.end())
+    }
+
+    fn end(&mut self) -> f32 {
+        40.0 * self()
+    }
+}
+
+/// Calls the closure of a row.
+#[cfg(feature = "arithmetic")]
+pub(crate) fn draw<N, T>(parameters: &mut N, make: impl FnOnce(&mut N) -> T) -> T {
+    make(parameters)
 }

@@ -42,7 +42,7 @@ pub(crate) use self::arithmetic::HALF_A_CODE;
 pub use self::types::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, Weight32};
 #[cfg(feature = "fixed")]
 use self::types::{nearest, rounded};
-pub use self::{arithmetic::Quick, knot::Knot, place::ProjectedPoint};
+pub use self::{arithmetic::Quick, knot::Knot, place::ProjectedPoint, real::InversePower};
 #[cfg(feature = "arithmetic")]
 pub use self::{
     arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},

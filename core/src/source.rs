@@ -58,7 +58,8 @@ impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {
 }
 
 /// A type that displays as its name.
-pub(crate) struct Name<T>(PhantomData<T>);
+#[derive(Debug)]
+pub struct Name<T>(PhantomData<T>);
 
 impl<T: Named> fmt::Display for Name<T> {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
@@ -67,7 +68,7 @@ impl<T: Named> fmt::Display for Name<T> {
 }
 
 /// Returns the name of a type for display.
-pub(crate) fn name<T: Named>() -> Name<T> {
+pub fn name<T: Named>() -> Name<T> {
     Name(PhantomData)
 }
 

@@ -480,16 +480,20 @@ static inline luminaire_knot luminaire_knot_at(const luminaire_knot *knots, uint
     return knots[begin > 0 ? begin - 1 : 0];
 }
 
-/* Returns -log2 x with 32 fraction bits, for x = significand / 2^31 / 2^octaves. */
-static inline uint64_t luminaire_octaves_below_one(uint32_t significand, uint32_t octaves) {
+/* Returns log2(significand / 2^31) with 32 fraction bits. */
+static inline int64_t luminaire_logarithm(uint32_t significand) {
     uint32_t segment = (significand >> 25) & 63;
     int64_t z = ((int64_t)((uint64_t)significand * luminaire_logarithms[segment][0] - (UINT64_C(1) << 62))) >> 30;
     int64_t above = INT64_C(3098164009) - ((z * INT64_C(2065442673)) >> 32);
-    int64_t below;
     above = INT64_C(6196328019) - ((z * above) >> 32);
-    above = (z * above) >> 32;
+    return (int64_t)luminaire_logarithms[segment][1] + ((z * above) >> 32);
+}
+
+/* Returns -log2 x with 32 fraction bits, for x = significand / 2^31 / 2^octaves. */
+static inline uint64_t luminaire_octaves_below_one(uint32_t significand, uint32_t octaves) {
+    int64_t below;
     if (octaves == 0) { return 0; }
-    below = (int64_t)((uint64_t)luminaire_min(octaves, 32) << 32) - (int64_t)luminaire_logarithms[segment][1] - above;
+    below = (int64_t)((uint64_t)luminaire_min(octaves, 32) << 32) - luminaire_logarithm(significand);
     if (below < 0) { return 0; }
     return below < (INT64_C(32) << 32) ? (uint64_t)below : (UINT64_C(32) << 32) - 1;
 }
@@ -722,44 +726,29 @@ static inline uint32_t luminaire_fine_squared_near(const luminaire_fine_ray *ray
 
 static inline uint32_t luminaire_fine_times(uint32_t a, uint32_t b) { return luminaire_fine_product(a, b); }
 
-/* Returns nothing from the range on. */
-static inline uint32_t luminaire_coarse_cut(uint32_t share, uint32_t squared) {
-    return squared == LUMINAIRE_FULL_SCALE ? 0 : share;
-}
-
-static inline uint32_t luminaire_fine_cut(uint32_t share, uint32_t squared) {
-    return squared == LUMINAIRE_FINE_ONE ? 0 : share;
-}
-
-/* Returns a share times 1 - x^2, glTF's window. */
-static inline uint32_t luminaire_coarse_gltf_window(uint32_t share, uint32_t squared) {
-    return luminaire_coarse_times(share, luminaire_coarse_rest(luminaire_coarse_times(squared, squared)));
-}
-
-static inline uint32_t luminaire_fine_gltf_window(uint32_t share, uint32_t squared) {
-    return luminaire_fine_times(share, luminaire_fine_rest(luminaire_fine_times(squared, squared)));
-}
-
-/* Returns a share times (1 - x^2)^2, Filament's window. */
-static inline uint32_t luminaire_coarse_square_window(uint32_t share, uint32_t squared) {
-    uint32_t window = luminaire_coarse_rest(luminaire_coarse_times(squared, squared));
-    return luminaire_coarse_times(share, luminaire_coarse_times(window, window));
-}
-
-static inline uint32_t luminaire_fine_square_window(uint32_t share, uint32_t squared) {
-    uint32_t window = luminaire_fine_rest(luminaire_fine_times(squared, squared));
-    return luminaire_fine_times(share, luminaire_fine_times(window, window));
-}
-
-/* Returns a share times the smoothstep from the range to the light. */
-static inline uint32_t luminaire_coarse_smooth_range(uint32_t share, uint32_t near, uint32_t squared) {
-    uint32_t t = luminaire_coarse_rest(near), square = t * t, factor = 3 * LUMINAIRE_FULL_SCALE - 2 * t;
+/* Returns t^2 (3 - 2t) of a share t. */
+static inline uint32_t luminaire_coarse_smoothed(uint32_t t) {
+    uint32_t square = t * t, factor = 3 * LUMINAIRE_FULL_SCALE - 2 * t;
     uint32_t product = (square >> 14) * factor + (((square & 0x3fff) * factor) >> 14);
-    return luminaire_coarse_cut(luminaire_coarse_times(share, (product + (UINT32_C(1) << 13)) >> 14), squared);
+    return (product + (UINT32_C(1) << 13)) >> 14;
 }
 
-static inline uint32_t luminaire_fine_smooth_range(uint32_t share, uint32_t near, uint32_t squared) {
-    return luminaire_fine_cut(luminaire_fine_times(share, luminaire_fine_smooth(luminaire_fine_rest(near))), squared);
+static inline uint32_t luminaire_fine_smoothed(uint32_t t) { return luminaire_fine_smooth(t); }
+
+/* Returns the distance to the power -mantissa / 2^shift, at most 2^(most / 2^24). */
+static inline luminaire_gain luminaire_decay(luminaire_gain distance, uint32_t mantissa, uint32_t shift, int32_t most) {
+    int64_t limit = (int64_t)most * 256, power = limit;
+    if (distance.mantissa != 0) {
+        int64_t octaves = 31 - distance.shift;
+        octaves = octaves < -64 ? -64 : octaves > 63 ? 63 : octaves;
+        octaves *= INT64_C(4294967296);
+        /* The logarithm of a power of two is exact. */
+        if (distance.mantissa << 1 != 0) { octaves += luminaire_logarithm(distance.mantissa); }
+        power = (-octaves * (int64_t)mantissa) >> shift;
+        power = power < limit ? power : limit;
+    }
+    return luminaire_normalised(
+        (uint32_t)luminaire_power_of_two((uint64_t)-power & UINT32_C(0xffffffff)), 31 + (int32_t)(-power >> 32));
 }
 
 /* Returns whether light is past full scale by more than the error of its share. */

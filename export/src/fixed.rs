@@ -1,7 +1,6 @@
 //! Lights as C in the integers of the 16-bit format.
 
-pub(crate) mod attenuation;
-mod curve;
+mod formula;
 
 use std::fmt::Write;
 
@@ -10,10 +9,9 @@ use luminaire::codegen::{Parts, Tables};
 use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Rgb};
 
-use self::attenuation::{Law, Precision, gain_of};
+use self::formula::{Precision, gain_of};
 use crate::error::ExportError;
 use crate::head::head;
-use crate::models;
 use crate::name::global;
 use crate::trace::Trace;
 
@@ -71,46 +69,37 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
         }
     };
     let mut text = constants(name, light.color(), &parts);
-    let laws = PRECISIONS.map(|precision| {
-        let mut code = Law {
-            name,
-            precision,
-            constants: Vec::new(),
-            windowed: "share".to_owned(),
-            result: String::new(),
-        };
-        models::attenuation(&law).attenuate(&mut code);
-        code
-    });
-    let [coarse, _] = &laws;
-    for constant in &coarse.constants {
+    let [windows, whole] = Trace::of_attenuation(law);
+    let (mut constants, mut functions) = (Vec::new(), String::new());
+    for precision in PRECISIONS {
+        functions += "\n";
+        functions += &formula::attenuation(name, "attenuated", &whole, precision, &mut constants);
+    }
+    let has_window = windows.operations.len() > 1;
+    if has_window {
+        functions += "\n";
+        functions += &formula::attenuation(name, "windowed", &windows, Precision("coarse"), &mut constants);
+    }
+    for constant in constants {
         let _ = writeln!(text, "{constant}");
     }
-    let near = LIGHT.replace(WINDOWED, &coarse.windowed.replace("(ray,", "(&coarse,"));
+    let windowed = if has_window { "luminaire_NAME_CoarseWindowed(&coarse, share)" } else { "share" };
+    let near = LIGHT.replace(WINDOWED, windowed);
     text.push('\n');
     match (&trace, parts.cone) {
         (Some(trace), Some(_)) => {
-            let table = curve::table(name, trace);
+            let table = formula::table(name, trace);
             if !table.is_empty() {
                 let _ = writeln!(text, "{table}");
             }
             for precision in PRECISIONS {
-                let _ = writeln!(text, "{}", curve::curve(name, trace, precision));
+                let _ = writeln!(text, "{}", formula::curve(name, trace, precision));
             }
             text += &CONE.replace(NAME, name);
         }
         _ => text += &SPHERE.replace(NAME, name),
     }
-    for Law { precision: Precision(precision), result, .. } in laws {
-        let unused =
-            if result.contains("ray,") || result.contains("(ray)") { "" } else { "    (void)ray;\n" };
-        let _ = write!(
-            text,
-            "\nstatic inline uint32_t {}(const luminaire_{precision}_ray *ray, \
-             uint32_t share) {{\n{unused}    return {result};\n}}\n",
-            global(name, &format!("{precision}_attenuated"))
-        );
-    }
+    text += &functions;
     let _ = write!(text, "\n{}", near.replace(NAME, name));
     let head = head(light, name).join("\n * ");
     let guard = format!("{}_LIGHT_H", name.to_ascii_uppercase());

@@ -1,15 +1,13 @@
 //! The parameters of a light.
 
-pub(crate) mod attenuation;
-
+use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula};
 use luminaire::{Cone, Rgb, Vec3};
 use serde::Serialize;
+use serde_json::{Map, Value};
 
-use self::attenuation::Description;
 use crate::error::ExportError;
-use crate::models;
 
 /// A light as JSON has it: the crate's documentation lists the members.
 #[derive(Debug, Serialize)]
@@ -76,6 +74,52 @@ enum Parameters {
     Named,
 }
 
+/// An attenuation as JSON has it.
+#[derive(Clone, Debug, Default, Serialize)]
+struct Description {
+    /// The law without a window.
+    law: String,
+    /// The parameters of the law by name: a number, or an array.
+    #[serde(flatten)]
+    parameters: Map<String, Value>,
+    /// The window that ends the law at the range.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    window: Option<String>,
+    /// The range of the window.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<f32>,
+}
+
+impl Description {
+    fn of(attenuation: AnyAttenuation) -> Self {
+        let mut description = Self::default();
+        attenuation.describe(&mut description);
+        description
+    }
+}
+
+/// Returns the number with the digits that an `f32` needs.
+fn shortest(value: f32) -> Value {
+    format!("{value:?}").parse::<f64>().unwrap_or(value.into()).into()
+}
+
+impl Describe for Description {
+    fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
+        law.clone_into(&mut self.law);
+        for &(name, values) in arguments {
+            let mut values: Vec<_> = values.iter().map(|&value| shortest(value)).collect();
+            let value = if values.len() == 1 { values.remove(0) } else { values.into() };
+            self.parameters.insert(name.to_owned(), value);
+        }
+    }
+
+    fn window(&mut self, _: &str, window: &str, range: Option<f32>) {
+        if range.is_some() {
+            (self.window, self.range) = (Some(window.to_owned()), range);
+        }
+    }
+}
+
 /// Returns a light as JSON.
 pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError> {
     let triple = |color: Rgb<f32>| [color.red, color.green, color.blue];
@@ -97,12 +141,12 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
             described.position = xyz(spot.position());
             described.axis = xyz(spot.axis());
             described.cone = Some(shape(&spot.cone()));
-            described.attenuation = Some(models::attenuation(&spot.attenuation()).describe());
+            described.attenuation = Some(Description::of(spot.attenuation()));
         }
         AnyLight::Point(point) => {
             described.kind = "point";
             described.position = xyz(point.position());
-            described.attenuation = Some(models::attenuation(&point.attenuation()).describe());
+            described.attenuation = Some(Description::of(point.attenuation()));
         }
         AnyLight::Directional(directional) => {
             described.kind = "directional";

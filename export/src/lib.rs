@@ -18,7 +18,7 @@
 //! | language | functions and constants of a light named `key` | same bits as the kernel |
 //! |---|---|---|
 //! | [`Language::Glsl`], [`Language::Wgsl`] | `key_irradiance(point, normal)`, `key_falloff(point)`, `key_color` | no: a GPU rounds as it likes |
-//! | [`Language::CFloat`] | the same, over arrays of three `float` | yes in `f32`, without contraction (`-ffp-contract=off`), except real powers |
+//! | [`Language::CFloat`] | the same, over arrays of three `float` | yes in `f32`, without contraction (`-ffp-contract=off`), except real powers and decays |
 //! | [`Language::CFixed`] | the same, over arrays of integers | yes in `Fx16` |
 //! | [`Language::RustBuild`] | `key()`, the light, and a `main` that writes `key.rs` | it describes the light: angles have six digits |
 //! | [`Language::RustFloat`], [`Language::RustFixed32`], [`Language::RustFixed16`] | `key::LIGHT` | it is the kernel |
@@ -55,7 +55,7 @@
 //! | `cone.inner_versine`, `outer_versine` | `1 - cos` of half the angles between which the falloff goes from 1 to 0 |
 //! | `cone.cutoff_versine` | where the cone ends before its falloff does; absent without a cutoff |
 //! | `cone.falloff` | `name`, and the parameters of [`formula`](luminaire::falloff::Formula) at `t = (outer - v) / (outer - inner)` with the versine `v` |
-//! | `attenuation.law` | `constant`, `inverse-square`, `polynomial` with `coefficients`, or `smoothstep` to `range` |
+//! | `attenuation.law` | `constant`, `inverse-square`, `polynomial` with `coefficients`, `decay` with `exponent` and its cap `most`, or `smoothstep` to `range` |
 //! | `attenuation.window`, `range` | `cut`, `gltf` or `square`, at the range; absent without a range |
 //!
 //! [`falloff`](luminaire::falloff) and [`attenuation`](luminaire::attenuation) have the formulas.
@@ -69,7 +69,6 @@ mod fixed;
 mod head;
 mod json;
 mod language;
-mod models;
 mod name;
 mod rust;
 mod script;

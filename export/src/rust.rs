@@ -1,7 +1,7 @@
 //! Lights as constants of Rust, of concrete types.
 
 use luminaire::attenuation::{AnyAttenuation, Attenuation, WithAttenuation};
-use luminaire::codegen::{ConeParts, Parts, as_source};
+use luminaire::codegen::{ConeParts, Parts, as_source, name};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, WithFalloff, with_falloff};
 use luminaire::light::{CompiledCone, CompiledPointLight, CompiledSpotLight};
@@ -11,7 +11,7 @@ use crate::error::ExportError;
 use crate::head::head;
 
 /// Returns a module with the constant `LIGHT` in the format `S`.
-pub(crate) fn export<S: Scalar>(light: &AnyLight, name: &str) -> Result<String, ExportError> {
+pub(crate) fn export<S: Scalar>(light: &AnyLight, light_name: &str) -> Result<String, ExportError> {
     let format = match S::NAME {
         "fx16" => "Fx16",
         "fx32" => "Fx32",
@@ -25,13 +25,13 @@ pub(crate) fn export<S: Scalar>(light: &AnyLight, name: &str) -> Result<String, 
             as_source(&directional.compile::<S>()).to_string(),
         ),
     };
-    let head: String = head(light, name).iter().map(|line| format!("// {line}\n")).collect();
+    let head: String = head(light, light_name).iter().map(|line| format!("// {line}\n")).collect();
     let imports = "#[allow(unused_imports, reason = \"not every light names a type of each module\")]\n    \
                    use luminaire::{attenuation::*, falloff::*, light::*, *};";
     let kind = spelled(&kind.replace("FORMAT", format));
     let value = value.trim_end();
     Ok(format!(
-        "{head}\npub mod {name} {{\n    {imports}\n\n    /// The compiled light.\n    \
+        "{head}\npub mod {light_name} {{\n    {imports}\n\n    /// The compiled light.\n    \
          pub const LIGHT: {kind} = {value};\n}}\n"
     ))
 }
@@ -39,38 +39,6 @@ pub(crate) fn export<S: Scalar>(light: &AnyLight, name: &str) -> Result<String, 
 /// Returns a type as it is written: those of the list have spaces around their brackets.
 pub(crate) fn spelled(kind: &str) -> String {
     kind.replace(" <", "<").replace("< ", "<").replace(" >", ">")
-}
-
-/// Passes an attenuation as its own type; a law without a range as the plain law.
-fn with_attenuation<V: WithAttenuation>(attenuation: AnyAttenuation, visitor: V) -> V::Output {
-    match attenuation {
-        AnyAttenuation::Constant(cut) if cut.range().is_none() => {
-            visitor.attenuation(cut.attenuation(), "NoAttenuation")
-        }
-        AnyAttenuation::InverseSquare(cut) if cut.range().is_none() => {
-            visitor.attenuation(cut.attenuation(), "InverseSquare")
-        }
-        AnyAttenuation::Polynomial(cut) if cut.range().is_none() => {
-            visitor.attenuation(cut.attenuation(), "Polynomial")
-        }
-        attenuation => attenuation.with(visitor),
-    }
-}
-
-/// Takes the name of an attenuation's type.
-struct TypeName;
-
-impl WithAttenuation for TypeName {
-    type Output = String;
-
-    fn attenuation<A: Attenuation>(self, _: A, name: &'static str) -> String {
-        spelled(name)
-    }
-}
-
-/// Returns the name of the type of an attenuation.
-pub(crate) fn attenuation_type(attenuation: AnyAttenuation) -> String {
-    with_attenuation(attenuation, TypeName)
 }
 
 /// Takes the source of a falloff.
@@ -98,7 +66,7 @@ type Spot = SpotLight<AnyFalloff, AnyAttenuation>;
 fn around<S: Scalar>(light: &PointLight<AnyAttenuation>) -> Result<(String, String), ExportError> {
     let parts = light.compile::<S>()?.parts();
     let colors = [light.color(), light.specular_color()].map(|color| color.map(S::from_f32));
-    Ok(with_attenuation(light.attenuation(), Around { parts, colors }))
+    Ok(light.attenuation().with(Around { parts, colors }))
 }
 
 /// Writes a point light with its attenuation.
@@ -110,7 +78,7 @@ struct Around<S: Scalar> {
 impl<S: Scalar> WithAttenuation for Around<S> {
     type Output = (String, String);
 
-    fn attenuation<A: Attenuation>(self, law: A, law_name: &'static str) -> (String, String) {
+    fn attenuation<A: Attenuation>(self, law: A) -> (String, String) {
         let Self { parts, colors } = self;
         let light = CompiledPointLight::<S, A>::from_parts(
             parts.position,
@@ -119,7 +87,7 @@ impl<S: Scalar> WithAttenuation for Around<S> {
             parts.fine_below,
             colors,
         );
-        (format!("CompiledPointLight<FORMAT, {law_name}>"), as_source(&light).to_string())
+        (format!("CompiledPointLight<FORMAT, {}>", name::<A>()), as_source(&light).to_string())
     }
 }
 
@@ -129,7 +97,7 @@ fn attenuated<S: Scalar>(light: &Spot) -> Result<(String, String), ExportError> 
     let Some(cone) = compiled.parts().cone else { unreachable!("a spotlight has a cone") };
     let colors = [light.color(), light.specular_color()].map(|color| color.map(S::from_f32));
     let shape = Shaped { light, parts: compiled.parts(), cone, colors };
-    Ok(with_attenuation(light.attenuation(), shape))
+    Ok(light.attenuation().with(shape))
 }
 
 /// Writes a spotlight with its attenuation.
@@ -143,9 +111,9 @@ struct Shaped<'a, S: Scalar> {
 impl<S: Scalar> WithAttenuation for Shaped<'_, S> {
     type Output = (String, String);
 
-    fn attenuation<A: Attenuation>(self, law: A, law_name: &'static str) -> (String, String) {
+    fn attenuation<A: Attenuation>(self, law: A) -> (String, String) {
         let falloff = self.light.cone().falloff();
-        let kind = format!("CompiledSpotLight<FORMAT, {}, {law_name}>", falloff.type_name());
+        let kind = format!("CompiledSpotLight<FORMAT, {}, {}>", falloff.type_name(), name::<A>());
         (kind, with_falloff(falloff, falloff.compile::<S>(), Attenuated { shape: self, law }))
     }
 }

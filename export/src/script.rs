@@ -1,14 +1,14 @@
 //! Lights as build scripts of Rust.
 
-use luminaire::attenuation::AnyAttenuation;
+use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe, WithAttenuation};
+use luminaire::codegen::name;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::AnyFalloff;
 use luminaire::{Angle, Cone, Fx16, Rgb};
 
 use crate::error::ExportError;
 use crate::head::head;
-use crate::models;
-use crate::rust::{attenuation_type, falloff_source};
+use crate::rust::falloff_source;
 
 /// The parts of a script that depend on the kind of a light.
 struct Parts {
@@ -108,20 +108,42 @@ fn degrees(versine: f32) -> String {
 /// Returns the type of an attenuation, and the call that gives it to a light; `None` for the inverse
 /// square, which every light has at first.
 fn attenuation(attenuation: AnyAttenuation) -> (String, Option<String>) {
-    let kind = attenuation_type(attenuation);
-    let described = models::attenuation(&attenuation).describe();
-    let plain = match (described.law, described.coefficients) {
-        ("constant", _) => "NoAttenuation".to_owned(),
-        (_, Some([constant, linear, quadratic])) => {
-            format!("Polynomial::new({constant:?}, {linear:?}, {quadratic:?})?")
-        }
-        _ => "InverseSquare".to_owned(),
-    };
-    let value = match (kind.split('<').next(), described.range) {
-        (Some("SmoothRange"), Some(range)) => format!("SmoothRange::new({range:?})?"),
-        (Some(window), range) if !plain.starts_with(window) => format!("{window}::new({plain}, {range:?})?"),
-        _ => plain,
-    };
+    let Call { kind, value } = attenuation.with(Called);
     let call = (kind != "InverseSquare").then(|| format!(".with_attenuation({value})"));
     (kind, call)
+}
+
+/// Takes an attenuation as a call of its constructor.
+struct Called;
+
+impl WithAttenuation for Called {
+    type Output = Call;
+
+    fn attenuation<A: Attenuation>(self, attenuation: A) -> Call {
+        let mut call = Call { kind: name::<A>().to_string(), value: String::new() };
+        attenuation.describe(&mut call);
+        call
+    }
+}
+
+/// The name of the type of an attenuation, and its value so far.
+struct Call {
+    kind: String,
+    value: String,
+}
+
+impl Describe for Call {
+    fn law(&mut self, kind: &str, _: &str, arguments: &[(&str, &[f32])]) {
+        let numbers = arguments.iter().flat_map(|(_, values)| values.iter());
+        let numbers: Vec<_> = numbers.map(|number| format!("{number:?}")).collect();
+        self.value = if numbers.is_empty() {
+            kind.to_owned()
+        } else {
+            format!("{kind}::new({})?", numbers.join(", "))
+        };
+    }
+
+    fn window(&mut self, kind: &str, _: &str, range: Option<f32>) {
+        self.value = format!("{kind}::new({}, {range:?})?", self.value);
+    }
 }

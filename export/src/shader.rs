@@ -1,8 +1,7 @@
 //! Lights as functions in `f32`: GLSL, WGSL and C.
 
-pub(crate) mod attenuation;
 mod expression;
-mod falloff;
+mod formula;
 mod light;
 mod names;
 mod syntax;

@@ -1,15 +1,18 @@
-//! The formula of a falloff, recorded from the kernel.
+//! The formulas of a falloff and of an attenuation, recorded from the kernel.
 //!
-//! The kernel evaluates a falloff by the operations of the trait [`Fraction`]. A [`Symbol`]
-//! implements these operations by recording them. So the kernel's own code is the only place of a
-//! formula, and a falloff that is added to the list of models is exported without more code.
+//! The kernel evaluates a falloff by the operations of the trait [`Fraction`], and an attenuation by
+//! those of [`Ray`] and [`Share`]. A [`Symbol`] implements these operations by recording them. So the
+//! kernel's own code is the only place of a formula, and a falloff or an attenuation that is added to
+//! the list of models is exported without more code.
 
 use std::cell::RefCell;
 use std::cmp::Ordering;
+use std::marker::PhantomData;
 
-use luminaire::Scalar;
+use luminaire::attenuation::{AnyAttenuation, Attenuation, WithAttenuation};
 use luminaire::falloff::{AnyFalloff, Curve, Falloff};
-use luminaire::number::{Arithmetic, Fraction, Knot, RealExponent, Share};
+use luminaire::number::{Arithmetic, Fraction, InversePower, Knot, Offset, Ray, RealExponent, Share};
+use luminaire::{Scalar, Vec3};
 
 /// An operation on the results of earlier operations, which are given by their indices.
 #[derive(Clone, PartialEq, Debug)]
@@ -42,14 +45,32 @@ pub(crate) enum Operation<S: Arithmetic> {
     Sample(usize, Vec<u16>),
     /// The line of a knot at `1 - x`.
     Along(usize, Vec<Knot>),
+    /// The distance times a gain, at most 1.
+    Near(S::Gain),
+    /// The squared distance times a gain, at most 1.
+    SquaredNear(S::Gain),
+    /// The product of two shares.
+    ShareOf(usize, usize),
+    /// `x^2 (3 - 2x)` of a share.
+    Smoothed(usize),
+    /// A share of the intensity, as light.
+    Give(usize),
+    /// A share of the intensity, by the inverse square of the distance.
+    InverseSquare(usize),
+    /// A share of the intensity, by one over a polynomial of the distance.
+    Polynomial(usize, [S::Gain; 3]),
+    /// A share of the intensity, by a real power of the distance.
+    Decay(usize, InversePower),
 }
 
 impl<S: Arithmetic> Operation<S> {
     /// Returns the indices of the operands.
     pub(crate) fn operands(&self) -> impl Iterator<Item = usize> {
         let (first, second) = match *self {
-            Self::Argument => (None, None),
-            Self::FineProduct(a, b) | Self::Product(a, b) | Self::Of(a, b) => (Some(a), Some(b)),
+            Self::Argument | Self::Near(_) | Self::SquaredNear(_) => (None, None),
+            Self::FineProduct(a, b) | Self::Product(a, b) | Self::Of(a, b) | Self::ShareOf(a, b) => {
+                (Some(a), Some(b))
+            }
             Self::Complement(a)
             | Self::RealPower(a, _)
             | Self::Scalar(a)
@@ -59,21 +80,29 @@ impl<S: Arithmetic> Operation<S> {
             | Self::Quadratic(a, _)
             | Self::Cubic(a, ..)
             | Self::Sample(a, _)
-            | Self::Along(a, _) => (Some(a), None),
+            | Self::Along(a, _)
+            | Self::Smoothed(a)
+            | Self::Give(a)
+            | Self::InverseSquare(a)
+            | Self::Polynomial(a, _)
+            | Self::Decay(a, _) => (Some(a), None),
         };
         first.into_iter().chain(second)
     }
 }
 
-/// The operations of a falloff in the format `S`, in the order in which the kernel computes them.
+/// The operations of a falloff or an attenuation in the format `S`, in the order in which the kernel computes them.
 #[derive(Clone, Debug)]
 pub(crate) struct Trace<S: Arithmetic> {
-    /// The operations.
+    /// The operations. The argument is that of the falloff, or the share that is attenuated.
     pub(crate) operations: Vec<Operation<S>>,
     /// The index of the result.
     pub(crate) result: usize,
-    /// The index of an intensity without which the result is 0.
+    /// The index of an intensity without which the result is 0. An attenuation's is its share, and
+    /// needs no test: no operation makes light of a share of 0.
     pub(crate) guard: Option<usize>,
+    /// The indices of shares of which one is 1 where the result is 0.
+    pub(crate) ends: Vec<usize>,
 }
 
 impl<S: Scalar> Trace<S> {
@@ -81,8 +110,13 @@ impl<S: Scalar> Trace<S> {
     pub(crate) fn of(falloff: AnyFalloff) -> Self {
         let record = Record::default();
         let result = falloff.compile::<S>().intensity(record.push(Operation::Argument)).index();
-        let Record { operations, guard } = record;
-        Self { operations: operations.into_inner(), result, guard: guard.into_inner() }
+        assert!(record.guards.borrow().len() <= 1, "a falloff compares once");
+        record.finished(result)
+    }
+
+    /// Records the windows of an attenuation alone, and the whole attenuation.
+    pub(crate) fn of_attenuation(attenuation: AnyAttenuation) -> [Self; 2] {
+        attenuation.with(Attenuated(PhantomData))
     }
 
     /// Returns how often each result is used.
@@ -95,16 +129,38 @@ impl<S: Scalar> Trace<S> {
     }
 }
 
+/// Records an attenuation.
+struct Attenuated<S>(PhantomData<S>);
+
+impl<S: Scalar> WithAttenuation for Attenuated<S> {
+    type Output = [Trace<S>; 2];
+
+    fn attenuation<A: Attenuation>(self, attenuation: A) -> [Trace<S>; 2] {
+        let constants = attenuation.constants::<S>();
+        let nowhere = Vec3::default();
+        let offset = S::Offset::between(nowhere, nowhere);
+        let [windows, whole] = [Record::default(), Record::default()];
+        let share = windows.push(Operation::Argument);
+        let windowed = A::windowed::<S, _, _>(&constants, &offset, &windows.ray(), share).index();
+        let share = whole.push(Operation::Argument);
+        // The light itself is in the record, as the last operation.
+        let _ = A::light::<S, _, _>(&constants, &offset, &whole.ray(), share, S::gain(1.0));
+        let last = whole.operations.borrow().len() - 1;
+        [windows.finished(windowed), whole.finished(last)]
+    }
+}
+
 /// A trace while it is recorded.
 #[derive(Debug)]
 struct Record<S: Arithmetic> {
     operations: RefCell<Vec<Operation<S>>>,
-    guard: RefCell<Option<usize>>,
+    guards: RefCell<Vec<usize>>,
+    ends: RefCell<Vec<usize>>,
 }
 
 impl<S: Arithmetic> Default for Record<S> {
     fn default() -> Self {
-        Self { operations: RefCell::default(), guard: RefCell::default() }
+        Self { operations: RefCell::default(), guards: RefCell::default(), ends: RefCell::default() }
     }
 }
 
@@ -113,6 +169,75 @@ impl<S: Arithmetic> Record<S> {
         let mut operations = self.operations.borrow_mut();
         operations.push(operation);
         Symbol::Result(self, operations.len() - 1)
+    }
+
+    /// A ray whose operations are recorded.
+    fn ray(&self) -> Way<'_, S> {
+        Way(self)
+    }
+
+    fn finished(self, result: usize) -> Trace<S> {
+        let Self { operations, guards, ends } = self;
+        let guard = guards.into_inner().first().copied();
+        Trace { operations: operations.into_inner(), result, guard, ends: ends.into_inner() }
+    }
+}
+
+/// The ray from a light to a point, whose operations are recorded.
+#[derive(Clone, Copy, Debug)]
+struct Way<'a, S: Arithmetic>(&'a Record<S>);
+
+impl<'a, S: Arithmetic> Way<'a, S> {
+    /// Records the light that arrives.
+    fn ends_with(self, light: Operation<S>) -> S::Received {
+        self.0.push(light);
+        S::Received::default()
+    }
+}
+
+impl<'a, S: Arithmetic> Ray<S> for Way<'a, S> {
+    type Fraction = Symbol<'a, S>;
+    type Share = Symbol<'a, S>;
+
+    fn distance(&self) -> S::Gain {
+        unreachable!("an attenuation computes with the operations of a ray")
+    }
+
+    fn direction(&self) -> Vec3<S::Direction> {
+        unreachable!("an operation of cones")
+    }
+
+    fn rise(&self, _: Vec3<S::Direction>, _: S::Ramp) -> Symbol<'a, S> {
+        unreachable!("an operation of cones")
+    }
+
+    fn cosine(&self, _: <S::Offset as Offset<S>>::Facing, _: Vec3<S>) -> Symbol<'a, S> {
+        unreachable!("an operation of surfaces")
+    }
+
+    fn near(&self, gain: S::Gain) -> Symbol<'a, S> {
+        self.0.push(Operation::Near(gain))
+    }
+
+    fn squared_near<O: Offset<S>>(&self, _: &O, gain: S::Gain) -> Symbol<'a, S> {
+        self.0.push(Operation::SquaredNear(gain))
+    }
+
+    fn light(&self, share: Symbol<'a, S>, _: S::Gain) -> S::Received {
+        self.ends_with(Operation::InverseSquare(share.index()))
+    }
+
+    fn light_by_polynomial(
+        &self,
+        share: Symbol<'a, S>,
+        coefficients: &[S::Gain; 3],
+        _: S::Gain,
+    ) -> S::Received {
+        self.ends_with(Operation::Polynomial(share.index(), *coefficients))
+    }
+
+    fn light_by_decay(&self, share: Symbol<'a, S>, power: InversePower, _: S::Gain) -> S::Received {
+        self.ends_with(Operation::Decay(share.index(), power))
     }
 }
 
@@ -132,7 +257,7 @@ impl<'a, S: Arithmetic> Symbol<'a, S> {
     fn parts(self) -> (&'a Record<S>, usize) {
         match self {
             Self::Result(record, index) => (record, index),
-            Self::Zero => unreachable!("within the cone a falloff depends on its argument"),
+            Self::Zero => unreachable!("within its limits a formula depends on its argument"),
         }
     }
 
@@ -152,14 +277,13 @@ impl<S: Arithmetic> PartialEq for Symbol<'_, S> {
     }
 }
 
-/// A falloff may test whether an intensity is above 0, and be 0 otherwise. The recorded branch is
+/// A formula may test whether an intensity is above 0, and be 0 otherwise. The recorded branch is
 /// the one above 0; the test becomes the guard.
 impl<S: Arithmetic> PartialOrd for Symbol<'_, S> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let (record, index) = self.parts();
-        assert!(matches!(other, Self::Zero), "a falloff compares an intensity with 0 alone");
-        let before = record.guard.replace(Some(index));
-        assert!(before.is_none(), "a falloff compares once");
+        assert!(matches!(other, Self::Zero), "a formula compares an intensity with 0 alone");
+        record.guards.borrow_mut().push(index);
         Some(Ordering::Greater)
     }
 }
@@ -216,34 +340,38 @@ impl<S: Arithmetic> Fraction<S> for Symbol<'_, S> {
     }
 }
 
-/// The operations on intensities. A falloff ends with an intensity and computes with
-/// [`Share::complement`] alone.
+/// The operations on intensities, and on the shares of an attenuation.
 impl<S: Arithmetic> Share<S> for Symbol<'_, S> {
     fn complement(self) -> Self {
         self.record(Operation::Rest)
     }
 
     fn of_scalar(_: S) -> Self {
-        unreachable!("an operation of attenuations")
+        unreachable!("shares begin with the cosine")
     }
 
     fn scalar(self) -> S {
-        unreachable!("an operation of attenuations")
+        unreachable!("an operation after the formula")
     }
 
+    /// A formula may be 0 where a share is 1. The recorded branch is the other one.
     fn is_one(self) -> bool {
-        unreachable!("an operation of attenuations")
+        let (record, index) = self.parts();
+        record.ends.borrow_mut().push(index);
+        false
     }
 
-    fn times(self, _: Self) -> Self {
-        unreachable!("an operation of attenuations")
+    fn times(self, other: Self) -> Self {
+        self.record_with(other, Operation::ShareOf)
     }
 
     fn smooth(self) -> Self {
-        unreachable!("an operation of attenuations")
+        self.record(Operation::Smoothed)
     }
 
     fn light(self, _: S::Gain) -> S::Received {
-        unreachable!("an operation of attenuations")
+        let (record, index) = self.parts();
+        record.push(Operation::Give(index));
+        S::Received::default()
     }
 }

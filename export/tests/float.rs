@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use fastrand::Rng;
-use luminaire::dynamic::AnyLight;
+use luminaire::dynamic::{AnyLight, Effect};
 use luminaire::falloff::AnyFalloff;
 use luminaire::{DirectionalLight, Vec3};
 use luminaire_export::{Language, export};
@@ -97,6 +97,10 @@ fn is_real_power(light: &AnyLight) -> bool {
     matches!(falloff, Some(AnyFalloff::RealPower(_) | AnyFalloff::InvertedRealPower(_)))
 }
 
+fn is_decay(light: &AnyLight) -> bool {
+    light.effects().has(Effect::Decay)
+}
+
 /// Writes the program that evaluates each light at [`POINTS`] places.
 fn program(lights: &[AnyLight]) -> (tempfile::TempDir, std::path::PathBuf) {
     let folder = tempfile::tempdir().expect("a folder");
@@ -139,13 +143,17 @@ fn c_has_the_bits_of_the_kernel() {
         let Some(found) = run(compiler, flags, &file, &words) else { continue };
         let found: Vec<_> =
             found.chunks_exact(2).map(|pair| [pair[0], pair[1]].map(f32::from_bits)).collect();
-        let (mut differ, mut real, mut lit, mut smooth, mut oracle) = (0, 0.0_f64, 0, 0, 0.0_f64);
+        let (mut differ, mut real, mut decays, mut lit) = (0, 0.0_f64, 0.0_f64, 0);
+        let (mut smooth, mut oracle) = (0, 0.0_f64);
         for ((light, found), places) in lights.iter().zip(found.chunks(POINTS)).zip(places.chunks(POINTS)) {
             let expected = by_the_kernel(light, places);
             for ((found, expected), place) in found.iter().zip(expected).zip(places) {
                 lit += usize::from(expected[0] > 0.0);
                 if is_real_power(light) {
                     real = real.max(255.0 * f64::from(found[1] - expected[1]).abs());
+                } else if is_decay(light) {
+                    let ratio = if expected[0] > 0.0 { found[0] / expected[0] } else { 1.0 + found[0] };
+                    decays = decays.max(f64::from(ratio - 1.0).abs());
                 } else if *found != expected {
                     differ += 1;
                     assert!(
@@ -163,11 +171,12 @@ fn c_has_the_bits_of_the_kernel() {
             }
         }
         println!(
-            "{compiler}: {} points, {lit} lit, {differ} differ; real powers by {real:.1e} codes; {smooth} of smooth lights by {oracle:.1e} codes from f64",
+            "{compiler}: {} points, {lit} lit, {differ} differ; real powers by {real:.1e} codes, decays by a relative {decays:.1e}; {smooth} of smooth lights by {oracle:.1e} codes from f64",
             found.len()
         );
         assert_eq!(differ, 0);
         assert!((1e-6..=1e-4).contains(&real), "real powers: {real:e} codes");
+        assert!((1e-8..=1e-5).contains(&decays), "decays: a relative {decays:e}");
         assert!((1e-5..=1e-2).contains(&oracle), "from f64: {oracle:e} codes");
     }
 }

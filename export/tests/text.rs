@@ -12,7 +12,7 @@ use luminaire_export::{Language, c_header, check_text, export};
 use luminaire_oracle::{DVec3, versine_between};
 use serde_json::Value;
 
-use support::{place, spots};
+use support::{place, points_of_light, spots};
 
 /// Returns a number. One with a fraction is that of `f32`.
 fn number(value: &Value) -> f64 {
@@ -59,6 +59,9 @@ fn falloff(falloff: &Value, t: f64) -> f64 {
     }
 }
 
+/// The laws that the documentation of the JSON has.
+const LAWS: [&str; 5] = ["constant", "inverse-square", "polynomial", "decay", "smoothstep"];
+
 /// Returns the irradiance, from the documentation of the JSON alone.
 fn irradiance(light: &Value, point: DVec3, normal: DVec3) -> f64 {
     let offset = point - triple(&light["position"]);
@@ -77,6 +80,7 @@ fn irradiance(light: &Value, point: DVec3, normal: DVec3) -> f64 {
             let c = triple(&attenuation["coefficients"]);
             1.0 / (c.x + c.y * distance + c.z * distance * distance).max(1.0)
         }
+        "decay" => distance.powf(-number(&attenuation["exponent"])).min(number(&attenuation["most"])),
         "smoothstep" => {
             let t = (1.0 - fraction).max(0.0);
             t * t * (3.0 - 2.0 * t)
@@ -96,7 +100,7 @@ fn irradiance(light: &Value, point: DVec3, normal: DVec3) -> f64 {
 }
 
 /// The JSON alone is enough to evaluate a light: in f64 the result is that of the exact model. Of a
-/// falloff that is a function the JSON has the name.
+/// falloff that is a function, and of a law that the documentation has not, the JSON has the name.
 #[test]
 fn json_has_all_that_a_light_needs() {
     let (mut rng, mut worst, mut lit) = (Rng::with_seed(7), 0.0_f64, 0);
@@ -106,6 +110,9 @@ fn json_has_all_that_a_light_needs() {
         }
         let json = export(spot, "key", Language::Json).expect("a light");
         let light: Value = serde_json::from_str(&json).expect("JSON");
+        if !LAWS.contains(&light["attenuation"]["law"].as_str().expect("a law")) {
+            continue;
+        }
         let any = AnyLight::from(spot);
         for _ in 0..200 {
             let (point, normal) = place(&mut rng, &any);
@@ -241,6 +248,47 @@ fn a_build_script_describes_the_light() -> Result<(), Box<dyn std::error::Error>
     near(found.direction(), sun.direction());
     assert_eq!((found.color(), found.specular_color()), (sun.color(), sun.specular_color()));
     Ok(())
+}
+
+/// The build scripts of lights of each falloff and each attenuation compile.
+#[test]
+fn the_build_scripts_of_drawn_lights_compile() -> Result<(), Box<dyn std::error::Error>> {
+    let mut rng = Rng::with_seed(12);
+    let spots = spots::<Fx16>(&mut rng, 2).into_iter().map(AnyLight::from);
+    let lights = spots.chain(points_of_light(&mut rng).into_iter().map(AnyLight::from));
+    let mut file = String::new();
+    for (index, light) in lights.enumerate() {
+        let text = export(light, &format!("light{index}"), Language::RustBuild)?;
+        file += &format!("pub mod light{index} {{\n{text}}}\n");
+    }
+    let folder = tempfile::tempdir()?;
+    let path = folder.path().join("scripts.rs");
+    std::fs::write(&path, file)?;
+    let mut libraries = Vec::new();
+    let program = std::env::current_exe()?;
+    let dependencies = program.parent().ok_or("a folder of programs")?;
+    for entry in std::fs::read_dir(dependencies)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with("libluminaire-") && name.ends_with(".rlib") {
+            libraries.push((entry.metadata()?.modified()?, entry.path()));
+        }
+    }
+    libraries.sort();
+    // The newest is usually that of this program; any will do that this compiler has built.
+    let mut told = "no library is built".to_owned();
+    for (_, library) in libraries.into_iter().rev() {
+        let mut compiler = std::process::Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
+        compiler.args(["--edition=2024", "--crate-type=lib", "--emit=metadata", "--cap-lints=allow", "-L"]);
+        compiler.arg(format!("dependency={}", dependencies.display())).arg("--extern");
+        compiler.arg(format!("luminaire={}", library.display())).arg("--out-dir").arg(folder.path());
+        let output = compiler.arg(&path).output()?;
+        if output.status.success() {
+            return Ok(());
+        }
+        told = String::from_utf8_lossy(&output.stderr).into_owned();
+    }
+    panic!("{told}");
 }
 
 #[test]

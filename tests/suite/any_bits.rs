@@ -13,6 +13,7 @@ use luminaire::{
         CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
         LightModel, QuickSpotLight, Row, SurfacePoint,
     },
+    number::InversePower,
     specular::{BlinnPhong, DifferenceForm, NoSpecular, Phong, SpecularLobe},
 };
 use support::{
@@ -163,7 +164,7 @@ fn any_soft<S: Raw>(rng: &mut Rng) -> CompiledCone<S, AnyFalloff> {
     CompiledCone::from_parts(S::any_ramp(rng), Soft.into(), CompiledAnyFalloff::Soft(Soft))
 }
 
-fn any_attenuations<S: Raw>(rng: &mut Rng) -> [CompiledAnyAttenuation<S>; 7] {
+fn any_attenuations<S: Raw>(rng: &mut Rng) -> [CompiledAnyAttenuation<S>; 8] {
     let [a, b, c] = [S::any_gain(rng), S::any_gain(rng), S::any_gain(rng)];
     [
         CompiledAnyAttenuation::Constant((a, ())),
@@ -173,6 +174,10 @@ fn any_attenuations<S: Raw>(rng: &mut Rng) -> [CompiledAnyAttenuation<S>; 7] {
         CompiledAnyAttenuation::GltfRange((a, ())),
         CompiledAnyAttenuation::FilamentRange((b, ())),
         CompiledAnyAttenuation::WindowedPolynomial((c, [a, b, c])),
+        CompiledAnyAttenuation::WindowedDecay((
+            a,
+            InversePower::from_bits([rng.u32(..), rng.u32(..), rng.u32(..)]),
+        )),
     ]
 }
 

@@ -6,7 +6,7 @@ use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Length, Material, PointLight, Rgb,
     SpotLight, Vec3,
     attenuation::{
-        AnyAttenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial,
+        AnyAttenuation, CutAt, Decay, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial,
         SmoothRange, Windowed,
     },
     dynamic::{AnyLight, CompiledAnyLight, Effect, Effects, RenderPlan, SurfacePoints},
@@ -44,6 +44,8 @@ fn distances() -> Result<Vec<AnyAttenuation>, Error> {
         Windowed::new(NoAttenuation, Some(6.0))?.into(),
         Windowed::new(polynomial, Some(6.0))?.into(),
         SmoothRange::new(6.0)?.into(),
+        Decay::new(1.5, 100.0)?.into(),
+        Windowed::new(Decay::new(3.0, 10.0)?, Some(6.0))?.into(),
     ])
 }
 
@@ -224,7 +226,7 @@ fn beams_show_in_many_rays_as_in_each() {
     let none = Vec3::default();
     let rays = ViewRays { eye: none, direction: Vec3::new([1.0], [0.0], [0.0]), length: [2.0] };
     assert_eq!(rays.at(1), ViewRay { eye: none, direction: none, length: 0.0 }, "beyond the last");
-    assert!((0.1..0.5).contains(&(seen as f32 / count as f32)), "{seen} of {count} rays show a beam");
+    assert!((0.08..0.5).contains(&(seen as f32 / count as f32)), "{seen} of {count} rays show a beam");
 }
 
 /// A falloff chosen at run time is the given one, in every format. A power with its exponent in the
@@ -305,6 +307,8 @@ fn a_light_calls_for_what_it_is() -> Result<(), Error> {
         "unattenuated, window, range",
         "polynomial, window, range",
         "smooth-range, range",
+        "decay",
+        "decay, window, range",
     ];
     assert_eq!(names, expected.map(|distance| format!("diffuse, point, {distance}")));
 

@@ -12,6 +12,7 @@ mod batch;
 mod bright;
 mod changes;
 mod cones;
+mod decay;
 mod display;
 mod display_ramp;
 mod dither;

@@ -292,7 +292,7 @@ fn spot_of<S: Scalar, P: Falloff, A: Attenuation>(name: &str, cone: Cone<P>, att
 
 fn key<P: Falloff, A: Attenuation>(cone: Cone<P>, attenuation: A) -> Result<SpotLight<P, A>, Error> {
     SpotLight::new(POSITION, AXIS, cone)?
-        .with_intensity(if attenuation.grows() { BRIGHT } else { 1.0 })?
+        .with_intensity(if attenuation.growth() > 0.0 { BRIGHT } else { 1.0 })?
         .with_attenuation(attenuation)
         .with_color(AMBER)
 }

@@ -2,17 +2,18 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{
-    Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
-    Windowed,
-};
-#[cfg(feature = "arithmetic")]
-use crate::models::{Listed, listed};
+#[allow(clippy::wildcard_imports, reason = "the types of the list")]
+use super::*;
 use crate::{
     effect::Effects,
     models::attenuations,
     number::{Offset, Ray, Scalar},
     source::{Source, call, named},
+};
+#[cfg(feature = "arithmetic")]
+use crate::{
+    error::Error,
+    models::{Listed, Parameters, draw, listed},
 };
 
 /// Takes the constants of an attenuation with its type.
@@ -27,8 +28,8 @@ pub trait WithAttenuation {
     /// The result.
     type Output;
 
-    /// Takes the attenuation, and the name of its type.
-    fn attenuation<A: Attenuation>(self, attenuation: A, name: &'static str) -> Self::Output;
+    /// Takes the attenuation.
+    fn attenuation<A: Attenuation>(self, attenuation: A) -> Self::Output;
 }
 
 /// A visitor of the attenuations of the list.
@@ -40,7 +41,8 @@ pub trait AttenuationVisitor {
 
 /// Declares the enums of all listed attenuations, and their methods with one match arm per row.
 macro_rules! any_attenuation {
-    ($(#[doc = $doc:literal] $variant:ident($type:ty) = any $any:expr
+    ($(#[doc = $doc:literal] $variant:ident($type:ty) $(from $law:ty)? = $make:expr
+       $(, effect #[doc = $effect_doc:literal] $effect:ident = $effect_name:literal)?
        $(, #[doc = $its_doc:literal] $constant:ty = $its_name:literal, $value:expr)*;)*) => {
         /// Any attenuation, chosen at run time: for a light of [another system](crate::import) or
         /// an [`AnyLight`](crate::dynamic::AnyLight).
@@ -67,6 +69,12 @@ macro_rules! any_attenuation {
             }
         })*
 
+        $($(impl From<$law> for AnyAttenuation {
+            fn from(law: $law) -> Self {
+                Self::$variant(CutAt::unlimited(law))
+            }
+        })?)*
+
         impl AnyAttenuation {
             /// The number of attenuations.
             #[cfg(feature = "arithmetic")]
@@ -77,23 +85,23 @@ macro_rules! any_attenuation {
             /// # Errors
             /// Invalid parameters.
             #[cfg(feature = "arithmetic")]
-            pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, crate::error::Error> {
-                use crate::models::{draw, range};
+            pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
+                Self::built(index, &mut number)
+            }
+
+            /// Builds the attenuation with index `index % COUNT` from parameters.
+            ///
+            /// # Errors
+            /// Invalid parameters.
+            #[cfg(feature = "arithmetic")]
+            pub fn built(index: usize, parameters: &mut impl Parameters) -> Result<Self, Error> {
                 let (index, mut rows) = (index % Self::COUNT, 0..);
                 $(
                     if rows.next() == Some(index) {
-                        return draw(&mut number, $any).map(Self::$variant);
+                        return draw(parameters, $make).map(Self::$variant);
                     }
                 )*
                 Ok(NoAttenuation.into())
-            }
-
-            /// Passes the attenuation as its own type.
-            #[cfg(feature = "arithmetic")]
-            pub fn with<V: WithAttenuation>(self, visitor: V) -> V::Output {
-                match self {
-                    $(Self::$variant(attenuation) => visitor.attenuation(attenuation, stringify!($type)),)*
-                }
             }
 
             /// Returns the range of the light; `None` for a light without a range.
@@ -158,9 +166,22 @@ macro_rules! any_attenuation {
                 }
             }
 
-            fn grows(&self) -> bool {
+            fn growth(&self) -> f32 {
                 match self {
-                    $(Self::$variant(attenuation) => attenuation.grows(),)*
+                    $(Self::$variant(attenuation) => attenuation.growth(),)*
+                }
+            }
+
+            fn describe(&self, to: &mut dyn Describe) {
+                match self {
+                    $(Self::$variant(attenuation) => attenuation.describe(to),)*
+                }
+            }
+
+            #[cfg(feature = "arithmetic")]
+            fn with<V: WithAttenuation>(self, visitor: V) -> V::Output {
+                match self {
+                    $(Self::$variant(attenuation) => attenuation.with(visitor),)*
                 }
             }
 
@@ -210,16 +231,3 @@ macro_rules! any_attenuation {
 
 attenuations!(any_attenuation);
 named!(AnyAttenuation);
-
-/// Implements the conversion of an attenuation without a range into the variant with `range: None`.
-macro_rules! from_unlimited {
-    ($($type:ty => $variant:ident)*) => {$(
-        impl From<$type> for AnyAttenuation {
-            fn from(attenuation: $type) -> Self {
-                Self::$variant(CutAt::unlimited(attenuation))
-            }
-        }
-    )*};
-}
-
-from_unlimited!(NoAttenuation => Constant InverseSquare => InverseSquare Polynomial => Polynomial);

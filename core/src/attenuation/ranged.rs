@@ -5,7 +5,9 @@ use core::{
     marker::PhantomData,
 };
 
-use super::{Attenuation, InverseSquare, checked_range, dimmed, inverse_squared, squared_fraction};
+#[cfg(feature = "arithmetic")]
+use super::WithAttenuation;
+use super::{Attenuation, Describe, InverseSquare, checked_range, dimmed, inverse_squared, squared_fraction};
 use crate::{
     effect::{Effect, Effects},
     error::Error,
@@ -33,8 +35,12 @@ pub type FilamentRange = Ranged<SquareWindow, InverseSquare>;
 
 /// A window: how a range ends an attenuation.
 pub trait Window: Copy + PartialEq + core::fmt::Debug {
-    /// The name of the type.
-    const NAME: &'static str;
+    /// The name of the type of an attenuation with this window, up to that of the attenuation.
+    const TYPE: &'static str;
+    /// The path of the constructor of this type.
+    const CONSTRUCTOR: &'static str;
+    /// The name of the window in data.
+    const KEY: &'static str;
 
     /// The effects that the window requires in addition to [`Effect::Range`].
     const EFFECTS: Effects;
@@ -66,7 +72,9 @@ fn window<S: Scalar, T: Share<S>>(squared: T) -> T {
 }
 
 impl Window for Cut {
-    const NAME: &'static str = "Cut";
+    const TYPE: &'static str = "CutAt<";
+    const CONSTRUCTOR: &'static str = "CutAt";
+    const KEY: &'static str = "cut";
     const EFFECTS: Effects = Effects::NONE;
 
     fn exact(fraction: f64) -> f64 {
@@ -80,7 +88,9 @@ impl Window for Cut {
 }
 
 impl Window for GltfWindow {
-    const NAME: &'static str = "GltfWindow";
+    const TYPE: &'static str = "Ranged<GltfWindow, ";
+    const CONSTRUCTOR: &'static str = "Ranged::<GltfWindow, _>";
+    const KEY: &'static str = "gltf";
     const EFFECTS: Effects = Effects::NONE.with(Effect::Window);
 
     fn exact(fraction: f64) -> f64 {
@@ -94,7 +104,9 @@ impl Window for GltfWindow {
 }
 
 impl Window for SquareWindow {
-    const NAME: &'static str = "SquareWindow";
+    const TYPE: &'static str = "Windowed<";
+    const CONSTRUCTOR: &'static str = "Windowed";
+    const KEY: &'static str = "square";
     const EFFECTS: Effects = Effects::NONE.with(Effect::Window);
 
     fn exact(fraction: f64) -> f64 {
@@ -137,7 +149,7 @@ impl<W: Window, A: Attenuation> Ranged<W, A> {
 
 impl<W: Window, A: Named> Named for Ranged<W, A> {
     fn write_name(out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "Ranged<{}, {}>", W::NAME, name::<A>())
+        write!(out, "{}{}>", W::TYPE, name::<A>())
     }
 }
 
@@ -164,8 +176,18 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
         window * self.attenuation.exact(distance)
     }
 
-    fn grows(&self) -> bool {
-        self.attenuation.grows()
+    fn growth(&self) -> f32 {
+        self.attenuation.growth()
+    }
+
+    fn describe(&self, to: &mut dyn Describe) {
+        self.attenuation.describe(to);
+        to.window(W::CONSTRUCTOR, W::KEY, self.range);
+    }
+
+    #[cfg(feature = "arithmetic")]
+    fn with<V: WithAttenuation>(self, visitor: V) -> V::Output {
+        if self.range.is_some() { visitor.attenuation(self) } else { self.attenuation.with(visitor) }
     }
 
     #[inline]

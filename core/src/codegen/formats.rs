@@ -8,12 +8,15 @@ use crate::number::{
     ramp::FixedRamp,
 };
 use crate::{
-    number::float::{FloatFrame, FloatRamp},
+    number::{
+        InversePower,
+        float::{FloatFrame, FloatRamp},
+    },
     source::{named, written_by_bits},
 };
 
 named!(f32);
-written_by_bits!(f32 FloatFrame FloatRamp);
+written_by_bits!(f32 FloatFrame FloatRamp InversePower);
 
 #[cfg(feature = "fixed")]
 named!(Fx16 Fx32);

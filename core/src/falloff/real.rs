@@ -2,7 +2,6 @@
 
 use super::{
     Curve, Falloff, Formula,
-    exponent::real_power,
     integer::{MOST, lost_after},
     polynomial::clamped_bits,
 };
@@ -10,7 +9,7 @@ use crate::{
     error::{Error, Parameter, check_up_to},
     number::{Fraction, RealExponent, Scalar},
     source::written_by_bits,
-    trig,
+    trig::{self, real_power},
 };
 
 /// The power `t^p` with a non-integer exponent `p` in (0, 1024].

@@ -4,8 +4,8 @@ use super::AnyAttenuation;
 use crate::{
     attenuation::{CutAt, FilamentRange, InverseSquare, NoAttenuation, Polynomial, Windowed},
     error::{Error, Parameter, check_between},
-    falloff::exponent::real_power,
     search::maximum,
+    trig::real_power,
 };
 
 /// The largest coefficient and intensity.

@@ -4,8 +4,9 @@ use super::{AnyAttenuation, Difference, Imported, fall, ramp, spot};
 use crate::{
     angle::{Angle, HalfAngle},
     error::{Error, Parameter, check_between, check_up_to},
-    falloff::{AnyFalloff, Smooth, exponent::real_power},
+    falloff::{AnyFalloff, Smooth},
     light::SpotLight,
+    trig::real_power,
     vec3::Vec3,
 };
 

@@ -121,7 +121,7 @@ impl<A: Attenuation> PointLight<A> {
             position: self.position.map(S::length),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(self.emission.intensity),
-            fine_below: S::fine_below(0.0, self.emission.intensity, self.attenuation.grows()),
+            fine_below: S::fine_below(0.0, self.emission.intensity, self.attenuation.growth()),
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),
         })

@@ -230,7 +230,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
             outside: number::outside_bound(cone.outer_versine()),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(intensity),
-            fine_below: S::fine_below(error, intensity, self.attenuation.grows()),
+            fine_below: S::fine_below(error, intensity, self.attenuation.growth()),
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),
         }

@@ -22,7 +22,7 @@ mod frame;
 
 pub use self::frame::FloatFrame;
 use super::{
-    Arithmetic, Fraction, Gain, Knot, Offset, ProjectedPoint, Quick, Ray, RealExponent, Rise, Scalar, Share,
+    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, ProjectedPoint, Quick, Ray, RealExponent, Rise, Scalar, Share,
     Slopes, Word,
     knot::{SLOPE_BITS, neighbours},
     outside_bound, raised,
@@ -358,6 +358,15 @@ impl Gain<f32> for f32 {
     #[inline]
     fn times_scalar(self, scalar: Self) -> Self {
         self * clamp(scalar)
+    }
+
+    /// Less than 2^-95 counts as 0.
+    #[inline]
+    fn inverse_power(self, power: InversePower) -> Self {
+        let bits = self.to_bits();
+        let significand = if self < Self::MIN_POSITIVE { 0 } else { bits << 8 | 1 << 31 };
+        let (n, shift) = power.of(significand, (bits >> 23) as i32 - 127);
+        if shift > 126 { 0.0 } else { n as Self * Self::from_bits(((127 - shift) as u32) << 23) }
     }
 }
 

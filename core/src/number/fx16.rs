@@ -39,7 +39,7 @@ mod tests;
 
 pub use self::frame::Frame16;
 use super::{
-    Fraction, Fx16, Fx32, Gain, Knot, Length, Light16, Offset, Quick, Ray, RealExponent, Scalar, Share,
+    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, Quick, Ray, RealExponent, Scalar, Share,
     Slopes, Versine, Weight16, cold_path,
     fx32::{Fine, FineRay},
     knot::{SLOPE_BITS, neighbours},
@@ -624,6 +624,11 @@ impl Gain<Fx16> for Gain16 {
     #[inline]
     fn times_scalar(self, scalar: Fx16) -> Self {
         if scalar >= Fx16::ONE { self } else { self.times(Self::normalised(factor(scalar), 14)) }
+    }
+
+    fn inverse_power(self, power: InversePower) -> Self {
+        let (bits, shift) = power.of(self.mantissa, 31 - self.shift);
+        Self::normalised(bits, shift)
     }
 }
 

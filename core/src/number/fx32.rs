@@ -31,7 +31,7 @@ mod tests;
 
 pub use self::frame::Frame32;
 use super::{
-    Arithmetic, Fraction, Fx32, Gain, Knot, Length, Light32, Offset, Ray, RealExponent, Share, Versine,
+    Arithmetic, Fraction, Fx32, Gain, InversePower, Knot, Length, Light32, Offset, Ray, RealExponent, Share, Versine,
     Weight16, Weight32, cold_path,
     fx16::{is_outside, squared_length},
     knot::neighbours,
@@ -636,6 +636,11 @@ impl Gain<Fx32> for Gain32 {
     #[inline]
     fn times_scalar(self, scalar: Fx32) -> Self {
         if scalar >= Fx32::ONE { self } else { self.times(Self::normalised(factor(scalar), 30)) }
+    }
+
+    fn inverse_power(self, power: InversePower) -> Self {
+        let (bits, shift) = power.of(self.mantissa << 4, 27 - self.shift);
+        Self::normalised(bits.into(), shift)
     }
 }
 

@@ -79,10 +79,10 @@ fn times(a: i64, b: i64) -> i64 {
     (a * b) >> 32
 }
 
-/// Returns `-log2 x` with 32 fraction bits, for `x = significand / 2^31 / 2^octaves` in `[0, 1]`.
+/// Returns `log2 (significand / 2^31)` with 32 fraction bits, for a significand of at least 2^31.
 ///
-/// The significand is at least 2^31. The error is under 2e-9. The result is capped at 32.
-fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
+/// The error is under 2e-9.
+fn logarithm(significand: u32) -> i64 {
     const FIRST: i64 = fine(core::f64::consts::LOG2_E);
     const SECOND: i64 = fine(core::f64::consts::LOG2_E / 2.0);
     const THIRD: i64 = fine(core::f64::consts::LOG2_E / 3.0);
@@ -90,11 +90,18 @@ fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
     // significand = c (1 + z)
     let product = u64::from(significand) * u64::from(reciprocal);
     let z = (product as i64).wrapping_sub(1 << 62) >> 30;
-    let above = times(z, FIRST - times(z, SECOND - times(z, THIRD)));
+    i64::from(logarithm) + times(z, FIRST - times(z, SECOND - times(z, THIRD)))
+}
+
+/// Returns `-log2 x` with 32 fraction bits, for `x = significand / 2^31 / 2^octaves` in `[0, 1]`.
+///
+/// The significand is at least 2^31. The error is under 2e-9. The result is capped at 32.
+fn octaves_below_one(significand: u32, octaves: u32) -> u64 {
+    let above = logarithm(significand);
     if octaves == 0 {
         return 0;
     }
-    let below = (i64::from(octaves.min(32)) << 32) - i64::from(logarithm) - above;
+    let below = (i64::from(octaves.min(32)) << 32) - above;
     below.clamp(0, (32 << 32) - 1) as u64
 }
 
@@ -112,6 +119,61 @@ fn power_of_two(octaves: u64) -> u64 {
     let middle = i64::from(POWERS[(part >> (32 - BITS)) as usize % SEGMENTS]);
     let power = (middle - times(middle, lost)) as u64;
     ((power >> whole) + 1) >> 1
+}
+
+/// The power `min(x^-k, most)` of a number `x >= 0`, with an exponent `k` in `(0, 16]`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct InversePower {
+    /// The exponent `k` is `mantissa / 2^shift`, exactly as the given f32.
+    mantissa: u32,
+    shift: u32,
+    /// `log2 most`, with 24 fraction bits.
+    most: i32,
+}
+
+impl InversePower {
+    /// The octaves around 1 in which a number has a power of its own. With an exponent of 24 bits the
+    /// product of exponent and logarithm fits 63 bits.
+    const OCTAVES: i64 = 64;
+
+    /// Precomputes an exponent in `(0, 16]`, and a cap in `[1, 2^64]`.
+    pub(crate) fn new(exponent: f32, most: f32) -> Self {
+        let RealExponent { mantissa, shift, .. } = RealExponent::new(exponent, 0.0);
+        let bits = most.to_bits();
+        let octaves = (i64::from(bits >> 23) - 127) << 32;
+        let most = octaves + logarithm(bits << 8 | 1 << 31);
+        Self { mantissa, shift, most: (most >> 8) as i32 }
+    }
+
+    /// Restores a power from its bits: any bits give a number with 31 bits.
+    pub const fn from_bits([mantissa, shift, most]: [u32; 3]) -> Self {
+        Self { mantissa: mantissa & ((1 << 24) - 1), shift: shift % 64, most: most as i32 }
+    }
+
+    /// Returns the mantissa and the shift of the exponent, and the logarithm of the cap.
+    pub const fn to_bits(self) -> [u32; 3] {
+        [self.mantissa, self.shift, self.most as u32]
+    }
+
+    /// Returns the power of `significand / 2^31 * 2^octaves`, as a number `n / 2^shift` with `n` in
+    /// `(2^30, 2^31]`.
+    ///
+    /// The significand is at least 2^31, or 0 for the number 0. The relative error is under 1e-9
+    /// plus 1.4e-9 times the exponent.
+    pub(super) fn of(self, significand: u32, octaves: i32) -> (u32, i32) {
+        let most = i64::from(self.most) << 8;
+        let power = if significand == 0 {
+            most
+        } else {
+            // The logarithm of a power of two is exact.
+            let above = if significand << 1 == 0 { 0 } else { logarithm(significand) };
+            let octaves = i64::from(octaves).clamp(-Self::OCTAVES, Self::OCTAVES - 1);
+            ((-((octaves << 32) + above) * i64::from(self.mantissa)) >> self.shift).min(most)
+        };
+        // 2^power = 2^-below / 2^whole, with `below` in [0, 1).
+        let (whole, below) = (-power >> 32, -power & 0xffff_ffff);
+        (power_of_two(below as u64) as u32, 31 + whole as i32)
+    }
 }
 
 impl RealExponent {
@@ -296,6 +358,48 @@ mod tests {
                     (found / 2_147_483_648.0 - exact).abs() < 3e-9,
                     "2^-{octaves} to {exponent}: {found} / 2^31, expected {exact}"
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn inverse_powers_keep_their_error() {
+        for exponent in [0.01, 0.25, 0.5, 1.0, 1.7, 2.0, 3.3, 8.0, 16.0_f32] {
+            let power = InversePower::new(exponent, 100.0);
+            let mut worst = 0.0_f64;
+            for x in numbers().filter(|x| *x > 0) {
+                for octaves in [-20, -1, 0, 3, 40] {
+                    let (zeros, number) = (x.leading_zeros(), exact(x) * 2.0_f64.powi(octaves));
+                    let (n, shift) = power.of(x << zeros, octaves - zeros as i32);
+                    assert!((1 << 30..=1 << 31).contains(&n), "{number} to {exponent}: {n}");
+                    let found = f64::from(n) * 2.0_f64.powi(-shift);
+                    let expected = number.powf(-f64::from(exponent)).min(100.0);
+                    worst = worst.max((found / expected - 1.0).abs());
+                }
+            }
+            let bound = 2e-8_f64.max(1e-9 + 1.4e-9 * f64::from(exponent));
+            assert!(worst <= bound, "{exponent}: {worst:.2e}, expected at most {bound:.2e}");
+        }
+    }
+
+    #[test]
+    fn inverse_powers_of_powers_of_two_are_exact() {
+        for octaves in -30..30 {
+            assert_eq!(InversePower::new(2.0, 1.8e19).of(1 << 31, octaves), (1 << 31, 31 + 2 * octaves));
+        }
+        assert_eq!(InversePower::new(2.0, 64.0).of(0, 0), (1 << 31, 31 - 6));
+    }
+
+    #[test]
+    fn any_bits_have_an_inverse_power() {
+        let words = [0, 1, 0x80_0000, 0xff_ffff, 0x7fff_ffff, 1 << 31, u32::MAX];
+        for i in 0..7_usize.pow(3) {
+            let power =
+                InversePower::from_bits(std::array::from_fn(|word| words[i / 7_usize.pow(word as u32) % 7]));
+            for (significand, octaves) in [(0, 0), (1 << 31, i32::MIN), (u32::MAX, i32::MAX), (3 << 30, -64)]
+            {
+                let (n, _) = power.of(significand, octaves);
+                assert!((1 << 30..=1 << 31).contains(&n), "{power:?}: {n}");
             }
         }
     }

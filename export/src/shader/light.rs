@@ -1,18 +1,17 @@
 //! The functions of a light in `f32`.
 
+use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::number::Arithmetic;
 use luminaire::{Rgb, Vec3};
 
-use super::attenuation::Body;
 use super::expression::{
     Builtin, Constant, Expression, Function, Program, Statement, Type, Value, call, clamp, if_less, name,
     number, quotient, vector,
 };
-use super::falloff;
+use super::formula::{self, Lowering};
 use super::names::Names;
 use crate::error::ExportError;
-use crate::models;
 use crate::trace::Trace;
 
 /// Returns the functions of a light.
@@ -40,18 +39,18 @@ pub(super) fn program(names: Names<'_>, light: &AnyLight) -> Result<Program, Exp
             }
             let doc = "rise of t from the outer to the inner angle, over twice the versine";
             program.constants.push(names.constant("slope", doc, value(0.5 * slope)));
-            let (tables, curve) = falloff::curve(&names, &Trace::of(spot.cone().falloff()))?;
+            let (tables, curve) = formula::curve(&names, &Trace::of(spot.cone().falloff()))?;
             program.constants.extend(tables);
             program.functions.extend([curve, cone_of(names, limit < outer), falloff_of(names)]);
             finish(&mut program, names, intensity, color("linear colour", spot.color()));
             let share = Expression::Own(names.of("cone"), vec![vector("back")]);
-            program.functions.push(irradiance(names, Some(share), models::attenuation(&spot.attenuation())));
+            program.functions.push(irradiance(names, Some(share), spot.attenuation())?);
         }
         AnyLight::Point(point) => {
             let parts = point.compile::<f32>()?.parts();
             program.constants = place(names, point.position());
             finish(&mut program, names, parts.intensity, color("linear colour", point.color()));
-            program.functions.push(irradiance(names, None, models::attenuation(&point.attenuation())));
+            program.functions.push(irradiance(names, None, point.attenuation())?);
         }
         AnyLight::Directional(light) => {
             let doc = "unit vector along the light";
@@ -136,7 +135,11 @@ fn falloff_of(names: Names<'_>) -> Function {
     }
 }
 
-fn irradiance(names: Names<'_>, falloff: Option<Expression>, attenuation: &dyn models::Exported) -> Function {
+fn irradiance(
+    names: Names<'_>,
+    falloff: Option<Expression>,
+    attenuation: AnyAttenuation,
+) -> Result<Function, ExportError> {
     let mut body = arrive(names);
     if falloff.is_none() {
         body.pop(); // A point light needs no unit vector.
@@ -150,13 +153,14 @@ fn irradiance(names: Names<'_>, falloff: Option<Expression>, attenuation: &dyn m
         }
         None => name("cosine"),
     };
-    let intensity = names.of("intensity");
-    let result = attenuation.irradiance(&mut Body { statements: &mut body, intensity }, share);
-    Function {
+    let [_, trace] = Trace::of_attenuation(attenuation);
+    let mut lowering = Lowering::new(&names, share, body);
+    let result = lowering.result(&trace)?;
+    Ok(Function {
         doc: "Returns the irradiance at a point with a unit normal, before the colour.".to_owned(),
         name: names.of("irradiance"),
         parameters: vec![(Type::Vector, "point"), (Type::Vector, "normal")],
-        body,
+        body: lowering.body,
         result,
-    }
+    })
 }

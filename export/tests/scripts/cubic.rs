@@ -3,16 +3,16 @@
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 
 // build.rs, with luminaire among the build-dependencies. The constant in the program is
-// const CUBIC: luminaire::light::CompiledSpotLight<Fx16, Cubic, FilamentRange> =
+// const CUBIC: luminaire::light::CompiledSpotLight<Fx16, Cubic, Windowed<InverseSquare>> =
 //     include!(concat!(env!("OUT_DIR"), "/cubic.rs"));
 
 #[allow(unused_imports, reason = "not every light names a type of each module")]
 use luminaire::{attenuation::*, codegen::*, falloff::*, *};
 
-pub fn cubic() -> Result<SpotLight<Cubic, FilamentRange>, Error> {
+pub fn cubic() -> Result<SpotLight<Cubic, Windowed<InverseSquare>>, Error> {
     let cone = Cone::from_outer(Cubic::from_bits([1067450368, 1080033280]), Angle::degrees(40.0))?.with_inner(Angle::degrees(7.0))?;
     SpotLight::new([1.0, 2.0, 3.0], [0.0, -0.8944272, 0.4472136], cone)?
-        .with_attenuation(FilamentRange::new(InverseSquare, Some(9.0))?)
+        .with_attenuation(Windowed::new(InverseSquare, Some(9.0))?)
         .with_color(Rgb::new(1.0, 0.5, 0.25))?
         .with_intensity(16.0)
 }

@@ -7,10 +7,10 @@ pub mod cubic {
     use luminaire::{attenuation::*, falloff::*, light::*, *};
 
     /// The compiled light.
-    pub const LIGHT: CompiledSpotLight<Fx16, Cubic, FilamentRange> = {
+    pub const LIGHT: CompiledSpotLight<Fx16, Cubic, Windowed<InverseSquare>> = {
 #[allow(unused_imports, reason = "an expression need not have names of both kinds")]
 use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
-CompiledSpotLight::<Fx16, _, Ranged<SquareWindow, InverseSquare>>::from_parts(
+CompiledSpotLight::<Fx16, _, Windowed<InverseSquare>>::from_parts(
     Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
     Vec3::new(Fx32::from_bits(0), Fx32::from_bits(-960383872), Fx32::from_bits(480191936)),
     CompiledCone::<Fx16, _>::from_parts(
@@ -78,7 +78,7 @@ pub mod real {
     pub const LIGHT: CompiledSpotLight<Fx16, InvertedRealPower, CutAt<Polynomial>> = {
 #[allow(unused_imports, reason = "an expression need not have names of both kinds")]
 use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
-CompiledSpotLight::<Fx16, _, Ranged<Cut, Polynomial>>::from_parts(
+CompiledSpotLight::<Fx16, _, CutAt<Polynomial>>::from_parts(
     Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
     Vec3::new(Fx32::from_bits(0), Fx32::from_bits(-960383872), Fx32::from_bits(480191936)),
     CompiledCone::<Fx16, _>::from_parts(

@@ -9,6 +9,8 @@ pub enum Attenuation {
     InverseSquare,
     /// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: OpenGL, Direct3D.
     Polynomial([f64; 3]),
+    /// `min(d^-k, most)` with `[k, most]`: three.js, Godot.
+    Decay([f64; 2]),
     /// GLSL's smoothstep with its edges in rising order, from the range back to 0.
     SmoothRange(f64),
     /// The inverse square to a range: KHR_lights_punctual of glTF.
@@ -24,6 +26,7 @@ impl Attenuation {
             Self::None => 1.0,
             Self::InverseSquare => 1.0 / (d * d),
             Self::Polynomial([a0, a1, a2]) => (1.0 / (a0 + a1 * d + a2 * d * d)).min(1.0),
+            Self::Decay([exponent, most]) => libm::pow(d, -exponent).min(most),
             Self::SmoothRange(range) => crate::smooth((1.0 - d / range).clamp(0.0, 1.0)),
             Self::GltfRange(range) => window(d / range) / (d * d),
             Self::FilamentRange(range) => window(d / range) * window(d / range) / (d * d),

@@ -179,7 +179,7 @@ impl Arithmetic for Fx16 {
         }
     }
 
-    fn fine_below(error: f32, intensity: f32, grows: bool) -> u32 {
+    fn fine_below(error: f32, intensity: f32, growth: f32) -> u32 {
         /// Error of a cosine in the coarse evaluation, relative to half a linear code.
         const COSINE: f32 = 2.2e-4 / HALF_A_CODE;
         /// Factor below 1, because the error of a small share is smaller than the bound.
@@ -195,12 +195,17 @@ impl Arithmetic for Fx16 {
         const MOVING: f32 = 1.04;
         let error = error / HALF_A_CODE;
         let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;
-        if error > 1.0 || (squared > 1.0 && !grows) {
+        if error > 1.0 || (squared > 1.0 && growth == 0.0) {
             return u32::MAX;
         }
-        if !grows {
+        if growth == 0.0 {
             return 0;
         }
+        let squared = if growth == 2.0 {
+            squared
+        } else {
+            trig::real_power(squared.into(), f64::from(2.0 / growth)) as f32
+        };
         // The squared distance, in units of the square of 2^-16 (the step of a length).
         let squared = ((squared * (1_u64 << 32) as f32) as u64).min((1 << 62) - 1);
         let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);

@@ -11,7 +11,10 @@ use core::marker::PhantomData;
 
 use luminaire::{
     Fx16, Fx32,
-    attenuation::{CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange},
+    attenuation::{
+        Attenuation, AttenuationVisitor, CutAt, Decay, FilamentRange, GltfRange, InverseSquare,
+        NoAttenuation, Polynomial, SmoothRange, attenuations,
+    },
     falloff::{
         Cubic, FalloffVisitor, Hard, ListedFalloff, Power, Quadratic, Soft, SoftOrHard, Table,
         constant_falloffs,
@@ -109,20 +112,26 @@ fn polynomial(case: &mut Case<'_>) -> Result<Polynomial, luminaire::Error> {
     Polynomial::new(constant, linear, quadratic)
 }
 
+fn decay(case: &mut Case<'_>) -> Result<Decay, luminaire::Error> {
+    let (exponent, most) = (case.number("exponent"), case.number("cap"));
+    Decay::new(exponent, most)
+}
+
 fn range(case: &mut Case<'_>) -> f32 {
     case.number("range")
 }
 
-/// Visits all models: first the cones and falloffs of the library's list. A model in `WRITTEN`
+/// Visits all models: first the cones, falloffs and attenuations of the library's lists. A model in `WRITTEN`
 /// replaces the model of the list with the same name: its parameters are inputs.
 pub fn each_model(visit: &mut dyn FnMut(&Model)) {
     for kind in ["cone ", "falloff "] {
         constant_falloffs(&mut Listed { kind, visit });
     }
+    attenuations(&mut Listed { kind: "point ", visit });
     WRITTEN.iter().for_each(visit);
 }
 
-/// Visits the models of one kind: `cone ` or `falloff `.
+/// Visits the models of one kind: `cone `, `falloff ` or `point `.
 struct Listed<'a> {
     kind: &'static str,
     visit: &'a mut dyn FnMut(&Model),
@@ -131,10 +140,33 @@ struct Listed<'a> {
 impl FalloffVisitor for Listed<'_> {
     fn falloff<P: ListedFalloff>(&mut self) {
         let runs = if self.kind == "cone " { Runs::<P>::CONE } else { Runs::<P>::FALLOFF };
-        let model = Model { kind: self.kind, name: P::NAME, runs };
+        self.listed(P::NAME, runs);
+    }
+}
+
+impl AttenuationVisitor for Listed<'_> {
+    fn attenuation<A: luminaire::models::Listed + Attenuation>(&mut self) {
+        self.listed(A::NAME, Points::<A>::RUNS);
+    }
+}
+
+impl Listed<'_> {
+    fn listed(&mut self, name: &'static str, runs: &'static [Evaluate]) {
+        let model = Model { kind: self.kind, name, runs };
         if !WRITTEN.iter().any(|written| model.is_named(written.name)) {
             (self.visit)(&model);
         }
+    }
+}
+
+/// The runs of an attenuation of the list.
+struct Points<A>(PhantomData<A>);
+
+impl<A: luminaire::models::Listed + Attenuation> Points<A> {
+    const RUNS: &'static [Evaluate] = &[Self::point::<f32>, Self::point::<Fx16>, Self::point::<Fx32>];
+
+    fn point<S: Format>(case: &mut Case<'_>) -> Outcome {
+        light::point::<S, A>(case, |_| A::sample())
     }
 }
 
@@ -183,6 +215,7 @@ static WRITTEN: &[Model] = &[
     each!("point inverse-square", S, case => light::point::<S, _>(case, |_| Ok(InverseSquare))),
     each!("point polynomial", S, case => light::point::<S, _>(case, polynomial)),
     each!("point smooth-range", S, case => light::point::<S, _>(case, |case| SmoothRange::new(range(case)))),
+    each!("point decay", S, case => light::point::<S, _>(case, decay)),
     each!("point gltf-range", S, case => light::point::<S, _>(case, |case| GltfRange::new(InverseSquare, Some(range(case))))),
     each!("point gltf-range-without-range", S, case => light::point::<S, _>(case, |_| GltfRange::new(InverseSquare, None))),
     each!("point filament-range", S, case => {

@@ -55,6 +55,7 @@ impl Scene {
         scene.set("code", random.below(256) as f64);
         scene.set("number", random.between(-3.0, 3.0));
         scene.set_beam(&mut SplitMix64(random.0 ^ 0x6265_616d));
+        scene.set_decay(&mut SplitMix64(random.0 ^ 0x6465_6361));
         scene
     }
 
@@ -66,6 +67,12 @@ impl Scene {
         self.set("density", libm::exp(random.between(-6.0, -1.0)));
         self.set("column", random.below(1_000) as f64);
         self.set("row", random.below(1_000) as f64);
+    }
+
+    /// A real power of the distance.
+    fn set_decay(&mut self, random: &mut SplitMix64) {
+        self.set("exponent", libm::exp(random.between(libm::log(0.1), libm::log(16.0))));
+        self.set("cap", libm::exp(random.between(0.0, libm::log(1e4))));
     }
 
     /// A value by its name.

@@ -1,6 +1,6 @@
 //! Real powers in f64, for set-up.
 
-use crate::trig;
+use super::sqrt;
 
 /// Returns `base^exponent` for real `base >= 0` and `exponent >= 0`, with a relative error under
 /// 1e-9. Used at set-up only.
@@ -30,7 +30,7 @@ pub(crate) fn real_power(base: f64, exponent: f64) -> f64 {
 
 /// Returns the square root in f64: the f32 root, refined by one Newton step.
 fn square_root(x: f64) -> f64 {
-    let root = f64::from(trig::sqrt(x as f32));
+    let root = f64::from(sqrt(x as f32));
     if root > 0.0 { (root + x / root) / 2.0 } else { 0.0 }
 }
 

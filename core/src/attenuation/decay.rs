@@ -1,0 +1,96 @@
+//! A real power of the distance.
+
+use super::{Attenuation, Describe};
+use crate::{
+    effect::{Effect, Effects},
+    error::{Error, Expected, Parameter},
+    number::{InversePower, Offset, Ray, Scalar},
+    source::named,
+};
+
+/// `d^-k` with a real exponent `k` in (0, 16], capped at a largest factor: the decay of three.js and
+/// Godot.
+///
+/// The power is evaluated in integers, by a logarithm and an exponential from tables. For an
+/// exponent of 2 [`InverseSquare`](super::InverseSquare) costs less.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Decay {
+    exponent: f32,
+    most: f32,
+}
+
+named!(Decay);
+
+/// The largest exponent.
+const STEEPEST: f32 = 16.0;
+
+impl Decay {
+    /// The largest cap: 2^64, the brightest light of `f32`.
+    pub(crate) const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0;
+
+    /// Creates the attenuation `min(d^-exponent, most)`, for distances in scene units.
+    ///
+    /// # Errors
+    /// An exponent outside (0, 16], or a cap outside 1 to 2^64.
+    pub fn new(exponent: f32, most: f32) -> Result<Self, Error> {
+        let (parameter, value, accepted) = if !(exponent > 0.0 && exponent <= STEEPEST) {
+            (Parameter::Decay, exponent, Expected::UpTo(STEEPEST))
+        } else if !(1.0..=Self::BRIGHTEST).contains(&most) {
+            (Parameter::Attenuation, most, Expected::Between(1.0, Self::BRIGHTEST))
+        } else {
+            return Ok(Self { exponent, most });
+        };
+        Err(Error { parameter, value, accepted })
+    }
+
+    /// Returns the exponent `k`.
+    pub fn exponent(&self) -> f32 {
+        self.exponent
+    }
+
+    /// Returns the largest factor.
+    pub fn most(&self) -> f32 {
+        self.most
+    }
+}
+
+impl Attenuation for Decay {
+    /// The same in every format.
+    type Constants<S: Scalar> = InversePower;
+
+    fn constants<S: Scalar>(self) -> InversePower {
+        InversePower::new(self.exponent, self.most)
+    }
+
+    fn effects(&self) -> Effects {
+        Effects::NONE.with(Effect::Decay)
+    }
+
+    /// Without `libm` the relative error is up to 1e-9.
+    fn exact(&self, d: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        let power = libm::pow(d, self.exponent.into());
+        #[cfg(not(feature = "libm"))]
+        let power = crate::trig::real_power(d, self.exponent.into());
+        (1.0 / power).min(self.most.into())
+    }
+
+    fn growth(&self) -> f32 {
+        self.exponent
+    }
+
+    fn describe(&self, to: &mut dyn Describe) {
+        to.law("Decay", "decay", &[("exponent", &[self.exponent]), ("most", &[self.most])]);
+    }
+
+    #[inline]
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
+        power: &InversePower,
+        _: &O,
+        ray: &R,
+        share: R::Share,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        ray.light_by_decay(share, *power, intensity)
+    }
+}

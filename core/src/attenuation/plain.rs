@@ -1,0 +1,90 @@
+//! The attenuations without parameters.
+
+use super::{Attenuation, Describe};
+use crate::{
+    effect::{Effect, Effects},
+    number::{Offset, Ray, Scalar, Share},
+    source::named,
+};
+
+/// No attenuation: the same intensity at every distance.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct NoAttenuation;
+
+/// The inverse-square law, the default: an intensity of 1 lights a facing surface at distance 1 to
+/// full scale.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct InverseSquare;
+
+named!(NoAttenuation InverseSquare);
+
+impl Attenuation for NoAttenuation {
+    type Constants<S: Scalar> = ();
+
+    fn constants<S: Scalar>(self) {}
+
+    fn effects(&self) -> Effects {
+        Effects::NONE.with(Effect::Unattenuated)
+    }
+
+    fn exact(&self, _: f64) -> f64 {
+        1.0
+    }
+
+    fn growth(&self) -> f32 {
+        0.0
+    }
+
+    fn describe(&self, to: &mut dyn Describe) {
+        to.law("NoAttenuation", "constant", &[]);
+    }
+
+    #[inline(always)] // `lit-hotspot` on Cortex-M0: +28 instructions without.
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
+        (): &(),
+        _: &O,
+        _: &R,
+        share: R::Share,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        share.light(intensity)
+    }
+}
+
+impl Attenuation for InverseSquare {
+    type Constants<S: Scalar> = ();
+
+    fn constants<S: Scalar>(self) {}
+
+    fn effects(&self) -> Effects {
+        Effects::NONE.with(Effect::InverseSquare)
+    }
+
+    fn exact(&self, d: f64) -> f64 {
+        1.0 / (d * d)
+    }
+
+    fn growth(&self) -> f32 {
+        2.0
+    }
+
+    fn describe(&self, to: &mut dyn Describe) {
+        to.law("InverseSquare", "inverse-square", &[]);
+    }
+
+    #[inline]
+    fn is_inverse_square<S: Scalar>(_: &()) -> bool {
+        true
+    }
+
+    #[inline]
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
+        (): &(),
+        _: &O,
+        ray: &R,
+        share: R::Share,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        ray.light(share, intensity)
+    }
+}

@@ -1,0 +1,84 @@
+//! Smoothstep to a range.
+
+use super::{Attenuation, Describe, checked_range, dimmed, inverse_squared, squared_fraction};
+use crate::{
+    effect::{Effect, Effects},
+    error::Error,
+    number::{Offset, Ray, Scalar, Share},
+    source::named,
+};
+
+/// Smoothstep to a range: 1 at distance 0, 0 at the range, with derivative 0 at both ends.
+///
+/// The dual-cone article writes `smoothstep(range, 0, d)`. In GLSL this expression is undefined,
+/// because its edges are in descending order; `SmoothRange` implements the intended function.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SmoothRange {
+    range: f32,
+}
+
+named!(SmoothRange);
+
+impl SmoothRange {
+    /// Creates the attenuation with this range, in scene units.
+    ///
+    /// # Errors
+    /// A range outside 0.001 to 1e9.
+    pub fn new(range: f32) -> Result<Self, Error> {
+        Ok(Self { range: checked_range(range)? })
+    }
+
+    /// Returns the range.
+    pub fn range(&self) -> f32 {
+        self.range
+    }
+}
+
+impl Attenuation for SmoothRange {
+    /// The reciprocals of the range and of its square.
+    type Constants<S: Scalar> = [S::Gain; 2];
+
+    fn constants<S: Scalar>(self) -> [S::Gain; 2] {
+        [S::gain(1.0 / self.range), inverse_squared::<S>(Some(self.range))]
+    }
+
+    fn range(&self) -> Option<f32> {
+        Some(self.range)
+    }
+
+    fn effects(&self) -> Effects {
+        Effects::NONE.with(Effect::SmoothRange).with(Effect::Range)
+    }
+
+    fn exact(&self, d: f64) -> f64 {
+        let t = (1.0 - d / f64::from(self.range)).max(0.0);
+        t * t * (3.0 - 2.0 * t)
+    }
+
+    fn growth(&self) -> f32 {
+        0.0
+    }
+
+    fn describe(&self, to: &mut dyn Describe) {
+        to.law("SmoothRange", "smoothstep", &[("range", &[self.range])]);
+    }
+
+    #[inline]
+    fn is_beyond<S: Scalar, O: Offset<S>>(&[_, squared]: &[S::Gain; 2], offset: &O) -> bool {
+        squared_fraction::<S, O>(squared, offset) == S::ONE
+    }
+
+    #[inline(always)] // `lit-smooth-range` on Cortex-M0: +273 instructions without.
+    fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
+        constants: &[S::Gain; 2],
+        offset: &O,
+        ray: &R,
+        share: R::Share,
+        intensity: S::Gain,
+    ) -> S::Irradiance {
+        let smooth = ray.near(constants[0]).complement().smooth();
+        let is_beyond = ray.squared_near(offset, constants[1]).is_one();
+        let smooth = if is_beyond { R::Share::default() } else { smooth };
+        dimmed::<S, _>(share, smooth).light(intensity)
+    }
+}
