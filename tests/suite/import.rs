@@ -209,9 +209,12 @@ fn excess<S: Format>(
 ) -> Option<f64> {
     let compiled = light.compile::<S>().ok()?;
     let outer = original.outer.acos();
-    let [nearest, farthest] = match difference.distance {
-        0.0 => [original.stop.max(0.1), original.range.unwrap_or(50.0).min(50.0)],
-        _ => compared(original),
+    // A steep decay exceeds the brightest light of a format next to its position.
+    let is_decay = matches!(light.attenuation(), AnyAttenuation::WindowedDecay(_));
+    let [nearest, farthest] = if is_decay {
+        compared(original)
+    } else {
+        [original.stop.max(0.1), original.range.unwrap_or(50.0).min(50.0)]
     };
     let mut worst = f64::NEG_INFINITY;
     for _ in 0..3_000 * sweep::effort() {

@@ -127,7 +127,7 @@ pub fn exact() -> Vec<(Import, Original)> {
     lights
 }
 
-/// Lights that the kernel approximates.
+/// Lights that the kernel approximates, and decays.
 pub fn near() -> Vec<(Import, Original)> {
     let mut lights = Vec::new();
     for attenuation in [0.25, 0.5, 1.0] {

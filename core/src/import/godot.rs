@@ -24,9 +24,9 @@ use crate::{
 /// Godot's value on the axis.
 ///
 /// The attenuation is `max(d, 0.0001)^-spot_attenuation` with Filament's window
-/// `(1 - (d / spot_range)^4)^2`. Exponents 0, 1 and 2 are exact, with two exceptions. With exponent
-/// 2 the imported light keeps growing at distances below 0.0001. With exponent 1 the imported light
-/// stops growing at a distance above 0.0001 if the intensity times Godot's cap would exceed 1e9.
+/// `(1 - (d / spot_range)^4)^2`. The import is exact, with two exceptions. With exponent 2 the
+/// imported light keeps growing at distances below 0.0001. With an exponent over 4.8 it stops growing
+/// where the factor is 2^64.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Godot {
     /// `spot_angle`: the half angle in degrees from which on there is no light, in (0, 90].

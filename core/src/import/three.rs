@@ -15,9 +15,9 @@ use crate::{
 ///
 /// The falloff is smoothstep from `cos(angle)` to `cos(angle (1 - penumbra))`. The import of the
 /// falloff is exact. The intensity is divided by `max(d^decay, 0.01)`, with Filament's window
-/// `(1 - (d / distance)^4)^2` if there is a distance. The import of decays 0, 1 and 2 is exact,
-/// with one exception. With decay 2 the imported light keeps growing at distances below 0.1, where
-/// the factor of three.js stays at 100.
+/// `(1 - (d / distance)^4)^2` if there is a distance. The import is exact, with one exception. With
+/// decay 2 the imported light keeps growing at distances below 0.1, where the factor of three.js stays
+/// at 100.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Three {
     /// `angle`: the half angle in radians from which on there is no light, in (0, pi/2].
