@@ -91,14 +91,17 @@ fn lobe<S: Scalar, H: SpecularLobe>(
     if cosine > S::ZERO { lobe } else { S::ZERO }
 }
 
+/// A compiled cone and its axis.
+type Aimed<'a, S, P> = (&'a CompiledCone<S, P>, Vec3<<S as Scalar>::Unit>);
+
 /// Returns the light at a point near a bright light, or in a steep cone, by the fine evaluation.
 ///
 /// Where the coarse evaluation shows that the light is clipped to full scale in any case, its light
-/// is returned. `cone` is the compiled cone and its axis, and `None` for a light without a cone.
+/// is returned. `cone` is `None` for a light without a cone.
 #[inline(always)]
 fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
     (attenuation, intensity, fine_below): (&A::Constants<S>, S::Gain, u32),
-    cone: Option<(&CompiledCone<S, P>, Vec3<S::Unit>)>,
+    cone: Option<Aimed<'_, S, P>>,
     (offset, facing): (&S::Offset, <S::Offset as Offset<S>>::Facing),
     (normal, view): (Vec3<S>, Vec3<S::Unit>),
     highlight: &H::Constants<S>,
@@ -139,7 +142,7 @@ fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
 #[inline(always)] // `lit-table` on Cortex-M0: +29 instructions without.
 fn along<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe, R: Ray<S>>(
     (attenuation, intensity): (&A::Constants<S>, S::Gain),
-    cone: Option<(&CompiledCone<S, P>, Vec3<S::Unit>)>,
+    cone: Option<Aimed<'_, S, P>>,
     (offset, ray): (&S::Offset, &R),
     cosine: R::Fraction,
     lobe: S,

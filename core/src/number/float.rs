@@ -22,8 +22,8 @@ mod frame;
 
 pub use self::frame::FloatFrame;
 use super::{
-    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, ProjectedPoint, Quick, Ray, RealExponent, Rise, Scalar, Share,
-    Slopes, Word,
+    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, ProjectedPoint, Quick, Ray, RealExponent, Rise,
+    Scalar, Share, Slopes, Word,
     knot::{SLOPE_BITS, neighbours},
     outside_bound, raised,
 };

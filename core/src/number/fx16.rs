@@ -39,8 +39,8 @@ mod tests;
 
 pub use self::frame::Frame16;
 use super::{
-    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, Quick, Ray, RealExponent, Scalar, Share,
-    Slopes, Versine, Weight16, cold_path,
+    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, Quick, Ray, RealExponent,
+    Scalar, Share, Slopes, Versine, Weight16, cold_path,
     fx32::{Fine, FineRay},
     knot::{SLOPE_BITS, neighbours},
     mantissa_and_shift,

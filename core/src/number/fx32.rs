@@ -31,8 +31,8 @@ mod tests;
 
 pub use self::frame::Frame32;
 use super::{
-    Arithmetic, Fraction, Fx32, Gain, InversePower, Knot, Length, Light32, Offset, Ray, RealExponent, Share, Versine,
-    Weight16, Weight32, cold_path,
+    Arithmetic, Fraction, Fx32, Gain, InversePower, Knot, Length, Light32, Offset, Ray, RealExponent, Share,
+    Versine, Weight16, Weight32, cold_path,
     fx16::{is_outside, squared_length},
     knot::neighbours,
     mantissa_and_shift,
