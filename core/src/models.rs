@@ -213,17 +213,20 @@ pub trait Parameters {
 
 /// Parameters from random numbers in [0, 1): a range is less than 40, and one in ten is `None`.
 #[cfg(feature = "arithmetic")]
-impl<N: FnMut() -> f32> Parameters for N {
+pub(crate) struct Random<N>(pub(crate) N);
+
+#[cfg(feature = "arithmetic")]
+impl<N: FnMut() -> f32> Parameters for Random<N> {
     fn number(&mut self, most: f32) -> f32 {
-        most * self()
+        most * (self.0)()
     }
 
     fn range(&mut self) -> Option<f32> {
-        (self() >= 0.1).then(|| self.end())
+        ((self.0)() >= 0.1).then(|| self.end())
     }
 
     fn end(&mut self) -> f32 {
-        40.0 * self()
+        40.0 * (self.0)()
     }
 }
 

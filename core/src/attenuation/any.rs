@@ -13,7 +13,7 @@ use crate::{
 #[cfg(feature = "arithmetic")]
 use crate::{
     error::Error,
-    models::{Listed, Parameters, draw, listed},
+    models::{Listed, Parameters, Random, draw, listed},
 };
 
 /// Takes the constants of an attenuation with its type.
@@ -85,8 +85,8 @@ macro_rules! any_attenuation {
             /// # Errors
             /// Invalid parameters.
             #[cfg(feature = "arithmetic")]
-            pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
-                Self::built(index, &mut number)
+            pub fn drawn(index: usize, number: impl FnMut() -> f32) -> Result<Self, Error> {
+                Self::built(index, &mut Random(number))
             }
 
             /// Builds the attenuation with index `index % COUNT` from parameters.
