@@ -12,7 +12,7 @@ use luminaire::{
 };
 
 /// Falloffs never rise with the versine: the strict falloffs without exception, the others by at
-/// most one step.
+/// most one step, and in `Fx32` by at most 7, as `CompiledCone::at` states.
 pub fn falloffs_fall<S: Format>(words: &[u32]) {
     let _: Option<()> = falloff::<S>(&mut Words::new(words));
 }
@@ -30,7 +30,12 @@ fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
             | AnyFalloff::Power(_)
             | AnyFalloff::InvertedPower(_)
     );
-    let slack = if is_strict { 0.0 } else { f64::from(S::STEP) };
+    let steps = match S::NAME {
+        _ if is_strict => 0.0,
+        "fx32" => 7.0,
+        _ => 1.0,
+    };
+    let slack = steps * f64::from(S::STEP);
     let (a, b) = if words.choice(3) == 0 {
         (S::versine_from_bits(words.wide()), S::versine_from_bits(words.wide()))
     } else {

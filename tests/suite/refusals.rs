@@ -31,7 +31,7 @@ pub(crate) fn assert_refused<T: core::fmt::Debug>(result: Result<T, Error>, mess
     assert_eq!(result.expect_err(message).to_string(), message);
 }
 
-/// Values out of range, not finite and not a number, of every parameter that is a number.
+/// Values out of range, infinite and NaN, of every parameter that is a number.
 #[test]
 fn numbers_out_of_range() {
     for (degrees, shown) in
