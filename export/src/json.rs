@@ -177,11 +177,9 @@ fn parameters(falloff: AnyFalloff) -> Parameters {
         Formula::Polynomial(coefficients) => Parameters::Polynomial { coefficients },
         Formula::Power(exponent) => Parameters::Power { exponent },
         Formula::InvertedPower(exponent, floor) => Parameters::InvertedPower { exponent, floor },
-        Formula::Table(table) if table.knots().is_empty() => {
-            Parameters::Samples { samples: table.samples().to_vec() }
-        }
-        Formula::Table(table) => {
-            Parameters::Knots { knots: table.knots().iter().map(|knot| knot.to_bits()).collect() }
+        Formula::Samples(samples) => Parameters::Samples { samples: samples.to_vec() },
+        Formula::Knots(knots) => {
+            Parameters::Knots { knots: knots.iter().map(|knot| knot.to_bits()).collect() }
         }
         _ => Parameters::Named,
     }

@@ -1,7 +1,5 @@
 //! Falloffs as data.
 
-use super::Table;
-#[cfg(feature = "libm")]
 use crate::number::Knot;
 
 /// The formula of a falloff as data, for reference values and generated code. The formula is a
@@ -19,8 +17,10 @@ pub enum Formula<'a> {
     /// 0 except for lights imported from Godot; for `p < 1` the floor keeps the derivative with
     /// respect to `t` finite at `t = 1`.
     InvertedPower(f32, f32),
-    /// A table of samples with linear interpolation.
-    Table(Table<'a>),
+    /// Linear interpolation between evenly spaced samples over `1 - t`; 65,535 is full intensity.
+    Samples(&'a [u16]),
+    /// Linear interpolation between knots over `1 - t`.
+    Knots(&'a [Knot]),
     /// Any other function, in f64.
     Function(fn(f64) -> f64),
 }
@@ -45,8 +45,8 @@ impl Formula<'_> {
                 let lack = power((1.0 - t).max(floor.into()), exponent);
                 (1.0 - lack) / (1.0 - power(floor.into(), exponent))
             }
-            Self::Table(table) if table.knots().is_empty() => interpolated(table.samples(), 1.0 - t),
-            Self::Table(table) => along(table.knots(), 1.0 - t),
+            Self::Samples(samples) => interpolated(samples, 1.0 - t),
+            Self::Knots(knots) => along(knots, 1.0 - t),
             Self::Function(exact) => exact(t),
         }
     }

@@ -201,7 +201,10 @@ impl Falloff for Table<'_> {
     type Compiled<S: Scalar> = Self;
 
     fn formula(&self) -> Formula<'_> {
-        Formula::Table(*self)
+        match self.samples {
+            Samples::Even(samples) => Formula::Samples(samples),
+            Samples::Knots(knots) => Formula::Knots(knots),
+        }
     }
 
     fn beam_versine(self) -> f32 {

@@ -130,7 +130,7 @@ pub(crate) fn is_smooth(spot: &Spot) -> bool {
     let cone = spot.cone();
     let slope = cone.falloff().steepness(cone.inner().versine() / cone.outer_versine());
     let jumps = match cone.falloff().formula() {
-        Formula::Step | Formula::Table(_) => true,
+        Formula::Step | Formula::Samples(_) | Formula::Knots(_) => true,
         Formula::Power(exponent) | Formula::InvertedPower(exponent, _) => exponent < 1.0,
         _ => false,
     };
