@@ -29,7 +29,6 @@ mod import;
 mod import_decay;
 mod import_refusals;
 mod kept;
-mod layers;
 mod lit;
 mod numbers;
 mod operations;
