@@ -39,7 +39,7 @@ pub use self::{
 };
 #[cfg(feature = "arithmetic")]
 pub use self::{
-    any::{AttenuationVisitor, WithAttenuation, attenuations},
+    any::{AttenuationVisitor, attenuations},
     ranged::Window,
 };
 
@@ -49,6 +49,16 @@ use crate::{
     number::{Gain, Offset, Ray, Scalar, Share},
     source::{Named, Source},
 };
+
+/// Takes an attenuation as its own type.
+#[cfg(feature = "arithmetic")]
+pub trait WithAttenuation {
+    /// The result.
+    type Output;
+
+    /// Takes the attenuation.
+    fn attenuation<A: Attenuation>(self, attenuation: A) -> Self::Output;
+}
 
 /// Receives the parameters of an attenuation: for generators of source and data.
 pub trait Describe {

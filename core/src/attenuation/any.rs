@@ -22,16 +22,6 @@ pub(crate) trait WithConstants<S: Scalar> {
     fn constants<A: Attenuation>(self, constants: &A::Constants<S>);
 }
 
-/// Takes an attenuation as its own type.
-#[cfg(feature = "arithmetic")]
-pub trait WithAttenuation {
-    /// The result.
-    type Output;
-
-    /// Takes the attenuation.
-    fn attenuation<A: Attenuation>(self, attenuation: A) -> Self::Output;
-}
-
 /// A visitor of the attenuations of the list.
 #[cfg(feature = "arithmetic")]
 pub trait AttenuationVisitor {

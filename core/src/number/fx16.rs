@@ -44,8 +44,8 @@ use super::{
     fx32::{Fine, FineRay},
     knot::{SLOPE_BITS, neighbours},
     mantissa_and_shift,
-    ramp::{FixedRamp, MOST_ZOOM},
-    root::{self, high_half, high_product, size},
+    ramp::{FixedRamp, MOST_ZOOM, is_outside},
+    root::{self, high_half, high_product, size, squared_length},
     within_reach,
 };
 use crate::{trig, vec3::Vec3};
@@ -144,13 +144,6 @@ impl Offset16 {
     }
 }
 
-/// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32 bits.
-#[inline]
-pub(super) fn squared_length(v: Vec3<i32>) -> u32 {
-    let squares = v.map(|c| (c * c) as u32);
-    squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
-}
-
 /// Returns the inner product `n.v` of a normal and `v`, with 14 fraction bits; negative if the
 /// surface faces the light.
 ///
@@ -159,18 +152,6 @@ pub(super) fn squared_length(v: Vec3<i32>) -> u32 {
 fn facing(v: Vec3<i32>, normal: Vec3<Fx16>) -> i32 {
     let products = normal.zip(v, |n, v| i32::from(n.to_bits()) * v);
     products.x.wrapping_add(products.y).wrapping_add(products.z)
-}
-
-/// Returns whether an offset `v` is certainly outside a cone with this axis. `bound` is the bound of
-/// [`Offset::is_outside`], with 14 fraction bits.
-#[inline]
-pub(super) fn is_outside(v: Vec3<i32>, axis: Vec3<Fx32>, bound: i32) -> bool {
-    let products = axis.zip(v, |s, v| (s.to_bits() >> 16) * v);
-    let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
-    // The axis has unit length, so 16 bits hold the component of `v` along the axis.
-    let along = along.max(0) as u32;
-    let bound = u32::from(bound.max(0) as u16);
-    along.wrapping_mul(along) < (squared_length(v) >> 14).wrapping_mul(bound)
 }
 
 impl Offset<Fx16> for Offset16 {

@@ -33,11 +33,13 @@ pub use self::frame::Frame32;
 use super::{
     Arithmetic, Fraction, Fx32, Gain, InversePower, Knot, Length, Light32, Offset, Ray, RealExponent, Share,
     Versine, Weight16, Weight32, cold_path,
-    fx16::{is_outside, squared_length},
     knot::neighbours,
     mantissa_and_shift,
-    ramp::FixedRamp,
-    root::{self, high_half, high_product, high_square, signed_high_half, signed_high_product, size},
+    ramp::{FixedRamp, is_outside},
+    root::{
+        self, high_half, high_product, high_square, signed_high_half, signed_high_product, size,
+        squared_length,
+    },
     within_reach,
 };
 use crate::vec3::Vec3;

@@ -8,10 +8,11 @@
 //! angle.
 
 use super::{
-    Versine,
+    Fx32, Versine,
     root::{self, high_half, inverse_32},
     rounded,
 };
+use crate::vec3::Vec3;
 
 /// The largest zoom of a ramp, which scales versines by `4^zoom`. A larger zoom would need more
 /// bits than a direction has.
@@ -248,6 +249,18 @@ fn squared(chord: u32, zoom: u32) -> u32 {
 fn chord_zoom(chord: u32, most: u32) -> u32 {
     let zoom = (u32::BITS - root::bit_length(chord)).min(most);
     if chord << zoom > LARGEST { zoom.saturating_sub(1) } else { zoom }
+}
+
+/// Returns whether an offset `v` is certainly outside a cone with this axis. `bound` is the bound of
+/// [`Offset::is_outside`](super::Offset::is_outside), with 14 fraction bits.
+#[inline]
+pub(super) fn is_outside(v: Vec3<i32>, axis: Vec3<Fx32>, bound: i32) -> bool {
+    let products = axis.zip(v, |s, v| (s.to_bits() >> 16) * v);
+    let along = products.x.wrapping_add(products.y).wrapping_add(products.z) >> 14;
+    // The axis has unit length, so 16 bits hold the component of `v` along the axis.
+    let along = along.max(0) as u32;
+    let bound = u32::from(bound.max(0) as u16);
+    along.wrapping_mul(along) < (root::squared_length(v) >> 14).wrapping_mul(bound)
 }
 
 #[cfg(test)]

@@ -100,6 +100,19 @@ fn high_square_by_parts(a: i32) -> u32 {
     high.wrapping_mul(high).wrapping_add(middle >> 15) as u32
 }
 
+/// Returns the product in 64 bits.
+#[inline]
+pub(super) fn wide(a: i32, b: i32) -> i64 {
+    i64::from(a) * i64::from(b)
+}
+
+/// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32 bits.
+#[inline]
+pub(super) fn squared_length(v: Vec3<i32>) -> u32 {
+    let squares = v.map(|c| (c * c) as u32);
+    squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
+}
+
 /// Returns a number with the bit length of the largest component.
 ///
 /// A negative component `c` counts as `-1 - c`.

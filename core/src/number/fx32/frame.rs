@@ -1,11 +1,11 @@
 //! Projection of a point onto the square of a spotlight, in the 32-bit format.
 
-use super::{Offset32, set_up::wide};
+use super::Offset32;
 use crate::{
     number::{
         Arithmetic, Fx32, Length, Offset, mantissa_and_shift,
         place::{ProjectedPoint, STEPS},
-        root::inverse_28,
+        root::{inverse_28, wide},
     },
     vec3::Vec3,
 };

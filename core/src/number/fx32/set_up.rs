@@ -7,7 +7,7 @@ use crate::{
         Arithmetic, Fx32, Length, Light32, Offset, ProjectedPoint, Rise, Scalar, Slopes, Versine, Weight32,
         Word, raised,
         ramp::{FixedRamp, MOST_ZOOM, magnified},
-        root::{self, high_half},
+        root::{self, high_half, wide},
         rounded, sphere,
     },
     vec3::Vec3,
@@ -42,12 +42,6 @@ impl Scalar for Fx32 {
     fn light_to_f32(light: Light32) -> f32 {
         light.to_f32()
     }
-}
-
-/// Returns the product in 64 bits.
-#[inline]
-pub(super) fn wide(a: i32, b: i32) -> i64 {
-    i64::from(a) * i64::from(b)
 }
 
 /// Returns the inner product of a direction and a normal, with 58 fraction bits.
