@@ -64,7 +64,7 @@ impl core::fmt::Debug for Case<'_> {
 impl<'a> Case<'a> {
     /// Evaluates a model on inputs. Returns its outputs as words, or the name of the parameter that
     /// was refused, or `None` if inputs are missing.
-    pub fn run(evaluate: crate::Evaluate, inputs: &'a mut dyn Inputs) -> Option<Text> {
+    pub fn run(evaluate: Evaluate, inputs: &'a mut dyn Inputs) -> Option<Text> {
         let mut case = Case { inputs, outputs: Text::default(), is_complete: true };
         if let Err(error) = evaluate(&mut case) {
             case.outputs = Text::default();
@@ -156,3 +156,6 @@ impl<'a> Case<'a> {
 /// The result of a model: `Ok` if its outputs are in the case, or the error of a constructor that
 /// refused an input.
 pub(crate) type Outcome = Result<(), Error>;
+
+/// Evaluates a model: reads the inputs of a case and adds its outputs.
+pub type Evaluate = fn(&mut Case<'_>) -> Outcome;

@@ -2,8 +2,8 @@
 
 use core::fmt::{self, Write};
 
-use crate::case::{Case, Input, Inputs};
-use crate::model::{Evaluate, find};
+use crate::case::{Case, Evaluate, Input, Inputs};
+use crate::model::find;
 use crate::text::Text;
 
 /// Maximum number of differing cases that are reported.

@@ -14,8 +14,8 @@ mod model;
 mod text;
 mod word;
 
-pub use case::{Case, Input, Inputs, Kind};
+pub use case::{Case, Evaluate, Input, Inputs, Kind};
 pub use check::Check;
-pub use model::{Evaluate, FORMATS, Model, each_model};
+pub use model::{FORMATS, Model, each_model};
 pub use text::Text;
 pub use word::{Format, Word};

@@ -22,11 +22,8 @@ use luminaire::{
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, MirroredPhong, NoSpecular, Phong},
 };
 
-use crate::case::{Case, Outcome};
+use crate::case::{Case, Evaluate, Outcome};
 use crate::word::Format;
-
-/// Evaluates a model: reads the inputs of a case and adds its outputs.
-pub type Evaluate = fn(&mut Case<'_>) -> Outcome;
 
 /// A model in the formats that it has.
 #[derive(Clone, Copy, Debug)]
