@@ -21,17 +21,30 @@ fn roots() -> Vec<PathBuf> {
     listed.lines().map(|line| repository.join(line)).collect()
 }
 
+/// The first file of each cycle that is left, and what ties its files together.
+const LEFT: [(&str, &str); 3] = [
+    ("core/src/number.rs", "`Scalar` is what users see of a format, and its supertrait the private rest"),
+    ("benches/firmware/effects/src/lib.rs", "the catalogue lists programs that are written with its types"),
+    ("benches/measure/src/counted.rs", "the record writes the documents that are written from it"),
+];
+
 #[test]
-fn files_of_a_crate_have_no_import_cycle() {
+fn files_of_a_crate_have_no_import_cycle_but_those_left() {
     let roots = roots();
     assert!(roots.len() > 20, "expected all crates, found {}", roots.len());
-    let mut found = String::new();
+    let (mut found, mut left) = (String::new(), BTreeSet::new());
     for root in roots {
-        for cycle in Graph::of(&root).cycles() {
-            found += &format!("{}\n{cycle}\n", root.display());
+        for (files, text) in Graph::of(&root).cycles() {
+            let known = LEFT.iter().find(|(known, _)| files.iter().any(|file| file.ends_with(known)));
+            match known {
+                Some((known, _)) => drop(left.insert(*known)),
+                None => found += &format!("{}\n{text}\n", root.display()),
+            }
         }
     }
     assert!(found.is_empty(), "expected no import cycle, found\n{found}");
+    let expected: BTreeSet<_> = LEFT.iter().map(|(file, _)| *file).collect();
+    assert_eq!(left, expected, "the cycles that are left");
 }
 
 /// The order of the modules that a root file states in a comment, or nothing.

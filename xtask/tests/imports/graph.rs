@@ -129,8 +129,8 @@ impl Graph {
         found
     }
 
-    /// Each set of files that reach one another by imports, as lines of text.
-    pub(crate) fn cycles(&self) -> Vec<String> {
+    /// Each set of files that reach one another by imports, with these imports as lines of text.
+    pub(crate) fn cycles(&self) -> Vec<(Vec<PathBuf>, String)> {
         let imports = self.imports();
         let reached = |from: &Path| {
             let (mut seen, mut open) = (BTreeSet::new(), vec![from.to_owned()]);
@@ -161,7 +161,7 @@ impl Graph {
                     let _ = writeln!(text, "    {} imports {path} of {}", short(from), short(to));
                 }
             }
-            text
+            (cycle, text)
         };
         cycles.into_iter().map(told).collect()
     }
