@@ -34,6 +34,7 @@ impl Output {
         for Line { name, value, unit } in Line::all(text)? {
             match name.as_str() {
                 "row" => {
+                    ensure!(value.len() % 4 == 0, "row {value}: expected four digits a pixel");
                     for digits in value.as_bytes().chunks(4) {
                         output.pixels.push(u16::from_str_radix(str::from_utf8(digits)?, 16)?);
                     }
