@@ -137,7 +137,9 @@ fn sources(suite: &mut Suite, full: bool) {
         progress.run(with(command::cargo("fmt"), &["--all", "--check"]))
     });
     suite.step("lint: cargo clippy", |progress| {
-        let mut clippy = with(command::cargo("clippy"), &["--workspace", "--all-targets"]);
+        // All targets are without those that a plain `cargo test` leaves out.
+        let all = ["--workspace", "--all-targets", "--test", "slow"];
+        let mut clippy = with(command::cargo("clippy"), &all);
         if !full {
             clippy.args(TOOLS.iter().flat_map(|package| ["--exclude", package]));
         }
