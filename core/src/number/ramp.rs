@@ -114,6 +114,11 @@ impl FixedRamp {
         Self { zoom, inner, width, shift, mantissa, one, fine: 0, fine_shift, fine_mantissa }
     }
 
+    /// Returns the nearest versine in the scale of this ramp; saturates, and NaN becomes the largest.
+    pub(super) fn versine(self, value: f32) -> Versine {
+        if value.is_nan() { Versine::MAX } else { magnified(value, self.zoom) }
+    }
+
     /// Returns the ramp between this ramp and another one, and the chords of its cone.
     ///
     /// `part` has 32 fraction bits, and `most` is the largest zoom. The ramp is fine if one of the
@@ -186,7 +191,7 @@ pub(super) fn zoom(limit: f32) -> u32 {
 }
 
 /// Returns the nearest versine times `4^zoom`; saturates, and NaN becomes zero.
-pub(super) fn magnified(value: f32, zoom: u32) -> Versine {
+fn magnified(value: f32, zoom: u32) -> Versine {
     Versine::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
 }
 

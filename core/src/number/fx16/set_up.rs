@@ -8,7 +8,7 @@ use crate::{
         Slopes, Versine, Weight16, Word,
         fx32::{Fine, FineRay},
         raised,
-        ramp::{FixedRamp, MOST_ZOOM, magnified, zoom},
+        ramp::{FixedRamp, MOST_ZOOM, zoom},
         root, rounded, sphere,
     },
     trig,
@@ -76,7 +76,7 @@ impl Arithmetic for Fx16 {
     }
 
     fn versine(ramp: FixedRamp, value: f32) -> Versine {
-        if value.is_nan() { Versine::MAX } else { magnified(value, ramp.zoom) }
+        ramp.versine(value)
     }
 
     fn weight(value: f32) -> Weight16 {

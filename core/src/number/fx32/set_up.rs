@@ -6,7 +6,7 @@ use crate::{
     number::{
         Arithmetic, Fx32, Length, Light32, Offset, ProjectedPoint, Rise, Scalar, Slopes, Versine, Weight32,
         Word, raised,
-        ramp::{FixedRamp, MOST_ZOOM, magnified},
+        ramp::{FixedRamp, MOST_ZOOM},
         root::{self, high_half, wide},
         rounded, sphere,
     },
@@ -114,7 +114,7 @@ impl Arithmetic for Fx32 {
     }
 
     fn versine(ramp: FixedRamp, value: f32) -> Versine {
-        if value.is_nan() { Versine::MAX } else { magnified(value, ramp.zoom) }
+        ramp.versine(value)
     }
 
     fn weight(value: f32) -> Weight32 {
