@@ -29,6 +29,7 @@ mod ranged;
 mod smooth_range;
 
 pub(crate) use self::any::WithConstants;
+pub(crate) use self::decay::STEEPEST;
 pub use self::{
     any::{AnyAttenuation, CompiledAnyAttenuation},
     decay::Decay,

@@ -37,11 +37,11 @@ mod sphere;
 #[cfg(feature = "fixed")]
 mod types;
 
-pub(crate) use self::arithmetic::HALF_A_CODE;
 #[cfg(feature = "fixed")]
 pub use self::types::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, Weight32};
 #[cfg(feature = "fixed")]
 use self::types::{nearest, rounded};
+pub(crate) use self::{arithmetic::HALF_A_CODE, float::BRIGHTEST};
 pub use self::{arithmetic::Quick, knot::Knot, place::ProjectedPoint, real::InversePower};
 #[cfg(feature = "arithmetic")]
 pub use self::{

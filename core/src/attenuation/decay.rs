@@ -4,7 +4,7 @@ use super::{Attenuation, Describe};
 use crate::{
     effect::{Effect, Effects},
     error::{Error, Expected, Parameter},
-    number::{InversePower, Offset, Ray, Scalar},
+    number::{BRIGHTEST, InversePower, Offset, Ray, Scalar},
     source::named,
 };
 
@@ -22,12 +22,9 @@ pub struct Decay {
 named!(Decay);
 
 /// The largest exponent.
-const STEEPEST: f32 = 16.0;
+pub(crate) const STEEPEST: f32 = 16.0;
 
 impl Decay {
-    /// The largest cap: 2^64, the brightest light of `f32`.
-    pub(crate) const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0;
-
     /// Creates the attenuation `min(d^-exponent, most)`, for distances in scene units.
     ///
     /// # Errors
@@ -35,8 +32,8 @@ impl Decay {
     pub fn new(exponent: f32, most: f32) -> Result<Self, Error> {
         let (parameter, value, accepted) = if !(exponent > 0.0 && exponent <= STEEPEST) {
             (Parameter::Decay, exponent, Expected::UpTo(STEEPEST))
-        } else if !(1.0..=Self::BRIGHTEST).contains(&most) {
-            (Parameter::Attenuation, most, Expected::Between(1.0, Self::BRIGHTEST))
+        } else if !(1.0..=BRIGHTEST).contains(&most) {
+            (Parameter::Attenuation, most, Expected::Between(1.0, BRIGHTEST))
         } else {
             return Ok(Self { exponent, most });
         };

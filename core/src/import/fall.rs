@@ -2,8 +2,11 @@
 
 use super::AnyAttenuation;
 use crate::{
-    attenuation::{CutAt, Decay, FilamentRange, InverseSquare, NoAttenuation, Polynomial, Windowed},
+    attenuation::{
+        CutAt, Decay, FilamentRange, InverseSquare, NoAttenuation, Polynomial, STEEPEST, Windowed,
+    },
     error::{Error, Parameter, check_between},
+    number::BRIGHTEST,
     trig::real_power,
 };
 
@@ -54,7 +57,7 @@ pub(super) fn polynomial(coefficients: [f32; 3], range: Option<f32>, intensity: 
 ///
 /// The inverse square, at a decay of 2, has no `stop`. A factor over 2^64 is 2^64.
 pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -> Result<Fall, Error> {
-    check_between(Parameter::Decay, decay, 0.0, 16.0)?;
+    check_between(Parameter::Decay, decay, 0.0, STEEPEST)?;
     check_between(Parameter::Intensity, intensity, 0.0, MOST)?;
     let plain = |distance| Ok(Fall { distance, intensity, difference: 0.0 });
     if decay == 0.0 {
@@ -64,7 +67,7 @@ pub(super) fn decay(decay: f32, stop: f64, range: Option<f32>, intensity: f32) -
         return plain(AnyAttenuation::FilamentRange(FilamentRange::new(InverseSquare, range)?));
     }
     let factor = |distance: f64| 1.0 / real_power(distance, decay.into());
-    let most = factor(stop).min(Decay::BRIGHTEST.into());
+    let most = factor(stop).min(BRIGHTEST.into());
     let distance = AnyAttenuation::WindowedDecay(Windowed::new(Decay::new(decay, most as f32)?, range)?);
     let near = stop.max(range.map_or(REACH, f64::from) / REACH);
     Ok(Fall { distance, intensity, difference: 1.0 - most / factor(near).max(most) })

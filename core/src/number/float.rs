@@ -332,7 +332,7 @@ impl Share<f32> for f32 {
 ///
 /// This value is so far below the largest f32 that sums and quotients of irradiances stay finite in
 /// practice.
-const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
+pub(crate) const BRIGHTEST: f32 = 18_446_744_073_709_551_616.0; // 2^64
 
 impl Gain<f32> for f32 {
     #[inline]
