@@ -41,7 +41,7 @@ pub use double::{DoubleFalloff, DoublePoint};
 pub use kernel::{Kernel, Row, Stage, Visitor};
 pub use list::{Setting, doubles, falloffs, points, rungs};
 pub use luminaire::falloff::ListedFalloff;
-pub use ours::{Highlit, OurFalloff, OurPoint, QuickPoint};
+pub use ours::{Highlit, OurFalloff, OurPoint};
 #[cfg(feature = "std")]
 pub use rival::Std;
 pub use rival::{Clamp, CosineTable, Gltf, Libm, Micromath, Power, Powf, Schlick, Smoothstep};

@@ -1,9 +1,10 @@
 //! The list: every row, once.
 
 use luminaire::{
-    Angle, Cone, Fx16, Fx32, Scalar, SpotLight,
+    Angle, Cone, Error, Fx16, Fx32, Scalar, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
     falloff::{FalloffVisitor, ListedFalloff, Power, Smooth, Soft, constant_falloffs},
+    light::LightModel,
     number::Quick,
 };
 use luminaire_oracle as oracle;
@@ -13,7 +14,7 @@ use crate::{
     double::{DoubleFalloff, DoublePoint},
     falloff::{exact, sample},
     kernel::{Row, Visitor},
-    ours::{Highlit, OurFalloff, OurPoint, QuickPoint},
+    ours::{Highlit, OurFalloff, OurPoint},
     rival,
     scene::{AXIS, EYE, POSITION, Population},
     truth::{Highlight, Point, widened},
@@ -162,8 +163,7 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
     };
     let shiny = Point { highlight: Some(Highlight { eye: widened(EYE), surface }), ..far };
     let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
-    let spot = spot::<Soft>(setting).with_attenuation(NoAttenuation);
-    let falling = bright::<Soft>(INTENSITY, setting);
+    let (spot, falling) = spots::<Soft>(setting);
     let Ok(highlit) = Highlit::<S>::new(&falling) else {
         for kernel in ["away", "outside", "lit", "lit-inverse-square", "lit-specular"] {
             visitor.refused(Row::lit(kernel, S::NAME), refused);
@@ -180,75 +180,62 @@ fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
 
 /// The points by the quick evaluation of a format.
 fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
+    let (spot, falling) = spots::<Soft>(setting);
     for (kernel, population) in REJECTS {
-        if let Ok(light) = spot::<Soft>(setting).with_attenuation(NoAttenuation).compile_quick::<S>() {
+        if let Ok(light) = spot.compile_quick::<S>() {
             let truth = light_of::<Soft>(setting, population, 1.0, false);
-            visitor.point(Row::lit(kernel, name), QuickPoint::new(light), &truth);
+            visitor.point(Row::lit(kernel, name), OurPoint::new(light), &truth);
         } else {
             visitor.refused(Row::lit(kernel, name), narrowest::<S, Soft>());
         }
     }
-    quickly_lit::<S, Soft>(LIT.map(|kernel| Row::lit(kernel, name)), INTENSITY, setting, visitor);
+    let rows = LIT.map(|kernel| Row::lit(kernel, name));
+    lit::<S, Soft>(rows, (spot.compile_quick(), falling.compile_quick()), setting, visitor);
 }
 
 /// The lit points of a cone with the edge `P`, without and with an inverse square, in every format
 /// and by every evaluation.
 pub fn rungs<P: ListedFalloff>(kernels: [&'static str; 2], setting: Setting, visitor: &mut impl Visitor) {
     let rows = |format| kernels.map(|kernel| Row::lit(kernel, format));
-    quickly_lit::<Fx16, P>(rows("fx16-quick"), INTENSITY, setting, visitor);
-    lit::<Fx16, P>(rows(Fx16::NAME), INTENSITY, setting, visitor);
-    lit::<Fx32, P>(rows(Fx32::NAME), INTENSITY, setting, visitor);
-    quickly_lit::<f32, P>(rows("f32-quick"), INTENSITY, setting, visitor);
-    lit::<f32, P>(rows(f32::NAME), INTENSITY, setting, visitor);
+    let (spot, falling) = spots::<P>(setting);
+    lit::<Fx16, P>(rows("fx16-quick"), (spot.compile_quick(), falling.compile_quick()), setting, visitor);
+    lit::<Fx16, P>(rows(Fx16::NAME), (spot.compile(), falling.compile()), setting, visitor);
+    lit::<Fx32, P>(rows(Fx32::NAME), (spot.compile(), falling.compile()), setting, visitor);
+    lit::<f32, P>(rows("f32-quick"), (spot.compile_quick(), falling.compile_quick()), setting, visitor);
+    lit::<f32, P>(rows(f32::NAME), (spot.compile(), falling.compile()), setting, visitor);
+}
+
+/// The spotlights of lit points: without attenuation, and bright with an inverse square.
+fn spots<P: ListedFalloff>(setting: Setting) -> (SpotLight<P, NoAttenuation>, SpotLight<P>) {
+    let bright = spot(setting).with_intensity(INTENSITY).expect("a sound intensity");
+    (spot(setting).with_attenuation(NoAttenuation), bright)
 }
 
 fn lit<S: Format, P: ListedFalloff>(
     rows: [Row; 2],
-    intensity: f32,
+    lights: (Result<impl LightModel<S>, Error>, Result<impl LightModel<S>, Error>),
     setting: Setting,
     visitor: &mut impl Visitor,
 ) {
-    let [level, far] = lit_truths::<P>(intensity, setting);
-    let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
-    let falling = bright::<P>(intensity, setting);
-    let (Ok(spot), Ok(falling)) = (spot.compile::<S>(), falling.compile::<S>()) else {
+    let (Ok(spot), Ok(falling)) = lights else {
         return rows.into_iter().for_each(|row| visitor.refused(row, narrowest::<S, P>()));
     };
+    let [level, far] = lit_truths::<P>(setting);
     visitor.point(rows[0], OurPoint::new(spot), &level);
     visitor.point(rows[1], OurPoint::new(falling), &far);
-}
-
-fn quickly_lit<S: Format + Quick, P: ListedFalloff>(
-    rows: [Row; 2],
-    intensity: f32,
-    setting: Setting,
-    visitor: &mut impl Visitor,
-) {
-    let [level, far] = lit_truths::<P>(intensity, setting);
-    let spot = spot::<P>(setting).with_attenuation(NoAttenuation);
-    let falling = bright::<P>(intensity, setting);
-    let (Ok(spot), Ok(falling)) = (spot.compile_quick::<S>(), falling.compile_quick::<S>()) else {
-        return rows.into_iter().for_each(|row| visitor.refused(row, narrowest::<S, P>()));
-    };
-    visitor.point(rows[0], QuickPoint::new(spot), &level);
-    visitor.point(rows[1], QuickPoint::new(falling), &far);
 }
 
 /// The kernels of a lit point, without and with an inverse square.
 const LIT: [&str; 2] = ["lit", "lit-inverse-square"];
 
-fn lit_truths<P: ListedFalloff>(intensity: f32, setting: Setting) -> [Point; 2] {
-    [(1.0, false), (intensity, true)]
+fn lit_truths<P: ListedFalloff>(setting: Setting) -> [Point; 2] {
+    [(1.0, false), (INTENSITY, true)]
         .map(|(intensity, falls)| light_of::<P>(setting, Population::Lit, intensity, falls))
 }
 
 /// The narrowest half angle in degrees that a format holds.
 fn narrowest<S: Format, P: ListedFalloff>() -> f32 {
     Cone::narrowest::<S>(sample::<P>()).to_degrees() / 2.0
-}
-
-fn bright<P: ListedFalloff>(intensity: f32, setting: Setting) -> SpotLight<P> {
-    spot::<P>(setting).with_intensity(intensity).expect("a sound intensity")
 }
 
 fn spot<P: ListedFalloff>(setting: Setting) -> SpotLight<P> {

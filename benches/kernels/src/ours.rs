@@ -1,12 +1,12 @@
 //! The crate `luminaire`, as it is.
 
+use core::marker::PhantomData;
+
 use luminaire::{
     Scalar, SpotLight, Vec3,
-    attenuation::Attenuation,
     falloff::{ListedFalloff, Soft},
-    light::{CompiledCone, CompiledSpotLight, LightModel, QuickSpotLight, SurfacePoint},
-    number::Quick,
-    specular::{Phong, SpecularLobe},
+    light::{CompiledCone, CompiledSpotLight, LightModel, SurfacePoint},
+    specular::{NoSpecular, Phong, SpecularLobe},
 };
 
 use crate::{
@@ -72,20 +72,21 @@ impl<S: Format> Stored<S> {
     }
 }
 
-/// A spotlight, and Lambert's cosine.
+/// A compiled light, and Lambert's cosine.
 #[derive(Clone, Copy, Debug)]
-pub struct OurPoint<S: Scalar, P: ListedFalloff, A: Attenuation> {
-    light: CompiledSpotLight<S, P, A>,
+pub struct OurPoint<S, L> {
+    light: L,
+    format: PhantomData<S>,
 }
 
-impl<S: Scalar, P: ListedFalloff, A: Attenuation> OurPoint<S, P, A> {
+impl<S: Format, L: LightModel<S>> OurPoint<S, L> {
     /// The points that this light lights.
-    pub fn new(light: CompiledSpotLight<S, P, A>) -> Self {
-        Self { light }
+    pub fn new(light: L) -> Self {
+        Self { light, format: PhantomData }
     }
 }
 
-impl<S: Format, P: ListedFalloff, A: Attenuation> Kernel for OurPoint<S, P, A> {
+impl<S: Format, L: LightModel<S>> Kernel for OurPoint<S, L> {
     type Place = Site;
     type Input = Stored<S>;
     type Output = S::Irradiance;
@@ -96,40 +97,7 @@ impl<S: Format, P: ListedFalloff, A: Attenuation> Kernel for OurPoint<S, P, A> {
 
     #[inline(always)]
     fn evaluate(&self, site: &Stored<S>) -> S::Irradiance {
-        self.light.irradiance(site.point, site.normal)
-    }
-
-    #[inline(always)]
-    fn touch(site: &Stored<S>) -> u32 {
-        site.touch()
-    }
-}
-
-/// The same by the quick evaluation.
-#[derive(Clone, Copy, Debug)]
-pub struct QuickPoint<S: Quick, P: ListedFalloff, A: Attenuation> {
-    light: QuickSpotLight<S, P, A>,
-}
-
-impl<S: Quick, P: ListedFalloff, A: Attenuation> QuickPoint<S, P, A> {
-    /// The points that this light lights.
-    pub fn new(light: QuickSpotLight<S, P, A>) -> Self {
-        Self { light }
-    }
-}
-
-impl<S: Format + Quick, P: ListedFalloff, A: Attenuation> Kernel for QuickPoint<S, P, A> {
-    type Place = Site;
-    type Input = Stored<S>;
-    type Output = S::Irradiance;
-
-    fn input(&self, site: &Site) -> Stored<S> {
-        Stored::new(site)
-    }
-
-    #[inline(always)]
-    fn evaluate(&self, site: &Stored<S>) -> S::Irradiance {
-        self.light.irradiance(site.point, site.normal)
+        self.light.evaluate::<NoSpecular>(&SurfacePoint::matte(site.point, site.normal), &(), true).diffuse
     }
 
     #[inline(always)]
