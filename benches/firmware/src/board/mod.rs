@@ -10,7 +10,22 @@ mod processor;
 #[path = "host.rs"]
 mod processor;
 
-pub use processor::{begin, countdown, end, nops, opaque};
+#[cfg(not(target_os = "none"))]
+pub use core::hint::black_box as opaque;
+pub use processor::{begin, countdown, end, nops};
+
+/// Returns the same reference at no cost, but the compiler no longer knows what it refers to.
+#[cfg(target_os = "none")]
+#[inline(always)]
+pub fn opaque<T>(reference: &T) -> &T {
+    let mut pointer: *const T = reference;
+    // SAFETY: there are no instructions, so the register keeps the pointer that it has.
+    unsafe {
+        core::arch::asm!("/* {0} */", inout(reg) pointer, options(pure, nomem, nostack, preserves_flags))
+    };
+    // SAFETY: the pointer comes from a reference of the same lifetime.
+    unsafe { &*pointer }
+}
 
 /// Prints a line for the tools to read: by semihosting on a board, to stdout on the host.
 #[cfg(target_os = "none")]

@@ -16,16 +16,6 @@ pub fn end() {
     unsafe { asm!("mov r11, r11", options(nostack, preserves_flags)) };
 }
 
-/// Returns the same reference at no cost, but the compiler no longer knows what it refers to.
-#[inline(always)]
-pub fn opaque<T>(reference: &T) -> &T {
-    let mut pointer: *const T = reference;
-    // SAFETY: there are no instructions, so the register keeps the pointer that it has.
-    unsafe { asm!("/* {0} */", inout(reg) pointer, options(pure, nomem, nostack, preserves_flags)) };
-    // SAFETY: the pointer comes from a reference of the same lifetime.
-    unsafe { &*pointer }
-}
-
 /// `COUNT` instructions that do nothing.
 #[inline(always)]
 pub fn nops<const COUNT: usize>() {
