@@ -7,7 +7,6 @@ use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail, ensure};
 use tools::browser::Visit;
-use wasm_bindgen_cli_support::Bindgen;
 
 use crate::counted::{self, FIRMWARE};
 use crate::qemu::Qemu;
@@ -15,7 +14,6 @@ use crate::target::{BOARDS, Board, Target};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 use tools::suite::Suite;
-use tools::toolchain::Toolchain;
 use tools::{command, project, wasm};
 
 /// The options of `conform`.
@@ -86,14 +84,16 @@ fn cases(vectors: &str) -> usize {
 /// Checks the vectors on a target. Returns the counts; an error if a case differs or was not checked.
 fn check(target: Target, progress: &Progress) -> Result<Vec<String>> {
     let outputs = match target {
-        Target::Errors => bail!("target = errors: expected host, wasm-simd or a processor"),
+        Target::Errors | Target::Browser { simd: false } => {
+            bail!("target = {}: expected host, wasm-simd or a processor", target.name())
+        }
         // Optimised and without overflow checks: an overflow would wrap unnoticed. The tests of
         // `cargo test` check the vectors with overflow checks.
         Target::Host => vec![
             on_the_host(&["--release"], progress)?,
             on_the_host(&["--release", "--features", "std"], progress)?,
         ],
-        Target::Browser { .. } => vec![in_a_browser(progress)?],
+        Target::Browser { simd: true } => vec![in_a_browser(progress)?],
         Target::Board(board) => vec![on_a_board(board, progress)?],
     };
     let cases = cases(&fs::read_to_string(file())?);
@@ -135,15 +135,8 @@ fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
 
 /// Builds the page, opens it, and returns what it reports.
 fn in_a_browser(progress: &Progress) -> Result<String> {
-    let toolchain = Toolchain::find("wasm32-unknown-unknown", progress)?;
-    let mut build = toolchain.cargo_build("std,panic_abort", &["-Ctarget-feature=+simd128"]);
-    build.args(["--package", "luminaire-conform-wasm", "--lib", "--profile", wasm::PROFILE]);
-    progress.run(build)?;
-    let module = toolchain.artifacts(wasm::PROFILE).join("luminaire_conform_wasm.wasm");
     let site = project::target().join("conform");
-    let mut bindgen = Bindgen::new();
-    bindgen.input_path(&module).typescript(false).omit_default_module_path(false);
-    bindgen.web(true).and_then(|bindgen| bindgen.generate(site.join("pkg")))?;
+    wasm::CONFORM.bind(&wasm::CONFORM.compile(progress)?, &site.join("pkg"), progress)?;
     fs::copy(folder().join("wasm/index.html"), site.join("index.html"))?;
     fs::copy(file(), site.join("vectors.txt"))?;
     let server = Server::start(server::listen(0)?, &site)?;

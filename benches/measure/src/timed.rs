@@ -9,6 +9,7 @@ use luminaire::dynamic::Effect;
 use serde_json::Value;
 
 use crate::record::{Group, Record};
+use crate::target::Target;
 use tools::browser::{Act, Found, Visit};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
@@ -75,7 +76,8 @@ pub(crate) fn errors(progress: &Progress) -> Result<Record> {
 
 /// Times every kernel on this machine.
 pub(crate) fn host(progress: &Progress) -> Result<Record> {
-    let mut group = times(progress)?;
+    let rounds = (0..ROUNDS).map(|_| run(&["time"], progress)).collect::<Result<Vec<_>>>()?;
+    let mut group = best(rounds.iter().map(String::as_str))?;
     let flags = env::var("RUSTFLAGS").unwrap_or_default();
     for (name, fact) in [
         ("compiler", toolchain::active_compiler()?),
@@ -86,12 +88,6 @@ pub(crate) fn host(progress: &Progress) -> Result<Record> {
     }
     without_bits(&mut group);
     Ok(Record([("host".to_owned(), group)].into()))
-}
-
-/// The times of every kernel on this machine, in its best round, with checksums of the results.
-fn times(progress: &Progress) -> Result<Group> {
-    let rounds = (0..ROUNDS).map(|_| run(&["time"], progress)).collect::<Result<Vec<_>>>()?;
-    best(rounds.iter().map(String::as_str))
 }
 
 /// Times every kernel in a browser, and frames of the demo. It is an error if the results are not the
@@ -105,7 +101,9 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     let server = Server::start(server::listen(0)?, site.path())?;
     let found = visit(&server, &vec![Act::Ask(ROUND.to_owned()); ROUNDS], progress)?;
     let mut group = best(found.values.iter().map(|round| round.as_str().unwrap_or_default()))?;
-    compare(&group, &times(progress)?)?;
+    let mut host = Group::default();
+    host.add_lines(&run(&["time"], progress)?)?;
+    compare(&group, &host)?;
     without_bits(&mut group);
     for (name, fact) in [
         ("compiler", wasm::compiler(progress)?),
@@ -114,7 +112,7 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     ] {
         group.about.insert(name.to_owned(), fact);
     }
-    let name = if simd { "wasm-simd" } else { "wasm" };
+    let name = Target::Browser { simd }.name();
     let mut record = Record([(name.to_owned(), group)].into());
     if simd {
         record.0.insert("demo".to_owned(), frames(progress)?);

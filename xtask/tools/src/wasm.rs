@@ -11,7 +11,7 @@ use crate::toolchain::Toolchain;
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// The profile in the workspace's manifest, and the name of the folder of what is built.
-pub const PROFILE: &str = "wasm";
+const PROFILE: &str = "wasm";
 
 /// A package that a browser runs.
 #[derive(Debug)]
@@ -37,6 +37,9 @@ pub const PAGE: [(Package, &str); 5] = [
     (Package::new("demo-code", "demo_code", "code"), "pkg"),
     (Package::new("luminaire-price", "luminaire_price", "luminaire_price"), "price"),
 ];
+/// The check of the conformance vectors.
+pub const CONFORM: Package =
+    Package::new("luminaire-conform-wasm", "luminaire_conform_wasm", "luminaire_conform_wasm");
 /// The program that times the kernels.
 pub const PRICES: Package = Package { simd: false, ..SIMD_PRICES };
 /// The program that times the kernels, with vector instructions.
