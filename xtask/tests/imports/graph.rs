@@ -91,7 +91,8 @@ impl Graph {
     fn resolve(&self, at: &Name, path: &[String], depth: usize) -> Option<&Name> {
         let (at, module) = self.modules.get_key_value(at)?;
         let (first, rest) = path.split_first()?;
-        // An alias may stand for itself: `use fixed;` in a module without an item of this name.
+        // Aliases and stars may lead back to where they began. A star is tried for every name, so that it
+        // counts as several steps.
         if depth > 20 {
             return None;
         }
@@ -114,16 +115,20 @@ impl Graph {
         module.globs.iter().find_map(|glob| self.resolve(at, &[glob, path].concat(), depth + 5))
     }
 
+    /// Each path that code follows to a module of the crate: the module that it is in, and the other.
+    fn followed(&self) -> impl Iterator<Item = (&Name, &Name, &Name)> {
+        let paths =
+            self.modules.iter().flat_map(|(at, module)| module.followed.iter().map(move |path| (at, path)));
+        paths.filter_map(|(at, path)| Some((at, path, self.resolve(at, path, 0)?)))
+    }
+
     /// All imports: a file, the file from which it imports, and a path that does so.
     fn imports(&self) -> BTreeMap<&Path, BTreeMap<&Path, String>> {
         let mut found = BTreeMap::<_, BTreeMap<_, _>>::new();
-        for (name, module) in &self.modules {
-            for path in &module.followed {
-                let Some(target) = self.resolve(name, path, 0) else { continue };
-                let (from, to) = (module.file.as_path(), self.modules[target].file.as_path());
-                if from != to {
-                    found.entry(from).or_default().entry(to).or_insert_with(|| path.join("::"));
-                }
+        for (at, path, target) in self.followed() {
+            let [from, to] = [at, target].map(|module| self.modules[module].file.as_path());
+            if from != to {
+                found.entry(from).or_default().entry(to).or_insert_with(|| path.join("::"));
             }
         }
         found
@@ -173,16 +178,10 @@ impl Graph {
 
     /// Each pair of different modules of the root of which the first imports from the second.
     pub(crate) fn between_top(&self) -> BTreeSet<(&str, &str)> {
-        let mut found = BTreeSet::new();
-        for (name, module) in &self.modules {
-            for target in module.followed.iter().filter_map(|path| self.resolve(name, path, 0)) {
-                if let (Some(from), Some(to)) = (name.first(), target.first()) {
-                    found.insert((from.as_str(), to.as_str()));
-                }
-            }
-        }
-        found.retain(|(from, to)| from != to);
-        found
+        let tops = self
+            .followed()
+            .filter_map(|(at, _, target)| Some((at.first()?.as_str(), target.first()?.as_str())));
+        tops.filter(|(from, to)| from != to).collect()
     }
 }
 
