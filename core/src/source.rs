@@ -58,6 +58,7 @@ impl<T: Source + ?Sized> fmt::Debug for Written<'_, T> {
 }
 
 /// A type that displays as its name.
+#[allow(unreachable_pub, reason = "public with the feature arithmetic")]
 #[derive(Debug)]
 pub struct Name<T>(PhantomData<T>);
 
@@ -68,6 +69,7 @@ impl<T: Named> fmt::Display for Name<T> {
 }
 
 /// Returns the name of a type for display.
+#[allow(unreachable_pub, reason = "public with the feature arithmetic")]
 pub fn name<T: Named>() -> Name<T> {
     Name(PhantomData)
 }
