@@ -38,6 +38,8 @@ use crate::{
 /// assert!((sum - (1.0 / 16.0 + 2.0 / 5_f32.powf(1.5))).abs() < 1e-3);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum AnyLight {
     /// Light from infinitely far away.

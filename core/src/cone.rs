@@ -14,6 +14,7 @@ use crate::{
     falloff::{Falloff, Hard, Power, Soft, SoftOrHard},
     number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
     search::bisect,
+    stored::stored,
 };
 
 /// A cone of light with an angular falloff: full intensity on the axis, 0 from the outer angle
@@ -38,6 +39,7 @@ use crate::{
 /// assert!((cone.outer().to_degrees() - 18.15).abs() < 0.005);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cone<P = SoftOrHard> {
     falloff: P,
@@ -48,6 +50,8 @@ pub struct Cone<P = SoftOrHard> {
     /// The versine from which on there is no light: `outer`, or the versine of a smaller cutoff.
     limit: f32,
 }
+
+stored!([P: Falloff] Cone<P> { falloff: P, inner: f32, outer: f32, limit: f32 } by Self::checked(falloff, [inner, outer, limit]));
 
 impl<P: Falloff> Cone<P> {
     /// Creates the cone with this field angle, at which the intensity is 10 %.
@@ -87,6 +91,17 @@ impl<P: Falloff> Cone<P> {
             let value = angle.to_degrees();
             Err(Error { parameter, value, accepted: Expected::angle_up_to(largest.to_degrees(), value) })
         }
+    }
+
+    /// Creates a cone from the versines of half its inner angle, half the angle at which the falloff
+    /// ends, and half its outer angle.
+    #[cfg(feature = "serde")]
+    fn checked(falloff: P, [inner, outer, limit]: [f32; 3]) -> Result<Self, Error> {
+        use crate::error::check_between;
+        check_between(Parameter::Versine, outer, f32::MIN_POSITIVE, 1.0)?;
+        check_between(Parameter::Versine, inner, 0.0, outer)?;
+        check_between(Parameter::Versine, limit, f32::MIN_POSITIVE, outer)?;
+        Ok(Self { falloff, inner, outer, limit })
     }
 
     /// Creates a cone without a cutoff.

@@ -41,6 +41,8 @@ pub enum Parameter {
     InnerAngle,
     /// The full angle of a cutoff, from which on there is no light.
     CutoffAngle,
+    /// The versine `1 - cos` of a half angle of a stored cone, or a fraction of the versine of its edge.
+    Versine,
     /// The rotation of a projection about its axis, in degrees.
     Roll,
     /// The side length of a gobo in transmissions, or of a shadow map in texels.
@@ -160,6 +162,7 @@ impl fmt::Display for Parameter {
             Self::OuterAngle => "outer angle",
             Self::InnerAngle => "inner angle",
             Self::CutoffAngle => "cutoff angle",
+            Self::Versine => "versine",
             Self::Roll => "roll",
             Self::Side => "side",
             Self::EdgeSlope => "edge slope",

@@ -11,7 +11,8 @@
 //! | `serde` | array | array | 16 bits | degrees | their bits |
 //!
 //! `defmt` also formats an [`Error`](crate::Error), its [`Parameter`](crate::error::Parameter) and
-//! the [`Expected`](crate::error::Expected) range. Conversions of [`Vec3`](crate::Vec3) and
+//! the [`Expected`](crate::error::Expected) range. Lights, cones, falloffs and attenuations have
+//! `serde` and `defmt`, too. Conversions of [`Vec3`](crate::Vec3) and
 //! [`Rgb`](crate::Rgb) from and to arrays of three need no feature.
 
 /// Calls a macro with every fixed-point number type and the integer that stores it.

@@ -144,14 +144,14 @@
 //! | `std` | the processor's square root, bit-identical to that of `libm` |
 //! | `micromath` | square roots and sines without `libm` and `std`: angles within 0.11 %, so results differ from those of the other features |
 //! | `bytemuck` | [`Vec3`], [`Rgb`], pixels and fixed-point numbers cast to bytes; the only unsafe code |
-//! | `defmt` | `Format` for errors, angles, vectors, colours and numbers, for logs of a microcontroller |
+//! | `defmt` | `Format` for errors, lights, cones, angles, vectors, colours and numbers, for logs of a microcontroller |
 //! | `embedded-graphics-core04` | conversions between [`Rgb`]`<u8>` or pixels and its RGB and BGR colours |
 //! | `glam034` | conversions between [`Vec3`]`<f32>` or [`Rgb`]`<f32>` and `glam::Vec3` |
 //! | `mint05` | conversions between [`Vec3`] or [`Rgb`] and `mint::Vector3`, [`Vec3`] and `mint::Point3` |
-//! | `serde` | serialisation of angles, vectors, colours, pixels and numbers; the latter two as their bits |
+//! | `serde` | serialisation of lights and cones, checked when they are read; of angles, vectors, colours, pixels and numbers |
 //! | `arithmetic` | the arithmetic of the number formats, for tests and cost measurements: may change in any version |
 
-// Modules, lowest first: `error`, `models`, `search`, `source`, `trig`, `vec3`, `angle`, `effect`,
+// Modules, lowest first: `error`, `models`, `search`, `source`, `stored`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
 // `haze`, `material`, `row`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
@@ -196,6 +196,7 @@ mod search;
 mod shade;
 mod source;
 pub mod specular;
+mod stored;
 mod trig;
 mod vec3;
 

@@ -26,17 +26,24 @@ use crate::{
     color::{Rgb, checked_color},
     error::{Error, Expected, Parameter, check_between, check_components},
     number::Scalar,
+    stored::stored,
     trig,
     vec3::Vec3,
 };
 
 /// The intensity and the colours of a light.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Emission {
     color: Rgb<f32>,
     specular_color: Rgb<f32>,
     intensity: f32,
 }
+
+stored!(Emission { color: Rgb<f32>, specular_color: Rgb<f32>, intensity: f32 } by {
+    let white = Self::WHITE.with_intensity(intensity);
+    white.and_then(|light| light.with_color(color)).and_then(|light| light.with_specular_color(specular_color))
+});
 
 impl Emission {
     const WHITE: Self =
@@ -76,6 +83,7 @@ fn components(vector: Vec3<f32>) -> [(&'static str, f32); 3] {
 }
 
 /// The axis of a light.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Axis {
     /// The axis normalised to unit length, within the rounding error of f32.
@@ -83,6 +91,22 @@ struct Axis {
     /// The given axis without rounding, scaled by a power of two so that the largest component is
     /// in [1/2, 1].
     toward: Vec3<f32>,
+}
+
+/// Serialised as a vector. The axis is rebuilt from it without another rounding.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Axis {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.toward.serialize(serializer)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Axis {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let axis = Self::new(Parameter::Axis, Vec3::deserialize(deserializer)?);
+        axis.map(|(axis, _)| axis).map_err(serde::de::Error::custom)
+    }
 }
 
 impl Axis {

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use luminaire::{
-    Angle, Cone, Fx16, HalfAngle, Rgb, Vec3,
+    Angle, Cone, Fx16, HalfAngle, Rgb, SpotLight, Vec3,
     display::Rgb565,
     error::{Expected, Parameter},
     falloff::Soft,
@@ -64,6 +64,9 @@ fn values_are_sent_in_order_and_raw() {
     assert_sent(Fx16::point([0.375, -5.5, 1e-9]), floats([0.375, -5.5, 0.0]));
     assert_sent(Fx16::MIN, [(-2.0_f32).to_le_bytes()]);
     assert_sent(Light32::MAX, [2_f32.powi(34).to_le_bytes()]);
+    let cone = Cone::from_outer(Soft, Angle::degrees(180.0)).unwrap();
+    let spot = SpotLight::new([0.5, 4.0, 0.25], [0.0, -2.0, 0.0], cone).unwrap().with_intensity(7.0).unwrap();
+    assert_sent(spot, [0.5, 4.0, 0.25, -1.0, 0.0, 1.0, 1.0, 7.0].map(f32::to_le_bytes));
     // Variants are sent by their place.
     assert_eq!(sent(Parameter::FieldAngle).last(), Some(&1));
 }

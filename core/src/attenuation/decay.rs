@@ -6,6 +6,7 @@ use crate::{
     error::{Error, Expected, Parameter},
     number::{BRIGHTEST, InversePower, Offset, Ray, Scalar},
     source::named,
+    stored::stored,
 };
 
 /// `d^-k` with a real exponent `k` in (0, 16], capped at a largest factor: the decay of three.js and
@@ -13,11 +14,14 @@ use crate::{
 ///
 /// The power is evaluated in integers, by a logarithm and an exponential from tables. For an
 /// exponent of 2 [`InverseSquare`](super::InverseSquare) costs less.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Decay {
     exponent: f32,
     most: f32,
 }
+
+stored!(Decay { exponent: f32, most: f32 } by Self::new(exponent, most));
 
 named!(Decay);
 

@@ -8,11 +8,15 @@ use crate::{
 };
 
 /// No attenuation: the same intensity at every distance.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct NoAttenuation;
 
 /// The inverse-square law, the default: an intensity of 1 lights a facing surface at distance 1 to
 /// full scale.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct InverseSquare;
 

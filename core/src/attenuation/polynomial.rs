@@ -6,13 +6,20 @@ use crate::{
     error::{Error, Parameter, check_between},
     number::{Offset, Ray, Scalar},
     source::named,
+    stored::stored,
 };
 
 /// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: never more than the intensity.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Polynomial {
     coefficients: [f32; 3],
 }
+
+stored!(Polynomial { coefficients: [f32; 3] } by {
+    let [constant, linear, quadratic] = coefficients;
+    Self::new(constant, linear, quadratic)
+});
 
 named!(Polynomial);
 

@@ -13,15 +13,19 @@ use crate::{
     error::Error,
     number::{Offset, Ray, Scalar, Share},
     source::{Named, name},
+    stored::stored,
 };
 
 /// An attenuation with a window that ends the light at a range.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Ranged<W, A> {
     attenuation: A,
     range: Option<f32>,
     window: PhantomData<W>,
 }
+
+stored!([W: Window, A: Attenuation] Ranged<W, A> { attenuation: A, range: Option<f32> } by Self::new(attenuation, range));
 
 /// An attenuation that is cut off at a range: unchanged within the range, 0 from the range on.
 pub type CutAt<A> = Ranged<Cut, A>;
@@ -54,14 +58,17 @@ pub trait Window: Copy + PartialEq + core::fmt::Debug {
 }
 
 /// The window that is 1 within the range and 0 from the range on.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Cut;
 
 /// The window `1 - (d/r)^4`.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct GltfWindow;
 
 /// The window `(1 - (d/r)^4)^2`.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SquareWindow;
 

@@ -6,16 +6,20 @@ use crate::{
     error::Error,
     number::{Offset, Ray, Scalar, Share},
     source::named,
+    stored::stored,
 };
 
 /// Smoothstep to a range: 1 at distance 0, 0 at the range, with derivative 0 at both ends.
 ///
 /// The dual-cone article writes `smoothstep(range, 0, d)`. In GLSL this expression is undefined,
 /// because its edges are in descending order; `SmoothRange` implements the intended function.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SmoothRange {
     range: f32,
 }
+
+stored!(SmoothRange { range: f32 } by Self::new(range));
 
 named!(SmoothRange);
 

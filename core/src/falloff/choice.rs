@@ -10,6 +10,8 @@ use crate::{
 };
 
 /// [`Soft`] or [`Hard`], chosen at run time: the two falloffs that cost one multiply.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SoftOrHard {
     /// The falloff [`Soft`].
@@ -23,6 +25,8 @@ pub enum SoftOrHard {
 macro_rules! choice {
     ($(#[$meta:meta])* $choice:ident, $compiled:ident { $($(#[$doc:meta])* $variant:ident($type:ty),)* }) => {
         $(#[$meta])*
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[derive(Clone, Copy, PartialEq, Debug)]
         pub enum $choice {
             $($(#[$doc])* $variant($type),)*

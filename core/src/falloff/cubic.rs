@@ -11,11 +11,14 @@ use crate::{
     number::{Fraction, Scalar},
     search::bisect,
     source::{Source, call, name, written_by_bits, written_by_debug},
+    stored::stored,
     trig,
 };
 
 /// The smoothstep `t^2 (3 - 2t)`: two multiplies. Its derivative is 0 at both ends. Used by
 /// dual-cone shaders in GLSL, by three.js and by Blender.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Smooth;
 
@@ -26,12 +29,15 @@ pub struct Smooth;
 /// N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17
 /// (1980). The cubic is evaluated as `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so
 /// that the value on the axis is exactly 1, however the slopes are rounded.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
     /// Both slopes are multiples of 1 / [`GRID`], so that the coefficients are exact.
     edge_slope: f32,
     middle_slope: f32,
 }
+
+stored!(Cubic { edge_slope: f32, middle_slope: f32 } by Self::with_slopes(edge_slope, middle_slope));
 
 /// Number of grid steps per unit of a slope. Coefficients are below 8, so coefficients and their
 /// sums are exact in the 24 bits of f32.

@@ -5,23 +5,30 @@ use crate::{
     error::{Error, Expected, Parameter},
     number::{Fraction, Scalar, Share},
     source::written_by_bits,
+    stored::stored,
     trig,
 };
 
 /// The power `t^n` with an exponent chosen at run time. The evaluation loops over the binary digits
 /// of `n`; for [`Power`](crate::falloff::Power) the compiler unrolls this loop. The results of both
 /// types are bit-identical.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct IntegerPower {
     exponent: u32,
 }
 
+stored!(IntegerPower { exponent: u32 } by Self::new(exponent));
+
 /// The inverted power `1 - u^n` with an exponent chosen at run time. Results are bit-identical to
 /// [`InvertedPower`](crate::falloff::InvertedPower).
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct InvertedIntegerPower {
     exponent: u32,
 }
+
+stored!(InvertedIntegerPower { exponent: u32 } by Self::new(exponent));
 
 /// The largest exponent, 8 times the largest exponent of OpenGL. A field angle of 15 degrees needs
 /// an exponent of 268 (Hast 2004, figure 7).

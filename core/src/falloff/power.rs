@@ -25,6 +25,8 @@ use crate::{
 /// ```compile_fail,E0080
 /// let falloff = luminaire::falloff::AnyFalloff::from(luminaire::falloff::Power::<4_000_000_000>);
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Power<const N: u32>;
 
@@ -43,6 +45,8 @@ pub struct Power<const N: u32>;
 /// ```compile_fail,E0080
 /// let falloff = luminaire::falloff::AnyFalloff::from(luminaire::falloff::InvertedPower::<4_000_000_000>);
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct InvertedPower<const N: u32>;
 

@@ -11,22 +11,29 @@ use crate::{
     error::{Error, Expected, Parameter},
     number::{Fraction, Scalar, Share},
     source::{Source, call, name, written_by_bits, written_by_debug},
+    stored::stored,
     trig,
 };
 
 /// The soft falloff `t^2` (Hast 2004, section 2): one multiply. The soft falloff fades out without
 /// a visible edge.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Soft;
 
 /// The hard falloff `1 - u^2` with `u = 1 - t` (Hast 2004, section 3): one multiply. The hard
 /// falloff is flat at the centre and has a sharp edge.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Hard;
 
 /// The linear falloff `t`: no multiply. It models the penumbra between an umbra and full shadow,
 /// and Direct3D 9 with a falloff of 1. Its derivative jumps at the edge and, with a hotspot, at the
 /// inner angle.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Linear;
 
@@ -35,10 +42,13 @@ pub struct Linear;
 ///
 /// The quadratic is evaluated as `t (1 + (a - 1) u)`, so that the value on the axis is exactly 1,
 /// however `a` is rounded.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Quadratic {
     edge_slope: f32,
 }
+
+stored!(Quadratic { edge_slope: f32 } by Self::new(edge_slope));
 
 impl Quadratic {
     /// Creates the quadratic with this edge slope: the derivative with respect to `t` at the edge.

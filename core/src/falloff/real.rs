@@ -9,6 +9,7 @@ use crate::{
     error::{Error, Parameter, check_up_to},
     number::{Fraction, RealExponent, Scalar},
     source::written_by_bits,
+    stored::stored,
     trig::{self, real_power},
 };
 
@@ -19,20 +20,26 @@ use crate::{
 ///
 /// For `p < 1` the derivative with respect to `t` at the edge is infinite. At this edge a format
 /// bounds the error of the position, and not of the intensity.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RealPower {
     exponent: f32,
 }
 
+stored!(RealPower { exponent: f32 } by Self::new(exponent));
+
 /// The inverted power `1 - u^p` with a non-integer exponent `p` in (0, 1024], the mirror image of
 /// [`RealPower`]. For `p < 1` the inverted power has a sharp peak on the axis.
 ///
 /// [Imports](crate::import::Godot) add a floor of `u`: `(1 - max(u, floor)^p) / (1 - floor^p)`.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct InvertedRealPower {
     exponent: f32,
     floor: f32,
 }
+
+stored!(InvertedRealPower { exponent: f32, floor: f32 } by Self::floored(exponent, floor));
 
 /// Width of the strip next to an infinite derivative that [`Falloff::steepness`] ignores, in outer
 /// half angles. Within this strip a format bounds the error of the position, and not of the
@@ -91,6 +98,22 @@ impl InvertedRealPower {
     /// An exponent outside (0, 1024].
     pub fn new(exponent: f32) -> Result<Self, Error> {
         Ok(Self { exponent: checked(exponent)?, floor: 0.0 })
+    }
+
+    /// Creates the inverted power with an exponent and a floor, if the powers above the floor span
+    /// at least 1/16.
+    #[cfg(feature = "serde")]
+    fn floored(exponent: f32, floor: f32) -> Result<Self, Error> {
+        let power = Self { floor, ..Self::new(exponent)? };
+        if (0.0..1.0).contains(&floor) && power.height() >= 1.0 / 16.0 {
+            return Ok(power);
+        }
+        let most = real_power(15.0 / 16.0, 1.0 / f64::from(exponent)) as f32;
+        Err(Error {
+            parameter: Parameter::Versine,
+            value: floor,
+            accepted: crate::error::Expected::Between(0.0, most),
+        })
     }
 
     /// Creates the inverted power with an exponent and a floor that are already validated:

@@ -11,6 +11,8 @@ use crate::{
 ///
 /// Beam, field and outer angle coincide. At the edge itself the intensity is 0, as in every
 /// falloff.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Step;
 

@@ -41,11 +41,13 @@ use crate::{
 /// assert!((cone.beam().to_degrees() - 45.0).abs() < 1.0);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Table<'a> {
     samples: Samples<'a>,
 }
 
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Samples<'a> {
     Even(&'a [u16]),

@@ -1,4 +1,5 @@
-//! `defmt` formatting of errors, angles, vectors, colours and numbers. The host builds the text.
+//! `defmt` formatting of errors, lights, cones, angles, vectors, colours and numbers. The host builds
+//! the text.
 //!
 //! A fixed-point number is sent as the nearest `f32`; log `to_bits()` if every bit counts. The text
 //! has the format of `Debug`:

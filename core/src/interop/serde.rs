@@ -1,22 +1,34 @@
-//! `serde` serialisation of vectors, colours, angles and numbers.
+//! `serde` serialisation of lights, cones, vectors, colours, angles and numbers.
 //!
 //! | type | serialised as |
 //! |---|---|
+//! | [`Cone`](crate::Cone) | its falloff, and the versines `1 - cos` of half its `inner` angle, of half the `outer` angle at which the falloff ends, and of half the angle from which on there is no light, its `limit` |
+//! | [`SpotLight`](crate::SpotLight), [`PointLight`](crate::PointLight), [`DirectionalLight`](crate::DirectionalLight), [`AmbientLight`](crate::AmbientLight) | their properties; an axis as a vector of any length |
+//! | falloffs and attenuations | the parameters of their constructors |
+//! | [`AnyLight`](crate::dynamic::AnyLight), [`AnyFalloff`](crate::falloff::AnyFalloff), [`AnyAttenuation`](crate::attenuation::AnyAttenuation) | the variant and its value |
 //! | [`Vec3`] | an array of three: x, y, z |
 //! | [`Rgb`] | an array of three: red, green, blue |
 //! | [`Rgb565`] | its 16 bits, as one integer |
 //! | [`Angle`], [`HalfAngle`] | degrees: the full angle, the half angle |
 //! | fixed-point numbers | their bits, as one integer: exact |
 //!
-//! Each type accepts every value of its serialised form; for any other value the data format
-//! returns an error. Descriptions such as a cone or a light are not serialisable, because their
-//! constructors validate: store the constructor's arguments, and construct again.
+//! A light or a cone that is read back compiles to the same bits. Its parameters are checked as by
+//! its constructors: the data format returns their [`Error`](crate::Error) as its own. A cone is
+//! stored as versines because not every versine has an angle in f32: if people write the file, let
+//! it hold [`Angle`]s, and call the constructor of [`Cone`](crate::Cone). A [`Table`] borrows its
+//! samples, so it can be neither written nor read: store the samples.
+//!
+//! The other types accept every value of their serialised form.
 //!
 //! ```
-//! use luminaire::{Angle, Vec3};
-//! assert_eq!(serde_json::to_string(&Vec3::new(0.5, 4.0, -1.0))?, "[0.5,4.0,-1.0]");
-//! assert_eq!(serde_json::from_str::<Angle>("36.0")?, Angle::degrees(36.0));
-//! # Ok::<(), serde_json::Error>(())
+//! use luminaire::{Angle, Cone, SpotLight, falloff::Soft};
+//! let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], Cone::soft(Angle::degrees(36.0))?)?;
+//! let text = serde_json::to_string(&spot)?;
+//! assert_eq!(serde_json::from_str::<SpotLight<Soft>>(&text)?, spot);
+//!
+//! let refused = serde_json::from_str::<SpotLight<Soft>>(&text.replace("1.0}", "-1.0}")).unwrap_err();
+//! assert!(refused.to_string().starts_with("intensity = -1: expected a finite number from 0"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 #[cfg(feature = "fixed")]
@@ -25,9 +37,25 @@ use crate::{
     angle::{Angle, HalfAngle},
     color::Rgb,
     display::Rgb565,
+    falloff::Table,
     vec3::Vec3,
 };
-use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
+
+/// The error of a table.
+const TABLE: &str = "falloff = a table: expected a falloff without borrowed samples; store the samples";
+
+impl Serialize for Table<'_> {
+    fn serialize<S: Serializer>(&self, _: S) -> Result<S::Ok, S::Error> {
+        Err(ser::Error::custom(TABLE))
+    }
+}
+
+impl<'de> Deserialize<'de> for Table<'_> {
+    fn deserialize<D: Deserializer<'de>>(_: D) -> Result<Self, D::Error> {
+        Err(de::Error::custom(TABLE))
+    }
+}
 
 /// Implements serialisation of three components as an array.
 macro_rules! array {
@@ -85,6 +113,16 @@ for_numbers!(bits);
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{
+        attenuation::{
+            AnyAttenuation, CutAt, Decay, GltfRange, InverseSquare, NoAttenuation, Polynomial, SmoothRange,
+            Windowed,
+        },
+        cone::Cone,
+        dynamic::AnyLight,
+        falloff::{AnyFalloff, Falloff, IntegerPower, InvertedRealPower, Power, Quadratic, Soft, SoftOrHard},
+        light::{AmbientLight, DirectionalLight, PointLight, SpotLight},
+    };
     use core::fmt::Debug;
     use serde_json::{from_str, to_string};
 
@@ -134,6 +172,97 @@ mod tests {
             )*};
         }
         for_numbers!(check);
+    }
+
+    /// A spotlight with no two equal properties.
+    fn spot<P: Falloff>(falloff: P) -> SpotLight<P, AnyAttenuation> {
+        let cone = Cone::from_outer(falloff, Angle::degrees(70.0)).unwrap();
+        let cone = cone.with_inner(Angle::degrees(10.0)).unwrap().with_cutoff(Angle::degrees(50.0)).unwrap();
+        let spot = SpotLight::new([1.0, 4.0, 0.1], [0.3, -0.7, 0.11], cone).unwrap();
+        let spot = spot.with_color(Rgb::new(0.1, 0.2, 0.3)).unwrap().with_intensity(7.3).unwrap();
+        spot.with_specular_color(Rgb::new(0.4, 0.5, 0.6)).unwrap().with_attenuation(InverseSquare.into())
+    }
+
+    fn read_back<T: Serialize + for<'de> Deserialize<'de> + PartialEq + Debug>(value: T) {
+        let text = to_string(&value).unwrap();
+        assert_eq!(from_str::<T>(&text).unwrap(), value, "{text}");
+    }
+
+    #[test]
+    fn lights_of_all_falloffs_and_attenuations_are_read_back() {
+        for falloff in AnyFalloff::samples() {
+            if let AnyFalloff::Table(_) = falloff {
+                assert_eq!(to_string(&spot(falloff)).unwrap_err().to_string(), TABLE);
+                assert!(refusal::<AnyFalloff>(r#"{"Table":[1]}"#).starts_with(TABLE));
+                continue;
+            }
+            read_back(AnyLight::from(spot(falloff)));
+        }
+        let [some, none] = [Some(9.3), None];
+        let polynomial = Polynomial::new(0.1, 0.2, 0.3).unwrap();
+        let decay = Decay::new(1.7, 100.0).unwrap();
+        let attenuations: [AnyAttenuation; 6] = [
+            CutAt::new(InverseSquare, none).unwrap().into(),
+            CutAt::new(polynomial, some).unwrap().into(),
+            GltfRange::new(InverseSquare, some).unwrap().into(),
+            Windowed::new(NoAttenuation, some).unwrap().into(),
+            Windowed::new(decay, some).unwrap().into(),
+            SmoothRange::new(9.3).unwrap().into(),
+        ];
+        for attenuation in attenuations {
+            read_back(spot(Soft).with_attenuation(attenuation));
+            let point = PointLight::new([0.1, 0.2, 0.3]).unwrap().with_intensity(3.3).unwrap();
+            read_back(AnyLight::from(point.with_attenuation(attenuation)));
+        }
+        read_back(DirectionalLight::new([0.1, -0.7, 0.3]).unwrap());
+        read_back(AmbientLight::new(Rgb::new(0.1, 0.2, 0.3)).unwrap().with_intensity(0.3).unwrap());
+        read_back(spot(Power::<16>));
+        read_back(spot(SoftOrHard::Hard));
+        read_back(Cone::from_beam_and_field(Angle::degrees(10.0), Angle::degrees(17.0)).unwrap());
+        read_back(InvertedRealPower::of(2.5, 1.0 / 128.0));
+    }
+
+    #[test]
+    fn a_cone_is_its_versines() {
+        let text = r#"{"falloff":{"edge_slope":0.5},"inner":0.125,"outer":0.5,"limit":0.25}"#;
+        let cone: Cone<Quadratic> = from_str(text).unwrap();
+        assert_eq!(to_string(&cone).unwrap(), text);
+        assert!((cone.outer().to_degrees() - 82.82).abs() < 0.01, "{cone:?}");
+    }
+
+    #[test]
+    fn what_a_constructor_refuses_is_refused() {
+        let cone = |inner: f32, outer: f32, limit: f32| {
+            let text = std::format!(r#"{{"falloff":null,"inner":{inner},"outer":{outer},"limit":{limit}}}"#);
+            from_str::<Cone<Soft>>(&text).map_or_else(|error| error.to_string(), |_| "read".to_string())
+        };
+        assert_eq!(cone(0.5, 0.5, 0.25), "read");
+        assert!(cone(0.0, 1.5, 0.5).starts_with("versine = 1.5: expected a finite number from 0"));
+        assert!(cone(0.6, 0.5, 0.5).starts_with("versine = 0.6: expected a finite number from 0 to 0.5"));
+        assert!(cone(-0.1, 0.5, 0.5).starts_with("versine = -0.1: "));
+        assert!(cone(0.0, 0.5, 0.6).starts_with("versine = 0.6: "));
+        assert!(cone(0.0, 0.5, 0.0).starts_with("versine = 0: "));
+        assert!(refusal::<Quadratic>(r#"{"edge_slope":2.5}"#).starts_with("edge slope = 2.5: expected"));
+        assert!(refusal::<IntegerPower>(r#"{"exponent":0}"#).starts_with("exponent = 0: expected"));
+        assert!(refusal::<Decay>(r#"{"exponent":17.0,"most":1.0}"#).starts_with("decay = 17: expected"));
+        let steep = r#"{"exponent":0.5,"floor":0.9}"#;
+        assert!(refusal::<InvertedRealPower>(steep).starts_with("versine = 0.9: expected"));
+        let range = r#"{"attenuation":null,"range":0.0}"#;
+        assert!(refusal::<GltfRange>(range).starts_with("range = 0: expected a distance from 0.001"));
+        assert!(refusal::<SmoothRange>(r#"{"range":9.0,"end":1}"#).starts_with("unknown field `end`"));
+
+        let lit = to_string(&spot(Soft)).unwrap();
+        let refused = |old: &str, new: &str| {
+            assert!(lit.contains(old), "{old} is not in {lit}");
+            refusal::<SpotLight<Soft, AnyAttenuation>>(&lit.replacen(old, new, 1))
+        };
+        assert!(refused("7.3", "-7.3").starts_with("intensity = -7.3: expected"));
+        assert!(refused("[1.0,4.0,", "[1e39,4.0,").contains("expected"));
+        assert!(refused("0.5,0.6]", "0.5,1.6]").starts_with("color = 1.6: expected"));
+        let direction = r#"{"direction":[0.0,0.0,0.0],"emission":null}"#;
+        assert!(refusal::<DirectionalLight>(direction).starts_with("axis = 0: expected"));
+        let bright = r#"{"color":[1.0,1.0,1.0],"intensity":1e10}"#;
+        assert!(refusal::<AmbientLight>(bright).starts_with("intensity = 10000000000: expected"));
     }
 
     #[test]

@@ -4,6 +4,7 @@ use crate::{
     color::{Rgb, checked_color},
     error::{Error, Parameter, check_between},
     number::Scalar,
+    stored::stored,
 };
 
 /// A global ambient light: the same at every point and from every direction, `Ia` of the classic
@@ -15,11 +16,14 @@ use crate::{
 /// assert_eq!(night.compile::<f32>().blue, 0.02);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AmbientLight {
     color: Rgb<f32>,
     intensity: f32,
 }
+
+stored!(AmbientLight { color: Rgb<f32>, intensity: f32 } by Self::new(color).and_then(|light| light.with_intensity(intensity)));
 
 impl AmbientLight {
     /// Creates ambient light with this linear colour and intensity 1.

@@ -6,6 +6,7 @@ use crate::{
     error::{Error, Parameter},
     number::Scalar,
     shade::CompiledDirectionalLight,
+    stored::stored,
     vec3::Vec3,
 };
 
@@ -17,11 +18,14 @@ use crate::{
 /// assert_eq!(sun.compile::<f32>().irradiance(Vec3::new(0.0, 1.0, 0.0)), 0.75);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct DirectionalLight {
-    direction: Vec3<f32>,
+    direction: Axis,
     emission: Emission,
 }
+
+stored!(DirectionalLight { direction: Axis, emission: Emission } by Ok::<_, Error>(Self { direction, emission }));
 
 impl DirectionalLight {
     /// Creates a white light of intensity 1 that travels in this direction, which need not have
@@ -30,8 +34,7 @@ impl DirectionalLight {
     /// # Errors
     /// A direction that is zero or not finite, or whose length cannot be squared in f32.
     pub fn new(direction: impl Into<Vec3<f32>>) -> Result<Self, Error> {
-        let direction = direction.into();
-        let (Axis { unit: direction, .. }, _) = Axis::new(Parameter::Direction, direction)?;
+        let (direction, _) = Axis::new(Parameter::Direction, direction.into())?;
         Ok(Self { direction, emission: Emission::WHITE })
     }
 
@@ -77,13 +80,13 @@ impl DirectionalLight {
 
     /// Returns the direction in which the light travels, of unit length.
     pub fn direction(&self) -> Vec3<f32> {
-        self.direction
+        self.direction.unit
     }
 
     /// Compiles the light for the format `S`.
     pub fn compile<S: Scalar>(&self) -> CompiledDirectionalLight<S> {
         CompiledDirectionalLight {
-            direction: S::axis(self.direction),
+            direction: S::axis(self.direction.unit),
             intensity: S::gain(self.emission.intensity),
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),

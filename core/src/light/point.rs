@@ -7,6 +7,7 @@ use crate::{
     error::{Error, Parameter},
     number::Scalar,
     shade::CompiledPointLight,
+    stored::stored,
     vec3::Vec3,
 };
 
@@ -24,12 +25,17 @@ const SPHERE: f32 = 2.0 * core::f32::consts::TAU;
 /// assert_eq!(short.compile::<f32>()?.irradiance(floor, up), 0.0);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PointLight<A = InverseSquare> {
     position: Vec3<f32>,
     attenuation: A,
     emission: Emission,
 }
+
+stored!([A: Attenuation] PointLight<A> { position: Vec3<f32>, attenuation: A, emission: Emission }
+    by checked_position(Parameter::Position, position)
+        .map(|position| Self { position, attenuation, emission }));
 
 impl PointLight {
     /// Creates a white point light of intensity 1 with the inverse-square law.

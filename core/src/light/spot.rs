@@ -9,6 +9,7 @@ use crate::{
     falloff::{Falloff, SoftOrHard},
     number::{self, Quick, Scalar},
     shade::{CompiledSpotLight, QuickSpotLight},
+    stored::stored,
     vec3::Vec3,
 };
 
@@ -28,6 +29,7 @@ use crate::{
 /// assert!((lit.irradiance(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0)) - 1.0).abs() < 1e-6);
 /// # Ok::<(), luminaire::Error>(())
 /// ```
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SpotLight<P = SoftOrHard, A = InverseSquare> {
     position: Vec3<f32>,
@@ -36,6 +38,11 @@ pub struct SpotLight<P = SoftOrHard, A = InverseSquare> {
     attenuation: A,
     emission: Emission,
 }
+
+stored!([P: Falloff, A: Attenuation] SpotLight<P, A> {
+    position: Vec3<f32>, axis: Axis, cone: Cone<P>, attenuation: A, emission: Emission
+} by checked_position(Parameter::Position, position)
+    .map(|position| Self { position, axis, cone, attenuation, emission }));
 
 impl<P: Falloff> SpotLight<P> {
     /// Creates a white spotlight of intensity 1. The axis points away from the light and need not

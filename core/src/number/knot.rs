@@ -5,6 +5,7 @@
 ///
 /// `u` is 0 on the axis and 1 at the edge of the cone. The line ends at the next knot or, after the
 /// last knot, at the edge. [`Table::from_angles`](crate::falloff::Table::from_angles) makes knots.
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Knot {
     /// The argument `u` at which this line segment of the curve starts, in units of 1/65,536.
