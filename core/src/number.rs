@@ -26,7 +26,6 @@ pub(crate) mod fx16;
 #[cfg(feature = "fixed")]
 pub(crate) mod fx32;
 mod knot;
-mod place;
 #[cfg(feature = "fixed")]
 pub(crate) mod ramp;
 pub(crate) mod real;
@@ -41,8 +40,6 @@ mod types;
 pub use self::types::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, Weight32};
 #[cfg(feature = "fixed")]
 use self::types::{nearest, rounded};
-pub(crate) use self::{arithmetic::HALF_A_CODE, float::BRIGHTEST};
-pub use self::{arithmetic::Quick, knot::Knot, place::ProjectedPoint, real::InversePower};
 #[cfg(feature = "arithmetic")]
 pub use self::{
     arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},
@@ -53,6 +50,11 @@ pub(crate) use self::{
     arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     real::RealExponent,
 };
+pub(crate) use self::{
+    arithmetic::{HALF_A_CODE, STEPS},
+    float::BRIGHTEST,
+};
+pub use self::{knot::Knot, real::InversePower};
 use crate::{
     source::{Named, Source},
     vec3::Vec3,
@@ -154,6 +156,37 @@ pub trait Scalar:
     }
     /// Returns an irradiance as `f32`, for display and for tests.
     fn light_to_f32(light: Self::Irradiance) -> f32;
+}
+
+/// A number format with a quick evaluation, which has fewer instructions and a larger error: `f32`
+/// or [`Fx16`](crate::Fx16).
+///
+/// Points, normals and light have the same types as in the standard evaluation, so one scene can
+/// have lights of both evaluations. [`SpotLight::compile_quick`](crate::SpotLight::compile_quick)
+/// compiles a light for the quick evaluation.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no quick evaluation",
+    note = "`f32` and `Fx16` have a quick evaluation; for `Fx32` use `compile`"
+)]
+pub trait Quick: Scalar {
+    /// An offset with fewer bits than the standard one, or with a less accurate square root.
+    #[doc(hidden)]
+    type QuickOffset: Offset<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
+
+    /// Converts an axis to the form that rays of the quick evaluation take.
+    #[doc(hidden)]
+    fn quick_axis(axis: Vec3<Self::Unit>) -> Vec3<Self::Unit>;
+    /// Compiles a ramp for versines of the quick evaluation: see `Arithmetic::ramp`.
+    #[doc(hidden)]
+    fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
+    /// Returns the ramp of the cone between the cones of two ramps: see `Arithmetic::zoomed`.
+    #[doc(hidden)]
+    fn quick_zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> Self::Ramp;
+    /// Returns an upper bound of the error of the falloff times Lambert's cosine.
+    ///
+    /// The bound holds for a cone that spans versines from 0 to `outer`, without attenuation.
+    #[doc(hidden)]
+    fn quick_error(edge: &Slopes, outer: f32) -> f32;
 }
 
 /// Returns the unit vector along an offset; `None` if the offset has no direction.

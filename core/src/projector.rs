@@ -2,13 +2,14 @@
 
 mod fixture;
 mod gobo;
+mod place;
 mod projection;
 mod shadow;
 
 pub use self::{
     fixture::Fixture,
     gobo::{CompiledGobo, Gobo},
+    place::ProjectedPoint,
     projection::{CompiledProjection, Projection},
     shadow::Shadow,
 };
-pub use crate::number::ProjectedPoint;

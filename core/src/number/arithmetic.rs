@@ -20,16 +20,16 @@
 //! - A NaN in a point, a normal, a versine or a gain gives zero light.
 //! - `ONE.times(x) == x` for x in `[0, 1]`.
 
-use super::{InversePower, Knot, ProjectedPoint, RealExponent, Scalar};
+use super::{InversePower, Knot, RealExponent};
 use crate::vec3::Vec3;
 
 /// Arithmetic of a number format: the high-level operations that the kernel is written in.
 pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> {
-    /// [`Scalar::Length`].
+    /// [`super::Scalar::Length`].
     type Position: Copy + Default + PartialOrd + core::fmt::Debug;
-    /// [`Scalar::Unit`].
+    /// [`super::Scalar::Unit`].
     type Direction: Copy + Default + PartialEq + core::fmt::Debug;
-    /// [`Scalar::Irradiance`].
+    /// [`super::Scalar::Irradiance`].
     type Received: Copy + Default + PartialOrd + core::fmt::Debug;
     /// Versine of an angle off axis, in the scale of a [`Ramp`](Self::Ramp).
     ///
@@ -175,14 +175,14 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// The vectors point right, down and along the axis, and are orthogonal within the rounding
     /// error of `f32`. `tangent` is half the side of the square at distance 1 along the axis.
     fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Self::Frame;
-    /// Returns the position of a point on the square that a light projects.
+    /// Returns the column and the row of a point on the square that a light projects, and the depth.
+    ///
+    /// Column and row are in units of `1 / STEPS` of a side, rounded down, in `[-STEPS, 2 STEPS)`.
     fn place(
         frame: &Self::Frame,
         light: Vec3<Self::Position>,
         point: Vec3<Self::Position>,
-    ) -> ProjectedPoint<Self>
-    where
-        Self: Scalar;
+    ) -> ([i32; 2], Self::Position);
 
     /// Converts a weighted sum of bytes to a value, where the weights sum to 2^24 and byte 255
     /// means 1.
@@ -247,6 +247,9 @@ pub enum Word {
     Steps30(i32),
 }
 
+/// Number of coordinate steps per side of a projected square.
+pub(crate) const STEPS: i32 = 1 << 16;
+
 /// Half a linear code, 1/510: the largest permitted error of an intensity.
 pub(crate) const HALF_A_CODE: f32 = 1.0 / 510.0;
 
@@ -293,7 +296,7 @@ impl<S: Arithmetic> Rise<S> {
 
 /// Vector from a light to a point, and the square root that gives its length.
 ///
-/// A format has one type of offset for each of its evaluations, standard and [`Quick`].
+/// A format has one type of offset for each of its evaluations, standard and [quick](super::Quick).
 pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Direction and distance, available after the square root.
     type Ray: Ray<S>;
@@ -506,35 +509,4 @@ pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
     fn times_scalar(self, scalar: S) -> Self;
     /// Returns the power of the gain, at most its cap.
     fn inverse_power(self, power: InversePower) -> Self;
-}
-
-/// A number format with a quick evaluation, which has fewer instructions and a larger error: `f32`
-/// or [`Fx16`](crate::Fx16).
-///
-/// Points, normals and light have the same types as in the standard evaluation, so one scene can
-/// have lights of both evaluations. [`SpotLight::compile_quick`](crate::SpotLight::compile_quick)
-/// compiles a light for the quick evaluation.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no quick evaluation",
-    note = "`f32` and `Fx16` have a quick evaluation; for `Fx32` use `compile`"
-)]
-pub trait Quick: Scalar {
-    /// An offset with fewer bits than the standard one, or with a less accurate square root.
-    #[doc(hidden)]
-    type QuickOffset: Offset<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
-
-    /// Converts an axis to the form that rays of the quick evaluation take.
-    #[doc(hidden)]
-    fn quick_axis(axis: Vec3<Self::Unit>) -> Vec3<Self::Unit>;
-    /// Compiles a ramp for versines of the quick evaluation: see `Arithmetic::ramp`.
-    #[doc(hidden)]
-    fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
-    /// Returns the ramp of the cone between the cones of two ramps: see `Arithmetic::zoomed`.
-    #[doc(hidden)]
-    fn quick_zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> Self::Ramp;
-    /// Returns an upper bound of the error of the falloff times Lambert's cosine.
-    ///
-    /// The bound holds for a cone that spans versines from 0 to `outer`, without attenuation.
-    #[doc(hidden)]
-    fn quick_error(edge: &Slopes, outer: f32) -> f32;
 }

@@ -22,8 +22,8 @@ mod frame;
 
 pub use self::frame::FloatFrame;
 use super::{
-    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, ProjectedPoint, Quick, Ray, RealExponent, Rise,
-    Scalar, Share, Slopes, Word,
+    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, Quick, Ray, RealExponent, Rise, Scalar, Share,
+    Slopes, Word,
     knot::{SLOPE_BITS, neighbours},
     outside_bound, raised,
 };
@@ -624,7 +624,7 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
-    fn place(frame: &FloatFrame, light: Vec3<f32>, point: Vec3<f32>) -> ProjectedPoint<Self> {
+    fn place(frame: &FloatFrame, light: Vec3<f32>, point: Vec3<f32>) -> ([i32; 2], f32) {
         frame.place(point.zip(light, |p, l| p - l))
     }
 

@@ -1,9 +1,10 @@
 //! Patterns that a spotlight projects.
 
 use super::CompiledProjection;
+use super::place::ProjectedPoint;
 use crate::{
     error::{Error, Expected, Parameter},
-    number::{ProjectedPoint, Scalar},
+    number::Scalar,
     vec3::Vec3,
 };
 

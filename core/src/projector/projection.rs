@@ -1,5 +1,6 @@
 //! The square that a spotlight projects, on which a gobo or a shadow map lies.
 
+use super::place::ProjectedPoint;
 use crate::{
     angle::Angle,
     attenuation::Attenuation,
@@ -7,7 +8,7 @@ use crate::{
     error::{Error, Expected, Parameter, check_between},
     falloff::{Falloff, Step},
     light::{SpotLight, check_reach},
-    number::{ProjectedPoint, Scalar},
+    number::Scalar,
     trig,
     vec3::Vec3,
 };
@@ -175,6 +176,7 @@ impl<S: Scalar> CompiledProjection<S> {
     /// `point` is in the unit of the light's position.
     #[inline]
     pub fn place(&self, point: Vec3<S::Length>) -> ProjectedPoint<S> {
-        S::place(&self.frame, self.position, point)
+        let ([column, row], depth) = S::place(&self.frame, self.position, point);
+        ProjectedPoint { column, row, depth }
     }
 }

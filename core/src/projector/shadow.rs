@@ -1,9 +1,10 @@
 //! Shadow maps: whether a surface hides a spotlight from a point.
 
 use super::CompiledProjection;
+use super::place::ProjectedPoint;
 use crate::{
     error::{Error, Expected, Parameter},
-    number::{ProjectedPoint, Scalar},
+    number::Scalar,
     vec3::Vec3,
 };
 

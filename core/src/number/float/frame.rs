@@ -1,9 +1,6 @@
 //! Projection of a point onto the square of a spotlight, in f32.
 
-use crate::{
-    number::place::{ProjectedPoint, STEPS},
-    vec3::Vec3,
-};
+use crate::{number::STEPS, vec3::Vec3};
 
 /// Frame of a projection: the light's axis, and two vectors orthogonal to the axis, scaled to
 /// coordinate steps.
@@ -55,7 +52,7 @@ impl FloatFrame {
     }
 
     #[inline]
-    pub(super) fn place(&self, way: Vec3<f32>) -> ProjectedPoint<f32> {
+    pub(super) fn place(&self, way: Vec3<f32>) -> ([i32; 2], f32) {
         const LAST: f32 = (3 * STEPS - 1) as f32;
         let depth = way.dot(self.axis);
         let reciprocal = 1.0 / depth;
@@ -66,11 +63,10 @@ impl FloatFrame {
             let step = if is_ahead & (step > 0.0) { step } else { 0.0 };
             (if step < LAST { step } else { LAST }) as i32 - STEPS
         };
-        ProjectedPoint {
-            column: step(self.right, self.center[0]),
-            row: step(self.down, self.center[1]),
-            depth: if is_ahead { depth } else { 0.0 },
-        }
+        (
+            [step(self.right, self.center[0]), step(self.down, self.center[1])],
+            if is_ahead { depth } else { 0.0 },
+        )
     }
 }
 

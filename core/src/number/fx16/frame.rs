@@ -3,8 +3,7 @@
 use super::Offset16;
 use crate::{
     number::{
-        Fx16, Length, Offset, mantissa_and_shift, nearest,
-        place::{ProjectedPoint, STEPS},
+        Length, Offset, STEPS, mantissa_and_shift, nearest,
         root::{self, signed_high_product},
     },
     vec3::Vec3,
@@ -115,12 +114,12 @@ impl Frame16 {
     }
 
     #[inline(always)] // `lit-gobo` on Cortex-M0: +76 instructions without.
-    pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx16> {
+    pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
         let offset = Offset16::between(light, point);
         let way = offset.way();
         let depth = self.axis.part(way);
         if depth >> LEAST_BITS <= 0 {
-            return ProjectedPoint::outside();
+            return ([-STEPS; 2], Length::default());
         }
         let z = depth as u32;
         let more = root::ilog2_of_seven_bits(z >> LEAST_BITS);
@@ -132,11 +131,7 @@ impl Frame16 {
             let step = signed_high_product(across.part(way), factor) >> shift;
             step.wrapping_add(center).clamp(-STEPS, 2 * STEPS - 1)
         };
-        ProjectedPoint {
-            column: step(self.right, self.center[0]),
-            row: step(self.down, self.center[1]),
-            depth: offset.length_of(depth),
-        }
+        ([step(self.right, self.center[0]), step(self.down, self.center[1])], offset.length_of(depth))
     }
 }
 

@@ -4,8 +4,8 @@
 use super::{Fraction16, Frame16, Gain16, Offset16, WAY_BITS, factor, thirty_two_bits, versine};
 use crate::{
     number::{
-        Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, ProjectedPoint, Ray, Rise, Scalar,
-        Slopes, Versine, Weight16, Word,
+        Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, Ray, Rise, Scalar, Slopes, Versine,
+        Weight16, Word,
         fx32::{Fine, FineRay},
         raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
@@ -224,7 +224,7 @@ impl Arithmetic for Fx16 {
     }
 
     #[inline]
-    fn place(frame: &Frame16, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Self> {
+    fn place(frame: &Frame16, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
         frame.place(light, point)
     }
 

@@ -3,8 +3,7 @@
 use super::Offset32;
 use crate::{
     number::{
-        Arithmetic, Fx32, Length, Offset, mantissa_and_shift,
-        place::{ProjectedPoint, STEPS},
+        Arithmetic, Fx32, Length, Offset, STEPS, mantissa_and_shift,
         root::{inverse_28, wide},
     },
     vec3::Vec3,
@@ -82,11 +81,11 @@ impl Frame32 {
     }
 
     #[inline]
-    pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Fx32> {
+    pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
         let offset = Offset32::between(light, point);
         let depth = part(self.axis, offset.way);
         if depth >> LEAST_BITS <= 0 {
-            return ProjectedPoint::outside();
+            return ([-STEPS; 2], Length::default());
         }
         let z = depth as u64;
         let bits = u64::BITS - z.leading_zeros();
@@ -99,11 +98,7 @@ impl Frame32 {
             let step = (step + i64::from(center)) >> FINE;
             step.clamp(i64::from(-STEPS), i64::from(2 * STEPS - 1)) as i32
         };
-        ProjectedPoint {
-            column: step(self.right, self.center[0]),
-            row: step(self.down, self.center[1]),
-            depth: offset.length_of(depth),
-        }
+        ([step(self.right, self.center[0]), step(self.down, self.center[1])], offset.length_of(depth))
     }
 }
 

@@ -4,8 +4,7 @@
 use super::{Fine, FineRay, Frame32, Gain32, Offset32, versine};
 use crate::{
     number::{
-        Arithmetic, Fx32, Length, Light32, Offset, ProjectedPoint, Rise, Scalar, Slopes, Versine, Weight32,
-        Word, raised,
+        Arithmetic, Fx32, Length, Light32, Offset, Rise, Scalar, Slopes, Versine, Weight32, Word, raised,
         ramp::{FixedRamp, MOST_ZOOM},
         root::{self, high_half, wide},
         rounded, sphere,
@@ -185,7 +184,7 @@ impl Arithmetic for Fx32 {
     }
 
     #[inline]
-    fn place(frame: &Frame32, light: Vec3<Length>, point: Vec3<Length>) -> ProjectedPoint<Self> {
+    fn place(frame: &Frame32, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
         frame.place(light, point)
     }
 

@@ -1,6 +1,6 @@
 //! Position of a point on the square that a spotlight projects.
 
-use super::Scalar;
+use crate::number::{STEPS, Scalar};
 
 /// Position of a point on the square of a [`Projection`](crate::projector::Projection), and its
 /// depth.
@@ -21,17 +21,7 @@ pub struct ProjectedPoint<S: Scalar> {
     pub depth: S::Length,
 }
 
-/// Number of coordinate steps per side.
-pub(crate) const STEPS: i32 = 1 << 16;
-
 impl<S: Scalar> ProjectedPoint<S> {
-    /// Returns a position outside the square, for points without a projection.
-    #[cfg(feature = "fixed")]
-    #[inline]
-    pub(super) fn outside() -> Self {
-        Self { column: -STEPS, row: -STEPS, depth: S::Length::default() }
-    }
-
     /// Returns whether the position is on the square.
     #[inline]
     pub const fn is_inside(&self) -> bool {
