@@ -192,7 +192,6 @@ impl<P: Falloff> Cone<P> {
 
     /// Returns the versines of half the inner angle, half the angle at which the falloff ends, and
     /// half the outer angle. The last is less than the second if the cone has a cutoff.
-    #[cfg(feature = "arithmetic")]
     pub fn versines(&self) -> [f32; 3] {
         [self.inner, self.outer, self.limit]
     }
@@ -283,15 +282,6 @@ impl<P: Falloff> Cone<P> {
     pub(crate) fn compile_quick<S: Quick>(&self) -> Result<CompiledCone<S, P>, Error> {
         self.check::<S>()?;
         Ok(CompiledCone::new(S::quick_ramp(self.inner, self.outer, self.limit), self.falloff))
-    }
-
-    /// Returns the bound of [`SpotLight::quick_error`](crate::SpotLight::quick_error).
-    pub(crate) fn quick_error<S: Quick>(&self) -> f32 {
-        if self.inner < self.outer {
-            S::quick_error(&self.slopes(self.inner), self.outer)
-        } else {
-            f32::INFINITY
-        }
     }
 
     /// Returns the bounds of the derivatives that this cone would have with this inner versine.

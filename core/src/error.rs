@@ -75,6 +75,8 @@ pub enum Parameter {
     Attenuation,
     /// The distance from which on there is no light.
     Range,
+    /// A distance of surfaces from a light.
+    Distance,
     /// The exponent of a specular lobe.
     Shininess,
     /// The side length of a shadow map in texels.
@@ -179,6 +181,7 @@ impl fmt::Display for Parameter {
             Self::EndPoint => "end point",
             Self::Attenuation => "attenuation coefficient",
             Self::Range => "range",
+            Self::Distance => "distance",
             Self::Shininess => "shininess",
             Self::ShadowSide => "side of the shadow map",
             Self::Albedo => "albedo",

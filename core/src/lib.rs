@@ -153,7 +153,7 @@
 
 // Modules, lowest first: `error`, `models`, `search`, `source`, `stored`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
-// `haze`, `material`, `row`, `light`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
+// `haze`, `material`, `row`, `light`, `bound`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
 
 #![no_std]
@@ -169,6 +169,7 @@ mod angle;
 mod any_light;
 pub mod attenuation;
 mod batch;
+pub mod bound;
 pub mod codegen;
 mod color;
 mod cone;

@@ -33,6 +33,7 @@ pub(crate) mod real;
 pub(crate) mod root;
 #[cfg(feature = "fixed")]
 mod sphere;
+mod stages;
 #[cfg(feature = "fixed")]
 mod types;
 
@@ -44,11 +45,13 @@ use self::types::{nearest, rounded};
 pub use self::{
     arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     real::RealExponent,
+    stages::{Rounding, Stages},
 };
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::{
     arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},
     real::RealExponent,
+    stages::{Rounding, Stages},
 };
 pub(crate) use self::{
     arithmetic::{HALF_A_CODE, STEPS},
@@ -173,6 +176,10 @@ pub trait Quick: Scalar {
     #[doc(hidden)]
     type QuickOffset: Offset<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
 
+    /// The errors of the stages of the quick evaluation.
+    #[doc(hidden)]
+    const QUICK_STAGES: Stages;
+
     /// Converts an axis to the form that rays of the quick evaluation take.
     #[doc(hidden)]
     fn quick_axis(axis: Vec3<Self::Unit>) -> Vec3<Self::Unit>;
@@ -182,11 +189,6 @@ pub trait Quick: Scalar {
     /// Returns the ramp of the cone between the cones of two ramps: see `Arithmetic::zoomed`.
     #[doc(hidden)]
     fn quick_zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> Self::Ramp;
-    /// Returns an upper bound of the error of the falloff times Lambert's cosine.
-    ///
-    /// The bound holds for a cone that spans versines from 0 to `outer`, without attenuation.
-    #[doc(hidden)]
-    fn quick_error(edge: &Slopes, outer: f32) -> f32;
 }
 
 /// Returns the unit vector along an offset; `None` if the offset has no direction.

@@ -25,7 +25,7 @@ mod power;
 #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
 pub(crate) use backend::inverse_sqrt;
 pub(crate) use backend::{asin, sin, sqrt};
-pub(crate) use power::real_power;
+pub(crate) use power::{real_power, square_root};
 #[cfg(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")))]
 pub(crate) use root::inverse_sqrt;
 

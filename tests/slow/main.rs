@@ -4,6 +4,7 @@
 //! A plain `cargo test` leaves them out. `cargo test --test slow NAME::` runs the tests of one
 //! module.
 
+mod bound;
 mod exhaustive;
 mod half_a_code;
 mod haze;
@@ -11,6 +12,6 @@ mod haze_search;
 mod limits;
 mod narrow;
 mod powers;
-mod quick;
+
 mod stability;
 mod worst;

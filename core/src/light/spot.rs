@@ -246,7 +246,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// Compiles the light for the quick evaluation of the format `S`.
     ///
     /// The quick evaluation takes fewer instructions and has a larger error;
-    /// [`quick_error`](Self::quick_error) returns a bound of this error.
+    /// [`quick_error_bound`](Self::quick_error_bound) derives a bound of this error.
     ///
     /// In `Fx16` the quick evaluation takes two thirds of the instructions of the standard one, and
     /// the error grows as the cone gets narrower: use it for a display with few bits. `Fx32` has one
@@ -256,7 +256,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// use luminaire::{Cone, Fx16, HalfAngle, SpotLight, Vec3, falloff::Soft};
     /// let cone = Cone::from_outer(Soft, HalfAngle::degrees(15.0))?;
     /// let spot = SpotLight::new(Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, -1.0, 0.0), cone)?;
-    /// assert!(spot.quick_error::<Fx16>() < 0.5 / 255.0);
+    /// assert!(spot.quick_error_bound::<Fx16>(2.0..=9.0)?.codes() < 0.5);
     /// let light = spot.with_intensity(4.0)?.compile_quick::<Fx16>()?;
     /// let lit = light.irradiance(Fx16::point([0.0, 0.0, 0.0]), Fx16::normal([0.0, 1.0, 0.0]));
     /// assert!((lit.to_f32() - 1.0).abs() < 0.001);
@@ -276,17 +276,5 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),
         })
-    }
-
-    /// Returns a bound of the error of the quick evaluation, as a fraction of full scale.
-    ///
-    /// The bound holds at every point where the intensity, attenuated over the distance, is at most
-    /// 1.
-    ///
-    /// Where the attenuated intensity is larger, the error grows as that intensity does. The bound
-    /// is searched, for all falloffs and for half angles from 0.5 to 90 degrees. For a step the
-    /// bound is infinite: rounding errors move the edge, where the intensity jumps from 1 to 0.
-    pub fn quick_error<S: Quick>(&self) -> f32 {
-        self.cone.quick_error::<S>()
     }
 }

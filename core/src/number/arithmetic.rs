@@ -20,7 +20,7 @@
 //! - A NaN in a point, a normal, a versine or a gain gives zero light.
 //! - `ONE.times(x) == x` for x in `[0, 1]`.
 
-use super::{InversePower, Knot, RealExponent};
+use super::{InversePower, Knot, RealExponent, Stages};
 use crate::vec3::Vec3;
 
 /// Arithmetic of a number format: the high-level operations that the kernel is written in.
@@ -65,6 +65,10 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// of `point - light`. The difference `point - light` is exact if both positions are multiples
     /// of the same power of two.
     const DIRECTION_ERROR: f32;
+    /// The errors of the stages of the evaluation, the coarse one if the format has two.
+    const STAGES: Stages;
+    /// The shortest distance that is not zero.
+    const NEAREST: f64;
     /// Step of the squared cosines that [`Offset::is_outside`] compares.
     const OUTSIDE_STEP: f32;
     /// Returns `steps / 16384` for `steps` in `[0, 16384]`: exact in every format.
@@ -162,6 +166,18 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn fine_below(_error: f32, _intensity: f32, _growth: f32) -> u32 {
         0
     }
+    /// Returns the distance that [`fine_below`](Self::fine_below) encodes; infinity if all points need
+    /// the fine evaluation.
+    fn fine_within(_error: f32, _intensity: f32, _growth: f32) -> f64 {
+        0.0
+    }
+    /// Returns the errors of the stages of the fine evaluation, up to a distance.
+    fn fine_stages(_far: f64) -> Stages {
+        Self::STAGES
+    }
+    /// Returns the factor by which a ramp magnifies differences of directions, for a cone that ends at
+    /// this versine.
+    fn magnification(limit: f32) -> f64;
     /// Returns whether `light` exceeds full scale for every possible error of `share`.
     ///
     /// `light` is the product of `share`, window included, and a gain. If `light` exceeds full scale, the fine

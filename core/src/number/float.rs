@@ -18,12 +18,13 @@
 //! The errors are those that `tests/support/operations.rs` tests. The quick evaluation replaces the
 //! root alone.
 
+mod errors;
 mod frame;
 
 pub use self::frame::FloatFrame;
 use super::{
     Arithmetic, Fraction, Gain, InversePower, Knot, Offset, Quick, Ray, RealExponent, Rise, Scalar, Share,
-    Slopes, Word,
+    Slopes, Stages, Word,
     knot::{SLOPE_BITS, neighbours},
     outside_bound, raised,
 };
@@ -423,6 +424,8 @@ impl Offset<f32> for QuickFloatOffset {
 impl Quick for f32 {
     type QuickOffset = QuickFloatOffset;
 
+    const QUICK_STAGES: Stages = errors::QUICK;
+
     fn quick_axis(axis: Vec3<f32>) -> Vec3<f32> {
         axis
     }
@@ -433,14 +436,6 @@ impl Quick for f32 {
 
     fn quick_zoomed(from: FloatRamp, to: FloatRamp, part: f32) -> FloatRamp {
         from.between(to, part)
-    }
-
-    fn quick_error(edge: &Slopes, outer: f32) -> f32 {
-        const LENGTH: f32 = 2.6e-5;
-        let chord = trig::sqrt(2.0 * outer);
-        edge.angle * (Self::DIRECTION_ERROR / chord + LENGTH / 2.0)
-            + edge.fraction * (LENGTH * LENGTH / 2.0 / outer)
-            + 3.0 * LENGTH
     }
 }
 
@@ -526,6 +521,8 @@ impl Arithmetic for f32 {
     // direction by 2^-24 in the worst case: two components are just over a power of two. The
     // rounding of the product with the reciprocal length turns the direction by 1.72 * 2^-25 in the
     // worst case: all three components are over 1/2.
+    const STAGES: Stages = errors::STAGES;
+    const NEAREST: f64 = 1.1e-19;
     const OUTSIDE_STEP: f32 = Self::STEP;
     const DIRECTION_ERROR: f32 = 1.12e-7;
 
@@ -544,6 +541,10 @@ impl Arithmetic for f32 {
 
     fn weight(value: f32) -> f32 {
         if value.is_nan() { 0.0 } else { value.clamp(-4.0, 4.0) }
+    }
+
+    fn magnification(_: f32) -> f64 {
+        1.0
     }
 
     fn gain(value: f32) -> f32 {

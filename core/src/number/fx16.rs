@@ -32,6 +32,7 @@
 //! `inline(always)` have the cost without it. `export/c/luminaire_fx16.h` repeats the stages for
 //! lights that are exported as C, in the same order and with the same bits.
 
+mod errors;
 mod frame;
 mod set_up;
 #[cfg(test)]
@@ -39,8 +40,8 @@ mod tests;
 
 pub use self::frame::Frame16;
 use super::{
-    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, Quick, Ray, RealExponent,
-    Scalar, Share, Slopes, Versine, Weight16, cold_path,
+    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, Quick, Ray, RealExponent, Share,
+    Stages, Versine, Weight16, cold_path,
     fx32::{Fine, FineRay},
     knot::{SLOPE_BITS, neighbours},
     mantissa_and_shift,
@@ -48,7 +49,7 @@ use super::{
     root::{self, high_half, high_product, size, squared_length},
     within_reach,
 };
-use crate::{trig, vec3::Vec3};
+use crate::vec3::Vec3;
 
 // ---- Offset ----
 
@@ -863,6 +864,8 @@ impl Ray<Fx16> for QuickRay16 {
 impl Quick for Fx16 {
     type QuickOffset = QuickOffset16;
 
+    const QUICK_STAGES: Stages = errors::QUICK;
+
     /// Applies to the axis, once per light, all rounding constants of the difference between
     /// direction and axis.
     fn quick_axis(axis: Vec3<Fx32>) -> Vec3<Fx32> {
@@ -875,16 +878,6 @@ impl Quick for Fx16 {
 
     fn quick_zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> FixedRamp {
         from.between(to, thirty_two_bits(part), 0).0
-    }
-
-    fn quick_error(edge: &Slopes, outer: f32) -> f32 {
-        const LENGTH: f32 = 2.0e-4;
-        const DIRECTION: f32 = 0.9e-4;
-        let chord = trig::sqrt(2.0 * outer);
-        edge.angle * (DIRECTION / chord + LENGTH / 2.0)
-            + edge.fraction * (LENGTH * LENGTH / 2.0 / outer + 3.0 / 65_536.0)
-            + 3.0 * LENGTH
-            + 2.5 * Self::STEP
     }
 }
 

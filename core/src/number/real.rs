@@ -155,6 +155,12 @@ impl InversePower {
         [self.mantissa, self.shift, self.most as u32]
     }
 
+    /// Returns the exponent and the cap.
+    pub(crate) fn parts(self) -> (f64, f64) {
+        let octaves = f64::from(self.most) / f64::from(1 << 24);
+        (f64::from(self.mantissa) / (1_u64 << self.shift) as f64, crate::trig::real_power(2.0, octaves))
+    }
+
     /// Returns the power of `significand / 2^31 * 2^octaves`, as a number `n / 2^shift` with `n` in
     /// `(2^30, 2^31]`.
     ///
@@ -202,6 +208,12 @@ impl RealExponent {
     /// Returns the mantissa, the shift, the power of the floor and `1 / (1 - that power)`.
     pub const fn to_bits(self) -> [u32; 4] {
         [self.mantissa, self.shift, self.least, self.gain]
+    }
+
+    /// Returns the exponent, the power of the floor, and `1 / (1 - that power)`.
+    pub(crate) fn parts(self) -> (f64, f64, f64) {
+        let power = |n: u32, bits: u32| f64::from(n) / (1_u64 << bits) as f64;
+        (power(self.mantissa, self.shift), power(self.least, 31), power(self.gain, GAIN_BITS))
     }
 
     /// Returns the power of an f32 in `[0, 1]`, with 31 fraction bits.

@@ -17,7 +17,7 @@ use crate::{
 /// [`CompiledSpotLight`](super::CompiledSpotLight) and has a larger error.
 ///
 /// Made by [`SpotLight::compile_quick`](crate::SpotLight::compile_quick);
-/// [`SpotLight::quick_error`](crate::SpotLight::quick_error) bounds the error. Points, normals and
+/// [`SpotLight::quick_error_bound`](crate::SpotLight::quick_error_bound) bounds the error. Points, normals and
 /// irradiances have the types of the format's standard evaluation.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct QuickSpotLight<S: Quick, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {

@@ -29,7 +29,7 @@ pub(crate) fn real_power(base: f64, exponent: f64) -> f64 {
 }
 
 /// Returns the square root in f64: the f32 root, refined by one Newton step.
-fn square_root(x: f64) -> f64 {
+pub(crate) fn square_root(x: f64) -> f64 {
     let root = f64::from(sqrt(x as f32));
     if root > 0.0 { (root + x / root) / 2.0 } else { 0.0 }
 }

@@ -1,11 +1,11 @@
 //! What the kernel asks of the 16-bit format beside the evaluation of a point: set-up and its error
 //! bounds, projections, colours, and the directions of specular lobes.
 
-use super::{Fraction16, Frame16, Gain16, Offset16, WAY_BITS, factor, thirty_two_bits, versine};
+use super::{Fraction16, Frame16, Gain16, Offset16, WAY_BITS, errors, factor, thirty_two_bits, versine};
 use crate::{
     number::{
-        Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, Ray, Rise, Scalar, Slopes, Versine,
-        Weight16, Word,
+        Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, Ray, Rise, Scalar, Slopes, Stages,
+        Versine, Weight16, Word,
         fx32::{Fine, FineRay},
         raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
@@ -46,6 +46,32 @@ impl Scalar for Fx16 {
     }
 }
 
+/// Returns the squared distance within which points need the fine evaluation; infinity for all points.
+fn fine_squared(error: f32, intensity: f32, growth: f32) -> f32 {
+    /// Error of a cosine in the coarse evaluation, relative to half a linear code.
+    const COSINE: f32 = 2.2e-4 / HALF_A_CODE;
+    /// Factor below 1, because the error of a small share is smaller than the bound.
+    ///
+    /// Light within full scale at a large gain has a small share. With this factor a search
+    /// finds errors of up to 0.43 linear codes.
+    const BRIGHT: f32 = 0.5556;
+    /// Factor above 1, for moving points and for the error of the cosine.
+    ///
+    /// The error of a moving point jumps where the evaluation changes from coarse to fine. With
+    /// this factor a search finds errors of up to 0.48 linear codes against the trend of a
+    /// moving point's light; with a factor of 1, up to 0.56 linear codes.
+    const MOVING: f32 = 1.04;
+    let error = error / HALF_A_CODE;
+    let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;
+    if error > 1.0 || (squared > 1.0 && growth == 0.0) {
+        return f32::INFINITY;
+    }
+    if growth == 0.0 || growth == 2.0 {
+        return if growth == 0.0 { 0.0 } else { squared };
+    }
+    trig::real_power(squared.into(), f64::from(2.0 / growth)) as f32
+}
+
 /// The margin of the bound for rejecting points outside a cone, of which `number::outside_bound`
 /// states the reason, and one step for the rounding of the squared cosine.
 const OUTSIDE: i16 = 16 + 1;
@@ -64,6 +90,8 @@ impl Arithmetic for Fx16 {
     type Gain = Gain16;
     type Offset = Offset16;
     const DIRECTION_ERROR: f32 = 1.55e-5;
+    const STAGES: Stages = errors::COARSE;
+    const NEAREST: f64 = 1.0 / 65_536.0;
     const OUTSIDE_STEP: f32 = Self::STEP;
 
     #[inline]
@@ -180,36 +208,29 @@ impl Arithmetic for Fx16 {
     }
 
     fn fine_below(error: f32, intensity: f32, growth: f32) -> u32 {
-        /// Error of a cosine in the coarse evaluation, relative to half a linear code.
-        const COSINE: f32 = 2.2e-4 / HALF_A_CODE;
-        /// Factor below 1, because the error of a small share is smaller than the bound.
-        ///
-        /// Light within full scale at a large gain has a small share. With this factor a search
-        /// finds errors of up to 0.43 linear codes.
-        const BRIGHT: f32 = 0.5556;
-        /// Factor above 1, for moving points and for the error of the cosine.
-        ///
-        /// The error of a moving point jumps where the evaluation changes from coarse to fine. With
-        /// this factor a search finds errors of up to 0.48 linear codes against the trend of a
-        /// moving point's light; with a factor of 1, up to 0.56 linear codes.
-        const MOVING: f32 = 1.04;
-        let error = error / HALF_A_CODE;
-        let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;
-        if error > 1.0 || (squared > 1.0 && growth == 0.0) {
+        let squared = fine_squared(error, intensity, growth);
+        if squared == f32::INFINITY {
             return u32::MAX;
         }
-        if growth == 0.0 {
+        if squared == 0.0 {
             return 0;
         }
-        let squared = if growth == 2.0 {
-            squared
-        } else {
-            trig::real_power(squared.into(), f64::from(2.0 / growth)) as f32
-        };
         // The squared distance, in units of the square of 2^-16 (the step of a length).
         let squared = ((squared * (1_u64 << 32) as f32) as u64).min((1 << 62) - 1);
         let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);
         bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
+    }
+
+    fn fine_within(error: f32, intensity: f32, growth: f32) -> f64 {
+        trig::sqrt(fine_squared(error, intensity, growth)).into()
+    }
+
+    fn fine_stages(far: f64) -> Stages {
+        if far < 256.0 { errors::FINE } else { errors::FAR }
+    }
+
+    fn magnification(limit: f32) -> f64 {
+        f64::from(1_u32 << zoom(limit))
     }
 
     #[inline]

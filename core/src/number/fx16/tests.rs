@@ -25,7 +25,7 @@ fn clipped_light_is_past_full_scale() {
 fn points_are_near_below_the_encoded_distance() {
     for intensity in [1e-4_f32, 0.01, 0.5, 3.0, 77.0, 4_000.0, 1e6, 1e9] {
         let below = Fx16::fine_below(HALF_A_CODE, intensity, 2.0);
-        let distance = trig::sqrt(0.5556 * 1.04 * intensity);
+        let distance = crate::trig::sqrt(0.5556 * 1.04 * intensity);
         for i in 0..1_000_u32 {
             let size = distance * (0.9 + 0.2 * i as f32 / 1_000.0);
             let unit = [[1.0, 0.0, 0.0], [0.6, -0.8, 0.0], [-0.48, 0.6, 0.64]][i as usize % 3];

@@ -1,11 +1,12 @@
 //! What the kernel asks of the 32-bit format beside the evaluation of a point: set-up and its error
 //! bounds, projections, colours, and the directions of specular lobes. Its products have 64 bits.
 
-use super::{Fine, FineRay, Frame32, Gain32, Offset32, versine};
+use super::{Fine, FineRay, Frame32, Gain32, Offset32, errors, versine};
 use crate::{
     number::{
-        Arithmetic, Fx32, Length, Light32, Offset, Rise, Scalar, Slopes, Versine, Weight32, Word, raised,
-        ramp::{FixedRamp, MOST_ZOOM},
+        Arithmetic, Fx32, Length, Light32, Offset, Rise, Scalar, Slopes, Stages, Versine, Weight32, Word,
+        raised,
+        ramp::{FixedRamp, MOST_ZOOM, zoom},
         root::{self, high_half, wide},
         rounded, sphere,
     },
@@ -96,6 +97,8 @@ impl Arithmetic for Fx32 {
     // `3 / 2^59 a = 4e-12`. The constant does not include the halving of an offset with a component
     // of more than 32,768 units, which turns the direction by 0.71 steps more.
     const DIRECTION_ERROR: f32 = 2.65e-9;
+    const STAGES: Stages = errors::STAGES;
+    const NEAREST: f64 = 1.0 / 65_536.0;
     const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
 
     #[inline]
@@ -110,6 +113,10 @@ impl Arithmetic for Fx32 {
 
     fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Self> {
         Self::axis(toward)
+    }
+
+    fn magnification(limit: f32) -> f64 {
+        f64::from(1_u32 << zoom(limit))
     }
 
     fn versine(ramp: FixedRamp, value: f32) -> Versine {

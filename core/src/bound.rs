@@ -1,0 +1,471 @@
+//! Derived bounds of the error of a light.
+//!
+//! A bound follows from the errors of the stages of an evaluation, which each format states: the
+//! direction, the ramp, the falloff, the cosine, the share, the attenuation and the light. Nothing is
+//! searched. The kernel's own code of falloffs and attenuations carries the errors: it runs on
+//! numbers that know the interval in which the exact result lies, its derivative with respect to the
+//! falloff's argument, and the roundings so far. The cone and the distances are divided into cells, so
+//! that an interval is narrow.
+//!
+//! Direction and axis have errors `e` and `e'` of their lengths, and differ from the exact ones by at
+//! most `d` across. With `w = l - s` the versine `|w|^2 / 2` of a point is then wrong by at most
+//! `(e + e') v + |w| d + (|e - e'| + d)^2 / 2`, because `w.l = v` and `w.s = -v`.
+//!
+//! ```
+//! use luminaire::{Angle, Cone, Fx16, SpotLight};
+//! let cone = Cone::soft(Angle::degrees(36.0))?;
+//! let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
+//! let bound = spot.error_bound::<Fx16>(4.0..=7.0)?;
+//! assert!(bound.light < 0.5 / 255.0 && bound.edge == 0.0);
+//! # Ok::<(), luminaire::Error>(())
+//! ```
+
+mod carried;
+
+use core::ops::RangeInclusive;
+
+pub use self::carried::Lit;
+use self::carried::{Carried, Stage, Way};
+use crate::{
+    attenuation::Attenuation,
+    error::{Error, Expected, Parameter},
+    falloff::{Curve, Falloff, Formula, Soft},
+    light::{PointLight, SpotLight, check_reach},
+    number::{Arithmetic, Fraction, Offset, Quick, Scalar, Stages},
+    trig::{self, square_root},
+    vec3::Vec3,
+};
+
+/// An upper bound of the error of a compiled light.
+///
+/// The bound holds for every point within the distances for which it was asked, every unit normal, and
+/// every position and axis of the light. The exact light is that of the coordinates as the format has
+/// rounded them, and of the normal as the format has rounded it. The bound is that of the diffuse
+/// light, without colours.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ErrorBound {
+    /// The error of the irradiance, clipped to full scale; 1 is full scale and 1/255 a linear code.
+    pub light: f32,
+    /// The angle, in radians, by which the edge of the cone may move, where the intensity jumps or its
+    /// derivative is infinite. `light` holds for directions farther from such an angle; 0 without one.
+    pub edge: f32,
+    /// The distance by which the range may move where an attenuation is cut off. `light` holds for
+    /// distances farther from the range; 0 without a jump.
+    pub range: f32,
+}
+
+impl ErrorBound {
+    /// Returns the error of the irradiance in linear codes, 1/255 of full scale.
+    pub fn codes(&self) -> f32 {
+        255.0 * self.light
+    }
+}
+
+/// Number of cells of the argument `t` of a falloff in each half.
+const CELLS: u32 = 24;
+/// `2^-(1/4)`: the ratio of the ends of a cell of cosines, and of a class of shares.
+const FINER: f64 = 0.840_896_415_253_714_5;
+/// Number of cells of cosines and of classes of shares, of 24 octaves; the last one ends at 0.
+const CLASSES: usize = 4 * 24 + 1;
+/// `2^(1/8)`: the ratio of the ends of a cell of distances.
+const LONGER: f64 = 1.090_507_732_665_257_7;
+/// The fraction of the range at which an attenuation is tested for a jump.
+const LAST: f64 = 1.0 - 1.0 / 1_048_576.0;
+/// Width of the strip beside an infinite derivative, in outer half angles: that of
+/// [`Falloff::steepness`].
+const STRIP: f64 = 1.0 / 510.0;
+
+/// The shares of the intensity that reach surfaces, in classes of a similar size.
+struct Shares([Class; CLASSES]);
+
+#[derive(Clone, Copy)]
+struct Class {
+    low: f64,
+    high: f64,
+    error: f64,
+}
+
+impl Shares {
+    fn none() -> Self {
+        Self([Class { low: 1.0, high: 0.0, error: 0.0 }; CLASSES])
+    }
+
+    fn add(&mut self, share: &Carried<'_>) {
+        let (mut class, mut least) = (0, FINER);
+        while class + 1 < CLASSES && share.high < least {
+            class += 1;
+            least *= FINER;
+        }
+        let Class { low, high, error } = &mut self.0[class];
+        *low = low.min(share.low);
+        *high = high.max(share.high);
+        *error = error.max(share.total());
+    }
+}
+
+/// Returns the edges of cells of `[0, 1]`, narrower towards both ends.
+fn edges() -> impl Iterator<Item = f64> {
+    let half = (0..=CELLS).map(|i| {
+        let place = f64::from(i) / f64::from(CELLS);
+        place * place * place / 2.0
+    });
+    half.clone().chain(half.rev().skip(1).map(|place| 1.0 - place))
+}
+
+/// A cone with the errors of an evaluation.
+struct Edge<P> {
+    falloff: P,
+    inner: f64,
+    outer: f64,
+    limit: f64,
+    stages: Stages,
+    /// The factor by which the ramp magnifies a difference of directions before it is rounded.
+    zoom: f64,
+}
+
+impl<P: Falloff> Edge<P> {
+    /// Returns the error of a versine.
+    fn versine_error(&self, versine: f64) -> f64 {
+        let Stages { length, turn, difference, versine: rounding, set_up, .. } = self.stages;
+        let turn = turn + difference / self.zoom;
+        let unit = self.zoom * self.zoom;
+        let of_lengths = length * versine + (length + turn) * (length + turn) / 2.0;
+        let rounded = rounding.absolute / unit + rounding.relative * versine;
+        of_lengths + turn * square_root(2.0 * versine) + rounded + 2.0 * set_up / unit
+    }
+
+    /// Returns the angle in which the versine changes by this much, on the side of the axis.
+    fn angle_of(&self, change: f64) -> f64 {
+        let versine = (self.limit - change).max(change).min(1.0);
+        change / square_root(versine * (2.0 - versine))
+    }
+
+    /// Adds the shares of all points within the cone for each cosine, and returns the angle by which
+    /// the edge may move.
+    fn shares(&self, stage: &Stage, shares: &mut Shares) -> f64 {
+        let Self { falloff, inner, outer, limit, .. } = *self;
+        let span = outer - inner;
+        let at_edge = self.versine_error(limit);
+        let curve = falloff.compile::<f32>();
+        let argument = |cell: [f64; 2], error| curve.intensity(Carried::argument(stage, cell, error));
+        let mut add = |falloff| each_cosine(stage, |cosine| shares.add(&cosine.times_value(falloff)));
+        // The hotspot and the axis.
+        add(argument([1.0; 2], 0.0));
+        if at_edge >= span / 2.0 || limit <= inner {
+            // So steep an edge is a step, and so is a cutoff of the hotspot.
+            return self.angle_of(at_edge + if limit <= inner { 0.0 } else { span });
+        }
+        let error_at = |t: f64| {
+            let versine = (outer - t * span).max(inner);
+            self.versine_error(versine) / span + self.stages.ramp.of(t)
+        };
+        // Where a derivative is infinite, and at a jump, there is an error of the angle alone.
+        let (mut least, mut most, mut edge) = ((outer - limit).max(0.0) / span, 1.0, 0.0_f64);
+        let beside = argument([least + 1e-9; 2], 0.0);
+        if beside.low > 1e-6 + 1e-9 * beside.steepness() {
+            least += error_at(least);
+            edge = self.angle_of(at_edge + span * self.stages.ramp.of(1.0));
+        }
+        let half_angle = angle_of(outer);
+        let t_at = |angle: f64| ((outer - versine_of(angle)) / span).clamp(0.0, 1.0);
+        match falloff.formula() {
+            Formula::Power(p) if p < 1.0 => {
+                least = least.max(t_at(half_angle * (1.0 - STRIP)));
+                edge = edge.max(half_angle * STRIP);
+            }
+            Formula::InvertedPower(p, _) if p < 1.0 => {
+                most = t_at(angle_of(inner) + half_angle * STRIP);
+                edge = edge.max(half_angle * STRIP);
+            }
+            _ => {}
+        }
+        let mut from = least;
+        for place in edges().skip(1) {
+            let to = least + place * (most - least);
+            add(argument([from, to], error_at(from).max(error_at(to))));
+            from = to;
+        }
+        edge
+    }
+}
+
+/// Returns the angle of a versine.
+fn angle_of(versine: f64) -> f64 {
+    2.0 * trig::asin(square_root(versine / 2.0) as f32) as f64
+}
+
+/// Returns the versine of an angle.
+fn versine_of(angle: f64) -> f64 {
+    let sine = f64::from(trig::sin((angle / 2.0) as f32));
+    2.0 * sine * sine
+}
+
+/// Calls a function with the cosine of each cell of angles of incidence.
+fn each_cosine(stage: &Stage, mut call: impl FnMut(Carried<'_>)) {
+    let (mut low, mut high) = (FINER, 1.0);
+    for class in 0..CLASSES {
+        let low_end = if class + 1 < CLASSES { low } else { 0.0 };
+        call(Carried::number(stage, [low_end, high], stage.stages.cosine.of(high)));
+        (low, high) = (low * FINER, low);
+    }
+}
+
+/// Returns the largest measure of the light of all shares between two distances.
+fn largest<A: Attenuation>(
+    attenuation: A,
+    stage: &mut Stage,
+    shares: &Shares,
+    [near, far]: [f64; 2],
+    measure: &dyn Fn(Lit) -> f64,
+) -> f64 {
+    let constants = attenuation.constants::<f32>();
+    let nowhere = Vec3::default();
+    let offset = <f32 as Arithmetic>::Offset::between(nowhere, nowhere);
+    let (mut from, mut most) = (near, 0.0_f64);
+    while from < far {
+        let to = if from * LONGER < far { from * LONGER } else { far };
+        stage.distances = [from, to];
+        for class in shares.0.iter().filter(|class| class.high > 0.0) {
+            let share = Carried::number(stage, [class.low, class.high], class.error);
+            stage.lit.set(Lit::default());
+            A::light::<f32, _, _>(&constants, &offset, &Way(stage), share, 1.0);
+            most = most.max(measure(stage.lit.get()));
+        }
+        from = to;
+    }
+    most
+}
+
+/// What an evaluation of a format is, for its bound.
+struct Followed {
+    stages: Stages,
+    zoom: f64,
+    /// Whether only light is followed that the coarse evaluation keeps because it is clipped.
+    is_kept: bool,
+    distances: [f64; 2],
+}
+
+/// Returns the bound over all evaluations of a light.
+fn derived<P: Falloff, A: Attenuation>(
+    cone: Option<(P, [f32; 3])>,
+    attenuation: A,
+    intensity: f32,
+    evaluations: impl Iterator<Item = Followed>,
+    measure: &dyn Fn(Lit) -> f64,
+) -> ErrorBound {
+    let (mut light, mut edge, mut shell) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for Followed { stages, zoom, is_kept, distances: [near, mut far] } in evaluations {
+        let mut stage = Stage {
+            stages,
+            distances: [near, far],
+            intensity: intensity.into(),
+            is_kept,
+            lit: Lit::default().into(),
+        };
+        let mut shares = Shares::none();
+        if let Some((falloff, versines)) = cone {
+            let [inner, outer, limit] = versines.map(f64::from);
+            let cone = Edge { falloff, inner, outer, limit, stages, zoom };
+            edge = edge.max(cone.shares(&stage, &mut shares));
+        } else {
+            each_cosine(&stage, |cosine| shares.add(&cosine.value()));
+        }
+        if let Some(range) = attenuation.range().map(f64::from) {
+            // The squared fraction of the range is wrong by this much where it is 1.
+            let moved = range * stages.near.of(1.0) / 2.0;
+            let is_cut = attenuation.exact(range * LAST) > attenuation.exact(range / 2.0) / 1024.0;
+            if is_cut && near < range && range - moved < far {
+                (far, shell) = (range - moved, shell.max(moved));
+            }
+            far = far.min(range);
+        }
+        light = light.max(largest(attenuation, &mut stage, &shares, [near, far], measure));
+    }
+    ErrorBound { light: above(light), edge: above(edge), range: above(shell) }
+}
+
+/// Returns an f32 that is not less than a number.
+fn above(value: f64) -> f32 {
+    let nearest = value as f32;
+    if f64::from(nearest) < value { f32::from_bits(nearest.to_bits() + 1) } else { nearest }
+}
+
+/// Returns the distances as f64, within those of a format.
+fn checked<S: Scalar>(distances: RangeInclusive<f32>) -> Result<[f64; 2], Error> {
+    let (near, far) = distances.into_inner();
+    let refused = |value, accepted| Err(Error { parameter: Parameter::Distance, value, accepted });
+    if !(near > 0.0 && near < f32::INFINITY) {
+        return refused(near, Expected::UpTo(f32::MAX));
+    }
+    if !(near..=f32::MAX).contains(&far) {
+        return refused(far, Expected::Between(near, f32::MAX));
+    }
+    Ok([near, far].map(|distance| f64::from(distance).max(S::NEAREST)))
+}
+
+/// Returns the evaluations of a format between two distances: fine within a distance, and coarse from
+/// it on.
+fn evaluations<S: Scalar>(
+    [near, far]: [f64; 2],
+    fine_within: f64,
+    zoom: f64,
+) -> impl Iterator<Item = Followed> {
+    // The comparison of squared distances truncates.
+    const SLACK: f64 = 2e-3;
+    let fine = [near, far.min(fine_within * (1.0 + SLACK))];
+    let coarse = [near.max(fine_within * (1.0 - SLACK)), far];
+    let followed = move |stages, is_kept, distances| Followed { stages, zoom, is_kept, distances };
+    let is_always_fine = fine_within == f64::INFINITY;
+    let all = [
+        followed(S::STAGES, false, coarse),
+        followed(S::fine_stages(fine[1]), false, fine),
+        followed(S::STAGES, !is_always_fine, fine),
+    ];
+    let count = if is_always_fine { 1..2 } else { 0..3 };
+    all.into_iter()
+        .enumerate()
+        .filter(move |(i, _)| count.contains(i))
+        .map(|(_, followed)| followed)
+        .filter(|Followed { distances: [near, far], .. }| near <= far)
+}
+
+/// The linear error.
+fn linear(lit: Lit) -> f64 {
+    lit.error
+}
+
+impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
+    /// Returns an upper bound of the error of the light compiled for the format `S`, at surfaces
+    /// within these distances from the light.
+    ///
+    /// # Errors
+    /// The errors of [`compile`](Self::compile); distances that are not positive, or not in order.
+    pub fn error_bound<S: Scalar>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        self.error_bound_by::<S>(distances, &linear)
+    }
+
+    /// Returns the bound of [`error_bound`](Self::error_bound) in another measure, such as the steps of
+    /// a display.
+    ///
+    /// `measure` returns the largest error in its unit of lights of this size with this error.
+    ///
+    /// # Errors
+    /// The errors of [`error_bound`](Self::error_bound).
+    pub fn error_bound_by<S: Scalar>(
+        &self,
+        distances: RangeInclusive<f32>,
+        measure: &dyn Fn(Lit) -> f64,
+    ) -> Result<ErrorBound, Error> {
+        let distances = checked::<S>(distances)?;
+        check_reach::<S>(self.position())?;
+        let (cone, attenuation, intensity) = (self.cone(), self.attenuation(), self.intensity());
+        let (_, error) = cone.compile_with_error::<S>()?;
+        let fine_within = S::fine_within(error, intensity, attenuation.growth());
+        let zoom = S::magnification(cone.outer_versine());
+        let followed = evaluations::<S>(distances, fine_within, zoom);
+        Ok(derived(Some((cone.falloff(), cone.versines())), attenuation, intensity, followed, measure))
+    }
+
+    /// Returns an upper bound of the error of the light compiled for the quick evaluation of the format
+    /// `S`, at surfaces within these distances from the light.
+    ///
+    /// # Errors
+    /// The errors of [`error_bound`](Self::error_bound).
+    pub fn quick_error_bound<S: Quick>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        self.quick_error_bound_by::<S>(distances, &linear)
+    }
+
+    /// Returns the bound of [`quick_error_bound`](Self::quick_error_bound) in another measure: see
+    /// [`error_bound_by`](Self::error_bound_by).
+    ///
+    /// # Errors
+    /// The errors of [`error_bound`](Self::error_bound).
+    pub fn quick_error_bound_by<S: Quick>(
+        &self,
+        distances: RangeInclusive<f32>,
+        measure: &dyn Fn(Lit) -> f64,
+    ) -> Result<ErrorBound, Error> {
+        let distances = checked::<S>(distances)?;
+        check_reach::<S>(self.position())?;
+        let cone = self.cone();
+        cone.compile_quick::<S>()?;
+        let quick = Followed { stages: S::QUICK_STAGES, zoom: 1.0, is_kept: false, distances };
+        let described = Some((cone.falloff(), cone.versines()));
+        Ok(derived(described, self.attenuation(), self.intensity(), [quick].into_iter(), measure))
+    }
+}
+
+impl<A: Attenuation> PointLight<A> {
+    /// Returns an upper bound of the error of the light compiled for the format `S`, at surfaces
+    /// within these distances from the light.
+    ///
+    /// # Errors
+    /// The errors of [`compile`](Self::compile); distances that are not positive, or not in order.
+    pub fn error_bound<S: Scalar>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        let distances = checked::<S>(distances)?;
+        check_reach::<S>(self.position())?;
+        let (attenuation, intensity) = (self.attenuation(), self.intensity());
+        let fine_within = S::fine_within(0.0, intensity, attenuation.growth());
+        let followed = evaluations::<S>(distances, fine_within, 1.0);
+        Ok(derived::<Soft, A>(None, attenuation, intensity, followed, &linear))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        angle::Angle,
+        attenuation::{CutAt, InverseSquare, NoAttenuation},
+        cone::Cone,
+        falloff::{Hard, RealPower, Step},
+    };
+
+    extern crate std;
+    use std::string::ToString;
+
+    fn spot<P: Falloff>(cone: Result<Cone<P>, Error>) -> SpotLight<P> {
+        SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone.unwrap()).unwrap()
+    }
+
+    #[test]
+    fn distances_are_positive_and_in_order() {
+        let refusal =
+            |distances| spot(Cone::soft(Angle::degrees(30.0))).error_bound::<f32>(distances).unwrap_err();
+        assert_eq!(
+            refusal(0.0..=1.0).to_string(),
+            "distance = 0: expected more than 0 and at most 340282350000000000000000000000000000000"
+        );
+        for distances in
+            [f32::NAN..=1.0, -1.0..=1.0, f32::INFINITY..=f32::INFINITY, 2.0..=1.0, 1.0..=f32::NAN]
+        {
+            assert_eq!(refusal(distances).parameter, Parameter::Distance);
+        }
+    }
+
+    #[test]
+    fn a_bound_grows_with_the_distances_and_the_intensity() {
+        let spot = spot(Cone::hard(Angle::degrees(20.0)));
+        let bound = |intensity, near| {
+            spot.with_intensity(intensity).unwrap().quick_error_bound::<f32>(near..=9.0).unwrap().light
+        };
+        assert!(bound(1.0, 1.0) < bound(1.0, 0.5) && bound(1.0, 0.5) < bound(4.0, 0.5));
+        assert!(bound(1.0, 1.0) > 1e-5 && bound(1e9, 1e-3) <= 1.0);
+    }
+
+    #[test]
+    fn a_jump_has_an_error_of_its_place() {
+        let wide = Angle::degrees(60.0);
+        let bound = |cone| spot(cone).error_bound::<f32>(1.0..=2.0).unwrap();
+        let step = bound(Cone::from_outer(Step, wide));
+        assert!(step.edge > 1e-8 && step.edge < 1e-6 && step.light < 1e-5, "{step:?}");
+        let steep =
+            spot(Cone::from_outer(RealPower::new(0.5).unwrap(), wide)).error_bound::<f32>(1.0..=2.0).unwrap();
+        assert!((steep.edge - 30_f32.to_radians() / 510.0).abs() < 1e-6, "{steep:?}");
+        let smooth = spot(Cone::from_outer(Hard, wide)).with_attenuation(NoAttenuation);
+        assert_eq!(smooth.error_bound::<f32>(1.0..=2.0).unwrap().edge, 0.0);
+        let cut = smooth.with_attenuation(CutAt::new(InverseSquare, Some(1.5)).unwrap());
+        let cut = cut.error_bound::<f32>(1.0..=2.0).unwrap();
+        assert!(cut.range > 1e-8 && cut.range < 1e-5, "{cut:?}");
+    }
+}

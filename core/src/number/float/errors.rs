@@ -1,0 +1,51 @@
+//! The errors of the stages of `f32`, where each of them comes from.
+
+use crate::number::{Rounding, Stages};
+
+/// The relative error of a rounding to nearest.
+const UNIT: f64 = f32::EPSILON as f64 / 2.0;
+
+/// The evaluation.
+pub(super) const STAGES: Stages = Stages {
+    // The squared length has 3 roundings, of which the root takes half; then the root, the division and
+    // the product. The axis' squared length, root and division.
+    length: 4.5 * UNIT + 3.5 * UNIT,
+    // The offset and the product, and the division of the axis: each rounds components.
+    turn: 3.0 * UNIT,
+    difference: 0.0,
+    // A sum of components, of which the square is taken, and the sum of three squares.
+    versine: Rounding::relative(5.0 * UNIT),
+    set_up: 0.0,
+    // A difference and a product; the reciprocal is that of a rounded difference.
+    ramp: Rounding::relative(4.0 * UNIT),
+    complement: Rounding::relative(UNIT),
+    product: Rounding::relative(UNIT),
+    value: Rounding::relative(UNIT),
+    // Up to five operations, each of a result up to 4; a coefficient is rounded.
+    lift: 5.0 * 4.0 * UNIT,
+    weight: 4.0 * UNIT,
+    smooth: Rounding::relative(5.0 * UNIT),
+    sample: Rounding::absolute(5.0 * UNIT),
+    power: Rounding::absolute(2.0 * UNIT),
+    // The offset's roundings turn it; at grazing incidence the products have a sum of magnitudes of at
+    // most 1, and the first sum is at most half of it. Of the cosine itself: two sums, the reciprocal
+    // length and the product.
+    cosine: Rounding { absolute: 2.5 * UNIT, relative: 6.5 * UNIT },
+    share: Rounding::relative(UNIT),
+    near: Rounding { absolute: 0.0, relative: 10.0 * UNIT },
+    inverse_square: 12.0 * UNIT,
+    inverse_polynomial: 16.0 * UNIT,
+    inverse_power: [3e-7, 1.5e-7],
+    light: Rounding::relative(UNIT),
+};
+
+/// The relative error of the quick root (exhaustive).
+const ROOT: f64 = 2.6e-5;
+
+/// The quick evaluation.
+pub(super) const QUICK: Stages = Stages {
+    length: ROOT + 8.0 * UNIT,
+    cosine: Rounding { absolute: 2.5 * UNIT, relative: ROOT + 6.5 * UNIT },
+    inverse_square: 2.0 * ROOT + 12.0 * UNIT,
+    ..STAGES
+};

@@ -1,0 +1,115 @@
+//! The errors of the stages of the 16-bit format, where each of them comes from.
+//!
+//! `V` is the offset, scaled to 17 bits and not rounded, `v` the truncated offset of 15 bits, and `r`
+//! its reciprocal length `2^30 / |v|`.
+
+use crate::number::{Rounding, Stages};
+
+const fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1_023 + exponent) as u64) << 52)
+}
+
+/// A step of a scalar, and of light.
+const STEP: f64 = power_of_two(-14);
+/// A step of a fraction.
+const FINER: f64 = power_of_two(-15);
+/// The relative error of a mantissa of 16 bits that is rounded, and of one that is truncated.
+const MANTISSA: [f64; 2] = [power_of_two(-16), power_of_two(-15)];
+/// The truncation of the components changes the length of `v` by at most this part of it:
+/// `(1 + sqrt(3)) / 2` of 2^14 where the largest component is 0.89.
+const TRUNCATED: f64 = 1.366_1 / 16_384.0;
+/// The truncation turns `v` by at most this: across the direction at most 1.575 of 2^14 where the
+/// largest component is 0.95.
+const TURNED: f64 = 1.576 / 16_384.0;
+/// The axis is that of `f32`, normalised: each component is within 2^-24 of itself.
+const AXIS: f64 = 1.2e-7;
+
+/// The coarse evaluation.
+pub(super) const COARSE: Stages = Stages {
+    // The reciprocal's 9.0e-5 (exhaustive). Its rounding to 14 bits, `2 / r`, and the truncation of
+    // `v`, `sqrt(3) / |v|`, have a sum of at most 1.363e-4, at either end of `|v|`. Of the truncation
+    // of `V`, at most 1.66e-5 is along the direction.
+    length: 9.0e-5 + 1.363e-4 + 1.66e-5 + AXIS,
+    // A component is truncated by up to `r / 4` units of 2^-30, less `CUT_OFF`; `r / 4` is at most
+    // 2^14 times the largest component of the direction. Across the direction that is at most
+    // 1.46e-5, where the largest component is 0.95.
+    turn: 1.46e-5 + AXIS,
+    // Three components are rounded to integers, in units of 2^-14.
+    difference: 0.866_1 * STEP,
+    versine: Rounding::NONE,
+    // Half a unit of 2^-29.
+    set_up: power_of_two(-30),
+    // [-2.00, 2.25] steps for every ramp and versine.
+    ramp: Rounding::absolute(2.25 * FINER),
+    complement: Rounding::NONE,
+    product: Rounding::absolute(FINER / 2.0),
+    value: Rounding::absolute(STEP / 2.0),
+    lift: FINER / 2.0,
+    // Half a unit of 2^-14.
+    weight: FINER,
+    // The square is rounded to a fraction and multiplied by up to 3.
+    smooth: Rounding::absolute(1.5 * FINER + STEP / 2.0),
+    // A sample has 16 bits.
+    sample: Rounding::absolute(STEP / 2.0 + power_of_two(-16)),
+    power: Rounding::absolute(FINER / 2.0),
+    // The truncation turns `v`, as it turns the direction; two results are rounded down. The
+    // reciprocal's 9.0e-5 is that of the cosine itself.
+    cosine: Rounding { absolute: TURNED + 2.0 * FINER, relative: 9.0e-5 },
+    share: Rounding::absolute(STEP / 2.0),
+    // The squared length of `v`, a constant and the product; then the rounding to a scalar.
+    near: Rounding { absolute: STEP / 2.0, relative: 2.0 * TRUNCATED + 2.0 * MANTISSA[0] + MANTISSA[1] },
+    // Twice the reciprocal's error. The truncation of `v` and that of the square of the reciprocal,
+    // `2^16 / r^2`, have a sum of at most 2.45e-4. The gain and its product are truncated.
+    inverse_square: 1.8e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
+    // A distance, two products and two sums in a polynomial without cancellation, its reciprocal and
+    // two products.
+    inverse_polynomial: 2.0 * (TRUNCATED + 9.0e-5) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
+    inverse_power: [5e-5, TRUNCATED + 9.0e-5 + 2.0 * MANTISSA[0]],
+    light: Rounding::absolute(STEP / 2.0),
+};
+
+/// The fine evaluation: the stages of `Fx32` for an offset of `Fx16`.
+pub(super) const FINE: Stages = Stages {
+    length: 2.5e-8 + AXIS,
+    turn: 2.65e-9 + AXIS,
+    difference: 0.0,
+    versine: Rounding::absolute(3.0 * power_of_two(-29)),
+    set_up: power_of_two(-30),
+    ramp: Rounding::absolute(power_of_two(-29)),
+    complement: Rounding::NONE,
+    product: Rounding::absolute(power_of_two(-30)),
+    value: Rounding::absolute(power_of_two(-30)),
+    lift: power_of_two(-27),
+    weight: FINER,
+    smooth: Rounding::absolute(3.0 * power_of_two(-30)),
+    sample: Rounding::absolute(power_of_two(-28)),
+    power: Rounding::absolute(power_of_two(-30)),
+    // A direction, and three products that are rounded down.
+    cosine: Rounding::absolute(2.65e-9 + 3.0 * power_of_two(-30)),
+    share: Rounding::absolute(power_of_two(-30)),
+    near: Rounding { absolute: power_of_two(-30), relative: 5e-7 },
+    inverse_square: 6.0e-7,
+    inverse_polynomial: 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
+    inverse_power: [5e-5, 2.0 * MANTISSA[0]],
+    // A product is truncated to 16 bits before light is rounded.
+    light: Rounding { absolute: STEP / 2.0, relative: MANTISSA[1] },
+};
+
+/// The fine evaluation, from 256 units on: an offset is halved, which turns it by up to
+/// `sqrt(3) 2^-23`.
+pub(super) const FAR: Stages =
+    Stages { turn: FINE.turn + 2.07e-7, cosine: Rounding::absolute(FINE.cosine.absolute + 2.07e-7), ..FINE };
+
+/// The quick evaluation.
+pub(super) const QUICK: Stages = Stages {
+    // The root's 2.0e-4 (exhaustive), and the truncation along the direction.
+    length: 2.0e-4 + 6.63e-5 + AXIS,
+    // Four times the truncation of the coarse evaluation: `v` has two bits less than `V`.
+    turn: 4.0 * 1.46e-5 + AXIS,
+    cosine: Rounding { absolute: TURNED + 2.0 * FINER, relative: 2.0e-4 },
+    near: Rounding { absolute: STEP / 2.0, relative: 2.0 * TRUNCATED + 2.0 * MANTISSA[0] + MANTISSA[1] },
+    inverse_square: 4.0e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
+    inverse_polynomial: 2.0 * (TRUNCATED + 2.0e-4) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
+    inverse_power: [5e-5, TRUNCATED + 2.0e-4 + 2.0 * MANTISSA[0]],
+    ..COARSE
+};

@@ -1,0 +1,42 @@
+//! The errors of the stages of the 32-bit format, where each of them comes from.
+
+use crate::number::{Rounding, Stages};
+
+const fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1_023 + exponent) as u64) << 52)
+}
+
+/// A step of a scalar; a fraction has half of it.
+const STEP: f64 = power_of_two(-30);
+/// The relative error of a mantissa of 28 bits that is rounded.
+const MANTISSA: f64 = power_of_two(-28);
+
+/// The evaluation.
+pub(super) const STAGES: Stages = Stages {
+    // The direction's 2.4e-8, and the axis', of which a component is within half a step.
+    length: 2.4e-8 + 0.866_1 * STEP,
+    // A component is within a step, and that of the axis within half a step. An offset with a
+    // component of more than 32,768 units is halved, which turns it by 0.71 steps.
+    turn: (1.5 * 1.732_1 + 0.71) * STEP,
+    difference: 0.0,
+    // Three squares are rounded down, in units of 2^-29.
+    versine: Rounding::absolute(3.0 * power_of_two(-29)),
+    set_up: power_of_two(-30),
+    ramp: Rounding::absolute(power_of_two(-29)),
+    complement: Rounding::NONE,
+    product: Rounding::absolute(STEP),
+    value: Rounding::absolute(STEP),
+    lift: power_of_two(-27),
+    // A coefficient is truncated to 28 bits.
+    weight: power_of_two(-28),
+    smooth: Rounding::absolute(3.0 * STEP),
+    sample: Rounding::absolute(power_of_two(-28)),
+    power: Rounding::absolute(STEP),
+    cosine: Rounding::absolute(43.0 * STEP),
+    share: Rounding::absolute(STEP),
+    near: Rounding { absolute: STEP, relative: 1.3e-7 },
+    inverse_square: 6.5e-8,
+    inverse_polynomial: 2.0 * 6.0e-8 + 8.0 * MANTISSA,
+    inverse_power: [2e-8, 1.4e-8 + 6.0e-8],
+    light: Rounding { absolute: STEP, relative: power_of_two(-30) },
+};

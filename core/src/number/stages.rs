@@ -1,0 +1,110 @@
+//! The errors of the stages of an evaluation, from which [`bound`](crate::bound) derives the error of
+//! a light.
+
+/// An upper bound of a rounding error: an absolute part, and a part relative to the result.
+#[derive(Clone, Copy, Debug)]
+pub struct Rounding {
+    /// The absolute part.
+    pub absolute: f64,
+    /// The part relative to the result.
+    pub relative: f64,
+}
+
+impl Rounding {
+    /// No rounding.
+    pub const NONE: Self = Self { absolute: 0.0, relative: 0.0 };
+
+    /// An error of up to `step`, whatever the result.
+    pub const fn absolute(step: f64) -> Self {
+        Self { absolute: step, relative: 0.0 }
+    }
+
+    /// An error of up to `part` of the result.
+    pub const fn relative(part: f64) -> Self {
+        Self { absolute: 0.0, relative: part }
+    }
+
+    /// Returns the bound for a result of up to this size.
+    pub fn of(self, size: f64) -> f64 {
+        self.absolute + self.relative * size
+    }
+}
+
+/// Upper bounds of the errors of each stage of an evaluation, in the order of the data.
+///
+/// A stage computes with the results of the stages before it, so a bound is that of the stage alone.
+/// Lengths and gains have relative errors, because they have an exponent of their own.
+#[derive(Clone, Copy, Debug)]
+pub struct Stages {
+    /// The relative error of the length of a direction, and of the axis.
+    pub length: f64,
+    /// The error of a direction across itself, and that of the axis, in radians.
+    pub turn: f64,
+    /// The rounding of the difference of direction and axis, as a length, without a zoom.
+    pub difference: f64,
+    /// The rounding of a versine. Its absolute part is that without a zoom.
+    pub versine: Rounding,
+    /// The rounding of the versines of a cone at set-up, without a zoom.
+    pub set_up: f64,
+    /// The rounding of `t`, for the versines of the ramp.
+    pub ramp: Rounding,
+    /// `1 - x` of a fraction or a share.
+    pub complement: Rounding,
+    /// The product of two fractions.
+    pub product: Rounding,
+    /// A fraction as a value, and the product of two fractions or of a fraction and a value.
+    pub value: Rounding,
+    /// `1 + u (g + h t)` in `t (1 + u (g + h t))`, without the error of its coefficients. The result is
+    /// rounded to a value.
+    pub lift: f64,
+    /// A coefficient, and the sum of two.
+    pub weight: f64,
+    /// `t^2 (3 - 2 t)`.
+    pub smooth: Rounding,
+    /// The interpolation of samples.
+    pub sample: Rounding,
+    /// The power of a real exponent `p`: the error is that of the format, and a part that grows with
+    /// the exponent.
+    pub power: Rounding,
+    /// The cosine of the angle of incidence.
+    pub cosine: Rounding,
+    /// The product of two shares.
+    pub share: Rounding,
+    /// A distance or a squared distance, relative to a range.
+    pub near: Rounding,
+    /// The relative error of a gain, attenuated by the inverse square of the distance.
+    pub inverse_square: f64,
+    /// The relative error of a gain, attenuated by a polynomial.
+    pub inverse_polynomial: f64,
+    /// The relative error of a gain, attenuated by `d^-k`: a constant and a multiple of `k`.
+    pub inverse_power: [f64; 2],
+    /// The rounding of light.
+    pub light: Rounding,
+}
+
+impl Stages {
+    /// Stages without errors.
+    pub const EXACT: Self = Self {
+        length: 0.0,
+        turn: 0.0,
+        difference: 0.0,
+        versine: Rounding::NONE,
+        set_up: 0.0,
+        ramp: Rounding::NONE,
+        complement: Rounding::NONE,
+        product: Rounding::NONE,
+        value: Rounding::NONE,
+        lift: 0.0,
+        weight: 0.0,
+        smooth: Rounding::NONE,
+        sample: Rounding::NONE,
+        power: Rounding::NONE,
+        cosine: Rounding::NONE,
+        share: Rounding::NONE,
+        near: Rounding::NONE,
+        inverse_square: 0.0,
+        inverse_polynomial: 0.0,
+        inverse_power: [0.0; 2],
+        light: Rounding::NONE,
+    };
+}

@@ -1,0 +1,271 @@
+//! The derived bound of a light's error: random lights of every falloff and attenuation in their
+//! whole domain, and from the worst of random points a climb by bits.
+//!
+//! `cargo test --test slow bound:: -- --nocapture --test-threads 1` prints the light that comes
+//! nearest to its bound, and the middle of what was found; `LUMINAIRE_FULL=1` tries 100 times as
+//! many lights.
+
+use fastrand::Rng;
+use luminaire::{
+    Cone, Error, Fx16, Fx32, HalfAngle, Scalar, SpotLight, Vec3,
+    attenuation::{AnyAttenuation, Attenuation},
+    bound::ErrorBound,
+    falloff::{AnyFalloff, Falloff, Formula},
+    number::Quick,
+};
+use std::ops::RangeInclusive;
+use support::{
+    format::Format,
+    oracle::{
+        self, DVec3,
+        climb::{self, Worst},
+    },
+    shapes::tables,
+    sweep,
+};
+
+type Any = SpotLight<AnyFalloff, AnyAttenuation>;
+
+/// An evaluation of a format: its light at a point with a normal, and its bound.
+trait Evaluation {
+    type Format: Format;
+    type Compiled: Copy;
+    const NAME: &'static str;
+
+    fn bound(light: &Any, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error>;
+    fn compile(light: &Any) -> Self::Compiled;
+    fn light(
+        compiled: &Self::Compiled,
+        point: Vec3<<Self::Format as Scalar>::Length>,
+        normal: Vec3<Self::Format>,
+    ) -> f64;
+}
+
+struct Standard<S>(S);
+struct Fast<S>(S);
+
+impl<S: Format> Evaluation for Standard<S> {
+    type Format = S;
+    type Compiled = luminaire::light::CompiledSpotLight<S, AnyFalloff, AnyAttenuation>;
+    const NAME: &'static str = S::NAME;
+
+    fn bound(light: &Any, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        light.error_bound::<S>(distances)
+    }
+
+    fn compile(light: &Any) -> Self::Compiled {
+        light.compile().expect("it has a bound")
+    }
+
+    fn light(compiled: &Self::Compiled, point: Vec3<S::Length>, normal: Vec3<S>) -> f64 {
+        S::exact_light(compiled.irradiance(point, normal))
+    }
+}
+
+impl<S: Format + Quick> Evaluation for Fast<S> {
+    type Format = S;
+    type Compiled = luminaire::light::QuickSpotLight<S, AnyFalloff, AnyAttenuation>;
+    const NAME: &'static str = if S::STEP > 1e-6 { "fx16-quick" } else { "f32-quick" };
+
+    fn bound(light: &Any, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        light.quick_error_bound::<S>(distances)
+    }
+
+    fn compile(light: &Any) -> Self::Compiled {
+        light.compile_quick().expect("it has a bound")
+    }
+
+    fn light(compiled: &Self::Compiled, point: Vec3<S::Length>, normal: Vec3<S>) -> f64 {
+        S::exact_light(compiled.irradiance(point, normal))
+    }
+}
+
+/// A light, its distances and its bound.
+struct Beam<E: Evaluation> {
+    light: Any,
+    compiled: E::Compiled,
+    position: DVec3,
+    axis: DVec3,
+    distances: [f32; 2],
+    bound: ErrorBound,
+    /// The angles at which the falloff jumps or has an infinite derivative.
+    edges: Vec<f64>,
+}
+
+/// The angle of a versine, in radians.
+fn angle(versine: f64) -> f64 {
+    oracle::half_degrees(versine).to_radians()
+}
+
+impl<E: Evaluation> Beam<E> {
+    fn random(rng: &mut Rng, tables: &[&'static [u16]]) -> Option<Self> {
+        let falloff = match AnyFalloff::drawn(rng.usize(..), || rng.f32()).ok()? {
+            AnyFalloff::Table(_) => {
+                luminaire::falloff::Table::new(tables[rng.usize(..tables.len())]).ok()?.into()
+            }
+            falloff => falloff,
+        };
+        let outer = HalfAngle::degrees(90.0 * 1e-3_f32.powf(rng.f32() * rng.f32()));
+        let part = |rng: &mut Rng| HalfAngle::degrees(outer.to_degrees() * rng.f32());
+        let cone = Cone::from_outer(falloff, outer).ok()?;
+        let cone = if rng.u8(..3) == 0 { cone.with_inner(part(rng)).ok()? } else { cone };
+        let cone = if rng.u8(..6) == 0 { cone.with_cutoff(part(rng)).ok()? } else { cone };
+        let farthest = f64::from(<E::Format as Scalar>::FARTHEST).min(1e6);
+        let reach = if rng.bool() { 8.0 } else { farthest * 1e-4_f64.powf(rng.f64()) };
+        let position = DVec3::from_array([0; 3].map(|_| reach * (2.0 * rng.f64() - 1.0)));
+        let attenuation = AnyAttenuation::drawn(rng.usize(..), || rng.f32()).ok()?;
+        let intensity = if rng.u8(..4) == 0 { 1.0 } else { 10.0_f32.powf(7.0 * rng.f32() - 3.0) };
+        let axis = sweep::single(sweep::direction(rng));
+        let light = SpotLight::new(sweep::single(position), axis, cone).ok()?;
+        let light = light.with_attenuation(attenuation).with_intensity(intensity).ok()?;
+        let near = 10.0_f32.powf(5.0 * rng.f32() - 3.0);
+        let distances = [near, near * 100.0_f32.powf(rng.f32())];
+        let bound = E::bound(&light, distances[0]..=distances[1]).ok()?;
+        let [inner, _, limit] = cone.versines().map(f64::from);
+        let edges = match falloff.formula() {
+            Formula::InvertedPower(p, _) if p < 1.0 => vec![angle(inner), angle(limit)],
+            _ => vec![angle(limit)],
+        };
+        let position = E::Format::exact_point(light.position().map(E::Format::length));
+        let axis = DVec3::new(axis.x.into(), axis.y.into(), axis.z.into()).normalize();
+        Some(Self { compiled: E::compile(&light), light, position, axis, distances, bound, edges })
+    }
+
+    /// A point in the cone or just outside it, often at an end of the distances or at the edge, and a
+    /// normal, often grazing.
+    fn site(&self, rng: &mut Rng) -> [Vec3<f32>; 2] {
+        let [_, _, limit] = self.light.cone().versines().map(f64::from);
+        let end = |rng: &mut Rng| 10.0_f64.powf(-5.0 * rng.f64());
+        let off = match rng.u8(..4) {
+            0 => 1.0 - end(rng),
+            1 => end(rng),
+            _ => 1.02 * rng.f64(),
+        };
+        let way = sweep::direction_off(rng, self.axis, angle(limit) * off);
+        let [near, far] = self.distances.map(f64::from);
+        let depth = match rng.u8(..3) {
+            0 => end(rng),
+            1 => 1.0 - end(rng),
+            _ => rng.f64(),
+        };
+        let distance = near * (far / near).powf(depth);
+        let incidence = match rng.u8(..3) {
+            0 => 90.0 * end(rng),
+            1 => 90.0 * (1.0 - end(rng)),
+            _ => 90.0 * rng.f64(),
+        };
+        let normal = sweep::single(sweep::direction_off(rng, -way, incidence.to_radians()));
+        // Turned a little, so that the stored normal has the intended cosine.
+        let stored = E::Format::exact_normal(normal.map(E::Format::from_f32));
+        let way = (way - (way.dot(stored) + incidence.to_radians().cos()) * stored).normalize();
+        [sweep::single(self.position + distance * way), normal]
+    }
+
+    /// The error of the clipped light at a point, in units of the bound.
+    fn error(&self, [point, normal]: [Vec3<f32>; 2]) -> f64 {
+        let (point, normal) = (point.map(E::Format::length), normal.map(E::Format::from_f32));
+        let (way, exact_normal) =
+            (E::Format::exact_point(point) - self.position, E::Format::exact_normal(normal));
+        let distance = way.length();
+        let [near, far] = self.distances.map(f64::from);
+        let is_at_range = self
+            .light
+            .attenuation()
+            .range()
+            .is_some_and(|range| (distance - f64::from(range)).abs() < f64::from(self.bound.range));
+        if !(near..=far).contains(&distance) || is_at_range {
+            return 0.0;
+        }
+        let versine = oracle::versine_between(way, self.axis);
+        let off = angle(versine);
+        if self.edges.iter().any(|edge| (off - edge).abs() < f64::from(self.bound.edge)) {
+            return 0.0;
+        }
+        let [inner, outer, limit] = self.light.cone().versines().map(f64::from);
+        let formula = self.light.cone().falloff();
+        let formula = formula.formula();
+        let falloff = if versine >= limit {
+            0.0
+        } else if versine <= inner {
+            formula.exact(1.0)
+        } else {
+            formula.exact((outer - versine) / (outer - inner))
+        };
+        let cosine = (-way.dot(exact_normal) / distance).clamp(0.0, 1.0);
+        let gain = f64::from(self.light.intensity()) * self.light.attenuation().exact(distance);
+        let exact = (falloff * cosine * gain).min(1.0);
+        let found = E::light(&self.compiled, point, normal).min(1.0);
+        let error = oracle::counted((found - exact).abs());
+        if error > 0.0 { error / f64::from(self.bound.light) } else { 0.0 }
+    }
+}
+
+fn assert_bound<E: Evaluation>(least: f64, middle: f64) {
+    let full = std::env::var_os("LUMINAIRE_FULL").is_some();
+    let (mut rng, tables) = (Rng::with_seed(2026), tables());
+    let mut found = Vec::new();
+    let count = if full { 20_000 } else { 200 };
+    while found.len() < count {
+        let Some(beam) = Beam::<E>::random(&mut rng, &tables) else { continue };
+        // A bound of more than full scale says nothing.
+        if beam.bound.light >= 1.0 {
+            continue;
+        }
+        let start = |rng: &mut Rng| {
+            let input = beam.site(rng);
+            Worst { input, error: beam.error(input) }
+        };
+        let mut starts: Vec<_> = (0..2_000).map(|_| start(&mut rng)).collect();
+        starts.sort_by(|a, b| b.error.total_cmp(&a.error));
+        let moved = |rng: &mut Rng, [point, normal]: [Vec3<f32>; 2]| {
+            let size = climb::size(rng);
+            if rng.u8(..3) == 0 {
+                [point, climb::one_of(rng, normal, |c| c + size).unit()]
+            } else {
+                let step = climb::grid_step(rng, size);
+                [climb::one_of(rng, point, step), normal]
+            }
+        };
+        let climbs = starts.into_iter().take(6);
+        let best = climbs.map(|start| climb::climb(&mut rng, start, 1_500, moved, |site| beam.error(site)));
+        let best = best.max_by(|a, b| a.error.total_cmp(&b.error)).expect("six climbs");
+        let place = || format!("{:?} {:?} {:?}: {:?}", beam.light, beam.distances, beam.bound, best.input);
+        assert!(best.error <= 1.0, "{}: {:.3} of the bound for {}", E::NAME, best.error, place());
+        if std::env::var_os("LUMINAIRE_SHOW").is_some() {
+            println!("{:.3} {}", best.error, place());
+        }
+        found.push((best.error, place()));
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let ((worst, place), half) = (found.last().expect("lights"), found[count / 2].0);
+    println!(
+        "{}: half of the lights reach {half:.3} of the bound, the largest {worst:.3} for {place}",
+        E::NAME
+    );
+    assert!(*worst >= least && half >= middle, "{}: {worst:.3} and {half:.3} of the bound", E::NAME);
+}
+
+#[test]
+fn f32_keeps_its_bound() {
+    assert_bound::<Standard<f32>>(0.0, 0.0);
+}
+
+#[test]
+fn quick_f32_keeps_its_bound() {
+    assert_bound::<Fast<f32>>(0.0, 0.0);
+}
+
+#[test]
+fn fx32_keeps_its_bound() {
+    assert_bound::<Standard<Fx32>>(0.0, 0.0);
+}
+
+#[test]
+fn fx16_keeps_its_bound() {
+    assert_bound::<Standard<Fx16>>(0.0, 0.0);
+}
+
+#[test]
+fn quick_fx16_keeps_its_bound() {
+    assert_bound::<Fast<Fx16>>(0.0, 0.0);
+}
