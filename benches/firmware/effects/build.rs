@@ -149,19 +149,27 @@ fn constants<S: Scalar>() -> Outcome {
 /// Writes a light or a material for each model of the library's lists, as implementations of
 /// `Listed`, and the rows of the catalogue.
 fn listed<S: Scalar>() -> Outcome {
-    let mut models = Models { implementations: String::new(), rows: String::new(), format: PhantomData::<S> };
+    let mut models = Models {
+        implementations: String::new(),
+        lists: String::new(),
+        rows: String::new(),
+        format: PhantomData::<S>,
+    };
     constant_falloffs(&mut models);
     models.list("falloffs");
     attenuations(&mut models);
     models.list("attenuations");
     lobes::<S>(&mut models);
     models.list("lobes");
-    Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("listed.rs"), models.implementations)?)
+    let folder = env::var("OUT_DIR")?;
+    fs::write(Path::new(&folder).join("listed.rs"), models.implementations)?;
+    Ok(fs::write(Path::new(&folder).join("models.rs"), models.lists)?)
 }
 
-/// The source of the implementations so far, and of the rows of a list.
+/// The source of the implementations and of the lists so far, and of the rows of the next list.
 struct Models<S> {
     implementations: String,
+    lists: String,
     rows: String,
     format: PhantomData<S>,
 }
@@ -170,7 +178,7 @@ impl<S: Scalar> Models<S> {
     /// Ends a list: a function that visits its rows.
     fn list(&mut self, name: &str) {
         let rows = std::mem::take(&mut self.rows);
-        self.implementations += &format!("pub(super) fn {name}(visit: &mut impl Visit) {{\n{rows}}}\n");
+        self.lists += &format!("pub(super) fn {name}(visit: &mut impl Visit) {{\n{rows}}}\n");
     }
 
     /// The irradiance of a spotlight that has the model.

@@ -1,6 +1,7 @@
 //! Running effects over inputs between the markers.
 
-use luminaire_effects::{Entry, FORMAT, Input, Inputs, Output, Visit, each, each_evaluation};
+use luminaire::Scalar;
+use luminaire_effects::{Entry, Format, Input, Inputs, Output, Visit, each, each_evaluation};
 
 use crate::COUNT;
 use crate::measure::{begin_lines, pass, report};
@@ -36,7 +37,7 @@ impl Visit for Run {
         for input in &mut inputs[1..] {
             *input = next(&mut sequence);
         }
-        report("empty", FORMAT, pass(&inputs, I::word));
-        report(entry.name, FORMAT, pass(&inputs, |input| effect(*input).fold()));
+        report("empty", Format::NAME, pass(&inputs, I::word));
+        report(entry.name, Format::NAME, pass(&inputs, |input| effect(*input).fold()));
     }
 }

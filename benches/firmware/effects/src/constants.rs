@@ -10,7 +10,7 @@ use luminaire::{
     specular::{NoSpecular, Phong, SpecularLobe},
 };
 
-use crate::{Format, Light};
+use crate::format::{Format, Light};
 
 #[cfg(feature = "f32")]
 type Beam = luminaire::haze::BeamScattering<Soft>;

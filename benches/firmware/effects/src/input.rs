@@ -9,7 +9,9 @@ use luminaire_kernels::scene::{EYE, Population, Sites};
 use luminaire_kernels::{Format as _, Setting};
 
 use crate::constants::{MATTE, NARROW};
-use crate::{Color, Format, Light, Listed, Output, Surface};
+use crate::format::{Color, Format, Light, Surface};
+use crate::listed::Listed;
+use crate::output::Output;
 
 /// An input of an effect.
 pub trait Input: Copy {

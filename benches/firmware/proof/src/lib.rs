@@ -4,6 +4,8 @@
 
 #[cfg(feature = "interop")]
 mod interop;
+#[path = "../../no_panic.rs"]
+mod no_panic;
 
 use core::hash::Hasher;
 use core::mem::MaybeUninit;
@@ -122,36 +124,14 @@ impl SpecularLobe for AnyLobe {
     }
 }
 
-/// Makes a program of the calls in a file. It does not link if one of them can panic: its panic
-/// handler calls a function that is defined nowhere.
+/// Makes a program of the calls in a file, which does not link if one of them can panic.
 #[macro_export]
 macro_rules! program {
     ($calls:literal) => {
         #[allow(clippy::wildcard_imports, reason = "the names that the calls use")]
         use $crate::*;
 
-        #[cfg(target_os = "none")]
-        #[panic_handler]
-        fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-            unsafe extern "C" {
-                safe fn a_panic_is_reachable() -> !;
-            }
-            a_panic_is_reachable()
-        }
-
-        #[cfg_attr(all(target_os = "none", target_arch = "arm"), cortex_m_rt::entry)]
-        #[cfg_attr(all(target_os = "none", target_arch = "riscv32"), riscv_rt::entry)]
-        #[cfg(target_os = "none")]
-        fn start() -> ! {
-            loop {
-                every_function();
-            }
-        }
-
-        #[cfg(not(target_os = "none"))]
-        fn main() {
-            every_function();
-        }
+        $crate::without_panic!(every_function());
 
         include!(concat!(env!("CALLS"), "/", $calls));
     };

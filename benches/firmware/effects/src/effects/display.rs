@@ -3,7 +3,8 @@
 use luminaire::{Rgb, display::Rgb565};
 
 use crate::constants::{EXPOSURE, RAMP};
-use crate::{Color, Format, Light, Place};
+use crate::format::{Color, Format, Light};
+use crate::input::Place;
 
 effects! { each;
     /// Stops: a picture that is brighter or darker than its light.

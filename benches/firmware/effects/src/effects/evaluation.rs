@@ -3,6 +3,7 @@
 
 use core::hint::black_box;
 
+use luminaire::dynamic::Effects;
 #[cfg(not(feature = "fx32"))]
 use luminaire::light::QuickSpotLight;
 use luminaire::light::{CompiledSpotLight, LightModel, SurfacePoint};
@@ -14,11 +15,13 @@ use luminaire::{
     specular::Phong,
 };
 
+use crate::catalogue::{Entry, Visit};
 use crate::constants::{
     AXIS_BACK, BRIGHT, DIFFUSE, EYE, HIGHLIGHT, PART, POSITION, QUICK, RADIUS, SPECULAR, WIDE,
 };
-use crate::effects::{Effects, Entry, Visit};
-use crate::{Format, Inputs, Irradiance, Listed, Surface};
+use crate::format::{Format, Irradiance, Surface};
+use crate::input::Inputs;
+use crate::listed::Listed;
 
 effects! { each;
     /// The quick evaluation, with a larger error: for a display of few bits.

@@ -1,10 +1,12 @@
 //! Lights, and other ramps of the soft spotlight.
 
+use luminaire::dynamic::{Effect, Effects};
 use luminaire::falloff::Soft;
 
+use crate::catalogue::{Entry, Visit};
 use crate::constants::{CUTOFF, DIRECTIONAL, HOTSPOT, POINT};
-use crate::effects::{Effect, Effects, Entry, Visit};
-use crate::{Format, Irradiance, Listed, Surface};
+use crate::format::{Format, Irradiance, Surface};
+use crate::listed::Listed;
 
 /// The soft spotlight, with and without Lambert's cosine.
 pub(super) fn soft(visit: &mut impl Visit) {

@@ -1,7 +1,7 @@
 //! Light that surfaces reflect.
 
 use crate::constants::{AMBIENT, DIRECTIONAL, MATTE};
-use crate::{Light, Surface};
+use crate::format::{Format, Light, Surface};
 
 effects! { matte_alone;
     /// A diffuse colour and nothing else.
@@ -12,5 +12,5 @@ effects! { matte_alone;
 effects! { sum;
     /// Light that is everywhere, as one matte material sends it back, added to that of the other lights.
     "ambient light", light, [Ambient];
-    fn ambient(lights: Light) -> Light { lights.plus::<crate::Format>(MATTE.glow(AMBIENT)) }
+    fn ambient(lights: Light) -> Light { lights.plus::<Format>(MATTE.glow(AMBIENT)) }
 }

@@ -3,7 +3,8 @@
 use luminaire::falloff::Soft;
 
 use crate::constants::{BEAM, EYE, GOBO, SHADOW};
-use crate::{Irradiance, Listed, Surface};
+use crate::format::{Irradiance, Surface};
+use crate::listed::Listed;
 
 #[cfg(feature = "f32")]
 type Scattered = Irradiance;

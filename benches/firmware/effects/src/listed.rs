@@ -1,12 +1,11 @@
-//! The effects of the models in the library's lists.
+//! The models in the library's lists, each with the effect that shows its cost.
 
 use luminaire::light::{CompiledMaterial, CompiledSpotLight};
 #[allow(clippy::wildcard_imports, reason = "the types of the lists")]
 use luminaire::{attenuation::*, falloff::*, specular::*};
 
-use super::{Effect, Effects, Entry, Visit};
 use crate::constants::DIRECTIONAL;
-use crate::{Format, Inputs, Irradiance, Light, Surface};
+use crate::format::{Format, Irradiance, Light, Surface};
 
 /// A model of a list, and the effect that shows its cost.
 pub trait Listed {
@@ -23,6 +22,5 @@ pub trait Listed {
     fn effect(surface: Surface) -> Self::Output;
 }
 
-// The build script writes the models: for each, its constant as an implementation of `Listed`, and
-// its row of the catalogue in the functions `falloffs`, `attenuations` and `lobes`.
+// The build script writes the implementations, each with its constant.
 include!(concat!(env!("OUT_DIR"), "/listed.rs"));
