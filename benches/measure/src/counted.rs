@@ -137,7 +137,7 @@ impl Run {
         if board.name != "cortex-m0" {
             return Ok(None);
         }
-        let cycles = rp2040::cycles(self, progress)?;
+        let cycles = rp2040::cycles(&self.file, &self.text, &self.regions, progress)?;
         self.about[1].1 += &format!("; cycles by {}", rp2040::describe()?);
         Ok(Some(cycles))
     }

@@ -1,21 +1,56 @@
-//! The documents that show the figures on record.
+//! The record beside the documents that show its figures: their check, and their update.
 
 mod effects;
 mod picker;
 mod prices;
 mod summary;
+mod text;
 
 use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
+use tools::progress::Progress;
 use tools::project;
 
 use crate::plot;
-use crate::record::Record;
+use crate::record::{FILE, Record};
 
-/// Every document, as its path below the project's folder and its content.
-pub(crate) fn of(record: &Record) -> Result<Vec<(String, String)>> {
-    let documents = [
+/// The command that writes the record and the documents.
+const COMMAND: &str = "cargo xtask measure --bless";
+
+const FIRMWARE: &str = "benches/firmware/README.md";
+
+/// Fails if a figure that was measured now differs from the record, or if a document is not the one
+/// that the record gives. Otherwise returns remarks.
+pub(crate) fn check(now: &Record) -> Result<Vec<String>> {
+    let old = Record::load()?;
+    let [differences, remarks] = old.compare(now);
+    ensure!(differences.is_empty(), "{FILE}: not what is measured:\n    {}", differences.join("\n    "));
+    for (file, content) in files(&old)? {
+        let found = fs::read_to_string(project::root().join(file)).context(file)?;
+        ensure!(found == content, "{file} is not what {FILE} says: `{COMMAND}` writes it");
+    }
+    Ok(remarks)
+}
+
+/// Writes what was measured now, with the other groups on record, and the documents. Differences are
+/// printed, and without `bless` they are an error and nothing is written.
+pub(crate) fn write(now: Record, bless: bool, progress: &Progress) -> Result<()> {
+    let mut record = Record::load()?;
+    let [differences, remarks] = record.compare(&now);
+    remarks.iter().chain(&differences).for_each(|line| println!("{line}"));
+    ensure!(differences.is_empty() || bless, "{FILE} is not what is measured: `{COMMAND}` accepts it");
+    record.0.extend(now.0);
+    for (file, content) in files(&record)? {
+        fs::write(project::root().join(file), content).with_context(|| format!("cannot write {file}"))?;
+        progress.say("Written", file);
+    }
+    Ok(())
+}
+
+/// The record and every document, as its path below the project's folder and its content.
+fn files(record: &Record) -> Result<[(&'static str, String); 8]> {
+    Ok([
         ("docs/ACCURACY-VS-COST.md", prices::answer(record)),
         ("docs/PRICES.md", prices::list(record)),
         ("docs/EFFECTS.md", effects::page(record)?),
@@ -23,11 +58,9 @@ pub(crate) fn of(record: &Record) -> Result<Vec<(String, String)>> {
         ("cli/pick/prices.json", picker::prices(record)?),
         ("README.md", inserted("README.md", "prices", &summary::readme(record))?),
         (FIRMWARE, inserted(FIRMWARE, "frame", &summary::frame(record))?),
-    ];
-    Ok(documents.map(|(file, content)| (file.to_owned(), content)).into())
+        (FILE, record.text()?),
+    ])
 }
-
-const FIRMWARE: &str = "benches/firmware/README.md";
 
 /// A document with the part between two lines replaced.
 fn inserted(file: &str, name: &str, part: &str) -> Result<String> {
@@ -39,47 +72,7 @@ fn inserted(file: &str, name: &str, part: &str) -> Result<String> {
     Ok(format!("{before}{begin}\n{part}\n{end}{after}"))
 }
 
-/// A table in Markdown: heads, and the cells of each row.
-fn table(heads: &[String], rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-    let rows: String = rows.into_iter().map(|row| line(&row)).collect();
-    format!("{}|{}\n{rows}", line(heads), "---|".repeat(heads.len()))
-}
-
-/// Owned texts of cells.
-fn cells<const N: usize>(texts: [&str; N]) -> Vec<String> {
-    texts.map(str::to_owned).into()
-}
-
-/// Formats an error with two significant digits, or as an integer from 10 on.
-fn error(value: f64) -> String {
-    match value {
-        0.0 => "0".to_owned(),
-        value if value >= 9.95 => format!("{value:.0}"),
-        value if value >= 0.995 => format!("{value:.1}"),
-        value if value >= 0.0995 => format!("{value:.2}"),
-        value if value >= 0.009_95 => format!("{value:.3}"),
-        value => format!("{value:.1e}"),
-    }
-}
-
-/// Formats a cost with three significant digits, or as an integer from 100 on.
-fn cost(value: f64) -> String {
-    match value {
-        value if value >= 99.95 => format!("{value:.0}"),
-        value if value >= 9.995 => format!("{value:.1}"),
-        value => format!("{value:.2}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn figures_are_short() {
-        let errors = [0.0, 3.098e-7, 0.0241, 0.155, 0.9275, 1.6, 50.51].map(error);
-        assert_eq!(errors, ["0", "3.1e-7", "0.024", "0.15", "0.93", "1.6", "51"]);
-        assert_eq!([0.126, 20.066, 132.1, 10260.94].map(cost), ["0.13", "20.1", "132", "10261"]);
-    }
+#[test]
+fn documents_are_those_that_the_record_gives() {
+    check(&Record::default()).unwrap();
 }

@@ -64,11 +64,11 @@ pub fn run(options: &MeasureOptions) -> Result<()> {
         now.0.extend(on(target, options.check, &progress)?.0);
     }
     if options.check {
-        Record::check(&now)?.iter().for_each(|remark| println!("{remark}"));
+        documents::check(&now)?.iter().for_each(|remark| println!("{remark}"));
         println!("errors and counts are those on record");
         return Ok(());
     }
-    Record::write(now, options.bless, &progress)
+    documents::write(now, options.bless, &progress)
 }
 
 /// Measures on a target.

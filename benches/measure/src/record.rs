@@ -1,22 +1,16 @@
-//! Figures on record: a JSON file under version control. New measurements are compared with it, or
-//! replace it together with the documents that show its figures.
+//! Figures on record: a JSON file under version control, with which new measurements are compared.
 
 use std::collections::BTreeSet;
 use std::{fs, io};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use tools::progress::Progress;
 use tools::project;
 
-use crate::documents;
-
 /// The file, below the project's folder.
-const FILE: &str = "docs/prices.json";
-/// The command that writes it.
-const COMMAND: &str = "cargo xtask measure --bless";
+pub(crate) const FILE: &str = "docs/prices.json";
 
 /// Relative difference that counts may have if another compiler is used.
 const LEEWAY: f64 = 0.05;
@@ -151,7 +145,7 @@ impl Record {
     }
 
     /// The text of the file, with one line for each name, so that a `diff` shows which figures changed.
-    fn text(&self) -> Result<String> {
+    pub(crate) fn text(&self) -> Result<String> {
         let groups = self.0.iter().map(|(name, Group { about, figures })| {
             let figures = figures
                 .iter()
@@ -167,7 +161,7 @@ impl Record {
 
     /// Compares groups that were measured now with those on record: the differences, and remarks that
     /// are no differences.
-    fn compare(&self, now: &Self) -> [Vec<String>; 2] {
+    pub(crate) fn compare(&self, now: &Self) -> [Vec<String>; 2] {
         let [mut differences, mut remarks] = [(); 2].map(|()| Vec::new());
         for (name, now) in &now.0 {
             let Some(before) = self.0.get(name) else {
@@ -188,49 +182,6 @@ impl Record {
         }
         [differences, remarks]
     }
-
-    /// Fails if a figure that was measured now differs from the record, or if a document is not the one
-    /// that the record gives. Otherwise returns remarks.
-    pub(crate) fn check(now: &Self) -> Result<Vec<String>> {
-        let old = Self::load()?;
-        let [differences, remarks] = old.compare(now);
-        ensure!(differences.is_empty(), "{FILE}: not what is measured:\n    {}", differences.join("\n    "));
-        old.check_documents()?;
-        Ok(remarks)
-    }
-
-    /// Writes what was measured now, with the other groups on record, and the documents. Differences are
-    /// printed, and without `bless` they are an error and nothing is written.
-    pub(crate) fn write(now: Self, bless: bool, progress: &Progress) -> Result<()> {
-        let mut record = Self::load()?;
-        let [differences, remarks] = record.compare(&now);
-        remarks.iter().chain(&differences).for_each(|line| println!("{line}"));
-        ensure!(differences.is_empty() || bless, "{FILE} is not what is measured: `{COMMAND}` accepts it");
-        record.0.extend(now.0);
-        for (file, content) in record.files()? {
-            fs::write(project::root().join(&file), content)
-                .with_context(|| format!("cannot write {file}"))?;
-            progress.say("Written", file);
-        }
-        Ok(())
-    }
-
-    /// Fails if a document is not the one that the record gives.
-    fn check_documents(&self) -> Result<()> {
-        for (file, content) in self.files()? {
-            let found = fs::read_to_string(project::root().join(&file)).context(file.clone())?;
-            if found != content {
-                bail!("{file} is not what {FILE} says: `{COMMAND}` writes it");
-            }
-        }
-        Ok(())
-    }
-
-    fn files(&self) -> Result<Vec<(String, String)>> {
-        let mut files = documents::of(self)?;
-        files.push((FILE.to_owned(), self.text()?));
-        Ok(files)
-    }
 }
 
 #[cfg(test)]
@@ -241,13 +192,6 @@ mod tests {
         let mut group = Group::about(&[("compiler", compiler.to_owned())]);
         group.add("soft.fx16", unit, value);
         Record([("cortex-m0".to_owned(), group)].into())
-    }
-
-    #[test]
-    fn documents_are_those_that_the_record_gives() {
-        let record = Record::load().unwrap();
-        assert!(record.0.len() > 5);
-        record.check_documents().unwrap();
     }
 
     #[test]

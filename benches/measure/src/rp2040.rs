@@ -1,13 +1,14 @@
 //! Cycles on the core of an RP2040, a Cortex-M0+, emulated by rp2040js without wait states.
 
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 use tools::progress::Progress;
 use tools::{board, command, install, project};
 
-use crate::counted::Run;
+use crate::qemu::Region;
 
 /// Runs firmware in the emulator.
 const SCRIPT: &str = "benches/measure/src/rp2040.mjs";
@@ -26,15 +27,20 @@ pub(crate) fn describe() -> Result<String> {
 }
 
 /// Returns the cycles of each region of a program that QEMU has run. An error if it prints other lines
-/// here, or executes other numbers of instructions.
-pub(crate) fn cycles(qemu: &Run, progress: &Progress) -> Result<Vec<u64>> {
+/// here than there, or executes other numbers of instructions in the regions.
+pub(crate) fn cycles(
+    program: &Path,
+    lines: &str,
+    regions: &[Region],
+    progress: &Progress,
+) -> Result<Vec<u64>> {
     let counts = project::target().join("rp2040.counts");
-    let printed = command::answer(script(SCRIPT, progress)?.arg(&qemu.file).arg(&counts))?;
-    ensure!(printed == qemu.text, "rp2040js does not print the lines that QEMU prints");
+    let printed = command::answer(script(SCRIPT, progress)?.arg(program).arg(&counts))?;
+    ensure!(printed == lines, "rp2040js does not print the lines that QEMU prints");
     let text = fs::read_to_string(&counts).context("rp2040js has counted nothing")?;
     let region = |(number, line): (usize, &str)| {
         let (instructions, cycles) = line.split_once(' ').context("not two numbers")?;
-        let counted = qemu.regions.get(number).map_or(0, |region| region.values().sum());
+        let counted = regions.get(number).map_or(0, |region| region.values().sum());
         let instructions: u64 = instructions.parse()?;
         ensure!(counted == instructions, "region {number}: {instructions} in rp2040js, {counted} in QEMU");
         Ok(cycles.parse()?)

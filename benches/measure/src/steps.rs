@@ -4,7 +4,7 @@ use anyhow::ensure;
 
 use crate::effects::{EMPTY, Effects, Format, UNUSED, write_programs};
 use crate::proof::{CONFIGURATIONS, no_panic};
-use crate::record::Record;
+use crate::documents::check;
 use crate::target::{BOARDS, Target};
 use crate::{c, conform, counted, device, on};
 use tools::suite::Suite;
@@ -35,7 +35,7 @@ pub fn all_boards(suite: &mut Suite) {
             counted::is_exact(board, progress)
         });
         suite.remarked(&format!("measure: the counts are those on record on {}", board.name), |progress| {
-            Record::check(&on(Target::Board(board), true, progress)?)
+            check(&on(Target::Board(board), true, progress)?)
         });
         suite.remarked(
             &format!("effects: no function panics and none allocates on {}", board.name),
@@ -50,7 +50,7 @@ pub fn all_boards(suite: &mut Suite) {
     }
     linked(suite);
     suite.remarked("measure: the errors are those on record", |progress| {
-        Record::check(&on(Target::Errors, true, progress)?)
+        check(&on(Target::Errors, true, progress)?)
     });
     c::steps(suite);
     device::steps(suite);

@@ -5,7 +5,7 @@ use luminaire::dynamic::Effect;
 use luminaire_effects::Entry;
 use tools::turntable::LOADS;
 
-use super::{cells, table};
+use super::text::{cells, table};
 use crate::effects::{SUITED, catalogue, figure};
 use crate::record::{Group, Record};
 

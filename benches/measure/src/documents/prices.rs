@@ -1,6 +1,6 @@
 //! The page `docs/ACCURACY-VS-COST.md`, which answers, and the price list `docs/PRICES.md`.
 
-use super::{cells, cost, error, table};
+use super::text::{cells, cost, error, table};
 use crate::record::{Group, Record};
 use crate::target::Target;
 use crate::timed::{NARROWER, STEPS};
@@ -226,25 +226,5 @@ fn place(group: &Group, name: &str) -> String {
             format!("{degrees:.1}°, distance {distance:.1}, incidence {incidence:.0}°")
         }
         None => format!("{degrees:.1}°"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn evaluation_is_offered_from_the_narrowest_cone_on_that_holds_with_all_wider_ones() {
-        let steps = [("1", 9.0), ("3", 0.9), ("5", 1.1), ("15", 1.0), ("22", 0.9), ("45", 0.5), ("80", 0.2)];
-        let groups = steps.map(|(degrees, steps)| {
-            let mut group = Group::default();
-            group.add("lit.fx16", "rgb565", steps);
-            group.add("lit.fx16", "rgb888", 4.0 * steps);
-            (format!("steps at {degrees}"), group)
-        });
-        let record = Record(groups.into());
-        assert_eq!(offered(&record, "lit.fx16", "rgb565"), "from 15°");
-        assert_eq!(offered(&record, "lit.fx16", "rgb888"), "from 80°");
-        assert_eq!(offered(&record, "lit.f32", "rgb565"), "no");
     }
 }

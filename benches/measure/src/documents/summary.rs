@@ -1,6 +1,6 @@
 //! The parts of other documents with figures: the README's prices, and the picture that firmware draws.
 
-use super::{cells, cost, error, table};
+use super::text::{cells, cost, error, table};
 use crate::plot;
 use crate::record::Record;
 use crate::target::{BOARDS, Target};
