@@ -8,7 +8,7 @@ use pico_args::Arguments;
 
 use tools::demo::site;
 
-/// What `--help` prints. Each command has a line that two spaces indent.
+/// What `--help` prints without building the laboratory. Each command has a line that two spaces indent.
 pub(crate) const HELP: &str = "\
 Usage: cargo xtask COMMAND [OPTIONS]
 
@@ -23,13 +23,11 @@ Usage: cargo xtask COMMAND [OPTIONS]
     --build DIR         Instead of serving: write the demo into this folder, for any static host
     --address URL       With --build: where the folder will be served, for link previews, as in
                         https://example.org/demo/
-  test          Run the tests: format, lints, documentation, host, an emulated board, a browser
-    --only TEXT         Run only the steps whose name contains this text
-  full          Run the tests with the long sweeps, on all boards, in all browsers, with all feature
-                sets, and from the packed crates
-    --only TEXT         Run only the steps whose name contains this text
 
 The laboratory, built when it is first called; `cargo xtask COMMAND --help` has the options:
+  test          Run the tests: format, lints, documentation, host, an emulated board, a browser
+  full          Run the tests with the long sweeps, on all boards, in all browsers, with all feature
+                sets, and from the packed crates
   board         Build the firmware of a board with a display: rp2040
   conform       Compare the results of every model, bit by bit, with the conformance vectors
   measure       Measure errors, and costs on every target; compare them with the record, or write it
@@ -43,11 +41,6 @@ The laboratory, built when it is first called; `cargo xtask COMMAND --help` has 
 pub(crate) enum Request {
     Help,
     Demo(DemoOptions),
-    /// The tests, with the long ones if `is_full`, or only the steps whose name contains a text.
-    Test {
-        is_full: bool,
-        only: Option<String>,
-    },
     /// A command of the laboratory, with its own options.
     Laboratory(Vec<OsString>),
 }
@@ -66,23 +59,20 @@ pub(crate) struct DemoOptions {
 /// Parses the words after the program's name.
 pub(crate) fn parse(words: Vec<OsString>) -> Result<Request> {
     let first = words.first().map(|word| word.to_string_lossy().into_owned()).unwrap_or_default();
-    if !["demo", "test", "full"].contains(&&*first) && commands().any(|name| name == first) {
+    if first != "demo" && commands().any(|name| name == first) {
         return Ok(Request::Laboratory(words));
     }
     let mut words = Arguments::from_vec(words);
     if words.contains(["-h", "--help"]) {
         return Ok(Request::Help);
     }
-    let request = match words.subcommand()?.as_deref() {
-        Some("demo") => Request::Demo(demo(&mut words)?),
-        Some(name @ ("test" | "full")) => {
-            Request::Test { is_full: name == "full", only: words.opt_value_from_str("--only")? }
-        }
-        _ => bail!("command = \"{first}\": expected {}", commands().collect::<Vec<_>>().join(", ")),
-    };
+    if words.subcommand()?.as_deref() != Some("demo") {
+        bail!("command = \"{first}\": expected {}", commands().collect::<Vec<_>>().join(", "));
+    }
+    let options = demo(&mut words)?;
     let left = words.finish();
     ensure!(left.is_empty(), "{left:?} is no option of {first}: `cargo xtask --help` lists them");
-    Ok(request)
+    Ok(Request::Demo(options))
 }
 
 fn demo(words: &mut Arguments) -> Result<DemoOptions> {
@@ -148,19 +138,16 @@ mod tests {
             DemoOptions { port: Some(9000), view, check: true, screenshot: file, ..Default::default() };
         let address = Some("https://example.org/demo/".to_owned());
         let built = DemoOptions { build: Some("site".into()), address, ..Default::default() };
-        let test = |is_full, only: Option<&str>| Request::Test { is_full, only: only.map(str::to_owned) };
-        let laboratory = Request::Laboratory(["measure", "--help"].map(OsString::from).to_vec());
+        let laboratory = Request::Laboratory(["test", "--help"].map(OsString::from).to_vec());
         for (line, request) in [
             ("--help", Request::Help),
-            ("full -h", Request::Help),
+            ("demo -h", Request::Help),
             (
                 "demo --screenshot=page.png --check --port 9000 --view compare?left=f32&half=0.1",
                 demo(checked),
             ),
             ("demo --build site --address https://example.org/demo", demo(built)),
-            ("test", test(false, None)),
-            ("full --only browser", test(true, Some("browser"))),
-            ("measure --help", laboratory),
+            ("test --help", laboratory),
         ] {
             assert_eq!(parse(line).unwrap(), request, "{line}");
         }
@@ -181,7 +168,6 @@ mod tests {
             ("demo --build site --address example.org", "expected a folder's address"),
             ("demo --build site --address https://a.org/\"", "expected a folder's address"),
             ("demo --port", "--port"),
-            ("test --only", "--only"),
         ] {
             let error = parse(line).unwrap_err().to_string();
             assert!(error.contains(name), "`{line}` was refused with: {error}");

@@ -42,9 +42,8 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
 /// What `cargo demo` builds before it starts: a newcomer waits for it.
 #[test]
 fn demo_starts_after_at_most_50_packages() {
-    let mut tree = tools::command::cargo("tree");
-    tree.args(["--package=xtask", "--edges=normal,build", "--prefix=none", "--no-dedupe"]);
-    let tree = tools::command::answer(&mut tree).unwrap();
+    let words = ["tree", "--package=xtask", "--edges=normal,build", "--prefix=none", "--no-dedupe"];
+    let tree = tools::command::answer(&mut tools::command::cargo(words)).unwrap();
     let packages: std::collections::BTreeSet<_> = tree.lines().collect();
     assert!((30..=50).contains(&packages.len()), "{} packages: {packages:#?}", packages.len());
 }

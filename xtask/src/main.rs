@@ -1,24 +1,16 @@
-//! The project's commands, run by cargo itself: `cargo demo` and `cargo xtask test`.
+//! `cargo demo`, run by cargo itself, and a call of the laboratory.
 //!
-//! What measures, and what needs an emulated board or drives a browser, is the laboratory's, a program
-//! that is built when one of its commands is first called.
+//! All other commands are the laboratory's, a program that is built when one of them is first called.
 
 mod arguments;
-mod contributing;
 mod demo;
-#[cfg(test)]
-mod documents;
-mod features;
-mod lab;
-mod msrv;
-mod scripts;
-mod semver;
-mod test;
 
 use std::env;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
+use tools::command;
 
 use arguments::Request;
 
@@ -33,8 +25,14 @@ fn run() -> Result<ExitCode> {
     match arguments::parse(env::args_os().skip(1).collect())? {
         Request::Help => print!("{}", arguments::HELP),
         Request::Demo(options) => demo::run(&options)?,
-        Request::Test { is_full, only } => return Ok(test::run(only, is_full)),
-        Request::Laboratory(words) => return lab::run(&words),
+        Request::Laboratory(words) => return laboratory(&words),
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Runs a command of the laboratory's program, which cargo builds if need be.
+fn laboratory(words: &[OsString]) -> Result<ExitCode> {
+    let mut cargo = command::cargo(["run", "--package", "lab", "--"]);
+    let status = cargo.args(words).status().context("cannot start cargo")?;
+    Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

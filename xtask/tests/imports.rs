@@ -21,31 +21,12 @@ fn roots() -> Vec<PathBuf> {
     listed.lines().map(|line| repository.join(line)).collect()
 }
 
-/// The first file of each cycle that is left, and what ties its files together.
-const LEFT: [(&str, &str); 2] = [
-    ("benches/firmware/effects/src/lib.rs", "the catalogue lists programs that are written with its types"),
-    ("benches/measure/src/counted.rs", "the record writes the documents that are written from it"),
-];
-
 #[test]
-fn files_of_a_crate_have_no_import_cycle_but_those_left() {
+fn files_of_a_crate_have_no_import_cycle() {
     let roots = roots();
     assert!(roots.len() > 20, "expected all crates, found {}", roots.len());
-    let (mut found, mut left) = (String::new(), BTreeSet::new());
-    for root in roots {
-        for (files, text) in Graph::of(&root).cycles() {
-            let known = LEFT.iter().find(|(known, _)| files.iter().any(|file| file.ends_with(known)));
-            match known {
-                Some((known, _)) => {
-                    left.insert(*known);
-                }
-                None => found += &format!("{}\n{text}\n", root.display()),
-            }
-        }
-    }
+    let found: String = roots.iter().flat_map(|root| Graph::of(root).cycles()).map(|(_, text)| text).collect();
     assert!(found.is_empty(), "expected no import cycle, found\n{found}");
-    let expected: BTreeSet<_> = LEFT.iter().map(|(file, _)| *file).collect();
-    assert_eq!(left, expected, "the cycles that are left");
 }
 
 /// The order of the modules that a root file states in a comment, or nothing.

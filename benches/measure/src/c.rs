@@ -83,16 +83,12 @@ fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     let Machine { board, compiler, options, beside } = machine;
     compilers::find(progress)?;
     let (package, library) = LIBRARY;
-    let mut build = command::cargo("build");
-    build.args(["--package", package]);
-    progress.run(build)?;
+    progress.run(command::cargo(["build", "--package", package]))?;
     let program = compiled("cc", &[], None, &project::target().join("debug").join(library))?;
     let expected = command::answer(&mut Command::new(program))?;
 
     let toolchain = Toolchain::find(board.target, progress)?;
-    let mut build = toolchain.cargo_build("core", &[]);
-    build.args(["--release", "--package", package]);
-    progress.run(build)?;
+    toolchain.build(project::root(), &["--release", "--package", package], progress)?;
     let options = [&["-Os", "-Wl,--gc-sections"], *options].concat();
     let library = toolchain.artifacts("release").join(library);
     let program = compiled(compiler, &options, *beside, &library)?;

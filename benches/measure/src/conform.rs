@@ -110,8 +110,8 @@ fn is_passed(output: &str, cases: usize) -> Result<()> {
 
 /// Builds the program `conform` for this machine.
 fn host(options: &[&str], profile: &str, progress: &Progress) -> Result<PathBuf> {
-    let mut build = command::cargo("build");
-    build.args(["--package", "luminaire-conform", "--bin", "conform"]).args(options);
+    let mut build = command::cargo(["build", "--package", "luminaire-conform", "--bin", "conform"]);
+    build.args(options);
     progress.run(build)?;
     Ok(project::target().join(profile).join(format!("conform{EXE_SUFFIX}")))
 }

@@ -68,9 +68,8 @@ impl<'a> Firmware<'a> {
 
     /// Returns what the program prints on the host. The results of the host are right by definition.
     pub(crate) fn on_the_host(&self, progress: &Progress) -> Result<String> {
-        let mut build = command::cargo("build");
-        build.current_dir(project::root().join(self.folder));
-        build.args(["--release", "--bin", self.name]).args(self.options);
+        let mut build = command::cargo(["build", "--release", "--bin", self.name]);
+        build.args(self.options).current_dir(project::root().join(self.folder));
         progress.run(build)?;
         let program = project::target().join("release").join(format!("{}{EXE_SUFFIX}", self.name));
         command::answer(&mut Command::new(program))
@@ -176,9 +175,7 @@ pub(crate) fn build_in(
     progress: &Progress,
 ) -> Result<Toolchain> {
     let toolchain = Toolchain::find(board.target, progress)?;
-    let mut build = toolchain.cargo_build("core", &[]);
-    build.args(options).current_dir(project::root().join(folder));
-    progress.run(build)?;
+    toolchain.build(&project::root().join(folder), options, progress)?;
     Ok(toolchain)
 }
 

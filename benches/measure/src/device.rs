@@ -8,10 +8,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use tools::board::{RP2040, in_folder};
+use tools::board::RP2040;
 use tools::progress::Progress;
 use tools::suite::Suite;
-use tools::{board, command, project, tally};
+use tools::{board, project, tally};
 
 use crate::program::Program;
 
@@ -52,13 +52,11 @@ pub fn run(options: &DeviceOptions) -> Result<()> {
 pub(crate) fn steps(suite: &mut Suite) {
     for name in ["panel", "template", RP2040] {
         suite.step(&format!("board: {name}, cargo fmt"), |progress| {
-            let mut fmt = in_folder(name, command::cargo("fmt"));
-            fmt.arg("--check");
-            progress.run(fmt)
+            progress.run(board::cargo(name, ["fmt", "--check"]))
         });
     }
     suite.count("board: panel, cargo test", |progress| {
-        tally::cargo_test(in_folder("panel", command::cargo("test")), progress)
+        tally::cargo_test(board::cargo("panel", ["test"]), progress)
     });
     suite.remarked("board: rp2040 sends the host's pixels to its display", |progress| {
         check::check(&build(progress)?, progress)

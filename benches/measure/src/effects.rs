@@ -262,21 +262,18 @@ pub(crate) fn write_programs() -> Result<()> {
 
 #[cfg(test)]
 mod tests {
+    use luminaire::dynamic::Effects;
+
     use super::*;
 
     #[test]
-    fn program_runs_the_function_of_its_effect() {
-        let programs = programs();
-        assert_eq!(programs["lit_hard"], "<Hard as luminaire_effects::Listed>::effect");
-        assert!(programs["difference_form"].starts_with("<DifferenceForm<Phong, 3> as "), "{programs:?}");
-        assert!(programs["rgb565_dithered"].ends_with("::rgb565_dithered"), "{programs:?}");
-    }
-
-    #[test]
-    fn figure_has_the_evaluation_behind_the_format() {
-        assert_eq!(figure("lit_quick", "fx16"), "lit.fx16-quick");
-        assert_eq!(figure("lit-hard-inverse-square-fine", "fx16"), "lit-hard-inverse-square.fx16-fine");
-        assert_eq!(figure("rgb565_dithered_fast", "f32"), "rgb565-dithered-fast.f32");
-        assert!(is_priced("lit-hard-inverse-square.fx16-fine") && !is_priced("lit-gobo.fx16"));
+    fn catalogue_has_every_effect_and_the_programs_that_it_compares_with() {
+        let entries: Vec<_> = catalogue().into_iter().flat_map(|chapter| chapter.entries).collect();
+        let priced = entries.iter().fold(Effects::NONE, |all, entry| all.union(entry.effects));
+        assert_eq!(priced, Effects::ALL);
+        for entry in &entries {
+            let known = |over: &&str| entries.iter().any(|entry| entry.name == *over);
+            assert!(entry.over.iter().all(known) && entry.what.ends_with('.'), "{entry:?}");
+        }
     }
 }

@@ -123,20 +123,3 @@ pub(crate) fn agrees(program: &Path, instructions: u64) -> Result<()> {
     ensure!(is_same || !is_comparable, "expected {expected} instructions, found {instructions}");
     Ok(())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const TEXT: &str = "width 2 pixels\nheight 1 pixels\nrow 0000ffff digits\nlit 2 pixels";
-
-    #[test]
-    fn picture_and_counts_are_read() {
-        let output = Output::parse(TEXT).unwrap();
-        assert_eq!(output.pixels, [0, 0xffff]);
-        assert_eq!(output.counts.number("lit", "pixels"), Some(2.0));
-        for (part, broken) in [("row 0000ffff", "row 0000fff"), ("ffff", "xyz1"), ("width 2", "width 3")] {
-            assert!(Output::parse(&TEXT.replace(part, broken)).is_err(), "{broken}");
-        }
-    }
-}

@@ -115,20 +115,3 @@ fn panel(record: &Record, title: &str, kernels: &[(&str, &str)], left: f64, cost
     }
     svg
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::record::Group;
-
-    #[test]
-    fn kernel_with_an_error_and_a_cost_is_in_the_picture() {
-        let [mut board, mut errors] = [(); 2].map(|()| Group::default());
-        board.add("gltf.rival", "instructions", 900.0);
-        board.add("schlick.rival", "instructions", 900.0);
-        errors.add("gltf.rival", "codes", 0.01);
-        let record = Record([(BOARD.to_owned(), board), ("errors".to_owned(), errors)].into());
-        let svg = draw(&record);
-        assert!(svg.contains(">gltf</text>") && !svg.contains("schlick"), "{svg}");
-    }
-}

@@ -178,8 +178,6 @@ pub fn is_heap(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use object::elf::{SHF_EXECINSTR, SHF_WRITE, SHT_PROGBITS};
-
     use super::*;
 
     #[test]
@@ -197,14 +195,6 @@ mod tests {
         for name in "__aeabi_lmul __aeabi_uidiv __aeabi_memcpy __muldi3 __clzsi2 __sheap main".split(' ') {
             assert!(!is_float(name), "{name}");
         }
-    }
-
-    #[test]
-    fn section_without_content_is_not_in_flash() {
-        let section = |sh_type, sh_flags| SectionFlags::Elf { sh_type, sh_flags };
-        assert!(is_in_flash(section(SHT_PROGBITS, SHF_ALLOC | SHF_EXECINSTR)));
-        assert!(!is_in_flash(section(SHT_NOBITS, SHF_ALLOC | SHF_WRITE)));
-        assert!(!is_in_flash(section(SHT_PROGBITS, SHF_WRITE)));
     }
 
     #[test]

@@ -100,8 +100,8 @@ impl Proof {
     /// Lists the functions with rustdoc, and writes what the programs include.
     fn write(configuration: &'static str, features: &str, progress: &Progress) -> Result<Self> {
         let folder = project::target().join("public");
-        let mut rustdoc = command::cargo("rustdoc");
-        rustdoc.args(["--package", "luminaire", "--no-default-features", "--features", features]);
+        let kernel = ["--package", "luminaire", "--no-default-features", "--features", features];
+        let mut rustdoc = command::cargo([&["rustdoc"], &kernel[..]].concat());
         rustdoc.arg("--target-dir").arg(&folder);
         // Only a nightly compiler writes the list, or a stable one with `RUSTC_BOOTSTRAP`.
         rustdoc.args(["--", "-Zunstable-options", "--output-format=json"]).env("RUSTC_BOOTSTRAP", "1");

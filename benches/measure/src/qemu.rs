@@ -1,6 +1,6 @@
 //! Running programs in QEMU, with the instruction counter loaded or without.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -86,8 +86,7 @@ impl Qemu {
 
     /// Builds the counter.
     fn counter(&self, progress: &Progress) -> Result<PathBuf> {
-        let mut build = command::cargo("build");
-        build.args(["--release", "--package", "luminaire-counter"]);
+        let mut build = command::cargo(["build", "--release", "--package", "luminaire-counter"]);
         if self.version >= (9, 1) {
             build.args(["--features", "api-3"]);
         }
@@ -121,47 +120,12 @@ fn version(answer: &str) -> Option<(u32, u32)> {
 /// packages have some of the same files as a `qemu-utils` of another release: installed beside one, they
 /// would leave the machine's packages in disorder.
 fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
-    fs::create_dir_all(folder)?;
-    for words in [&["update"][..], &[&["download"][..], &PACKAGES].concat()] {
-        install::apt_get(words, folder, progress)?;
-    }
-    let mut libraries = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        let file = entry?.path();
-        if file.extension().is_none_or(|extension| extension != "deb") {
-            continue;
-        }
+    let mut libraries = BTreeSet::new();
+    for file in install::unpack(&PACKAGES, folder, progress)? {
         let depends = command::answer(Command::new("dpkg-deb").arg("-f").arg(&file).arg("Depends"))?;
         // The first of each choice, as in `libc6 (>= 2.34), libfdt1 | libfdt2`.
         let first = depends.split(',').filter_map(|choice| choice.split_whitespace().next());
         libraries.extend(first.filter(|name| name.starts_with("lib")).map(str::to_owned));
-        let mut extract = Command::new("dpkg-deb");
-        extract.arg("-x").arg(&file).arg(folder);
-        progress.run(extract)?;
     }
-    libraries.sort_unstable();
-    libraries.dedup();
     install::apt(&libraries.iter().map(String::as_str).collect::<Vec<_>>(), progress)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn version_is_read_with_and_without_a_distribution() {
-        let debian = "QEMU emulator version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18)\nCopyright (c) 2003-2022\n";
-        assert_eq!(version(debian), Some((7, 2)));
-        assert_eq!(version("QEMU emulator version 10.1.0"), Some((10, 1)));
-        assert_eq!(version("qemu-system-arm: not a version"), None);
-    }
-
-    #[test]
-    fn regions_are_read_also_where_they_are_empty() {
-        let regions = regions("1 10a 3\n1 10c 4\n2 10a 1\n").unwrap();
-        assert_eq!(regions.iter().map(|region| region.values().sum::<u64>()).collect::<Vec<_>>(), [0, 7, 1]);
-        for text in ["0 10a\n", "0 xyz 1\n"] {
-            assert!(super::regions(text).is_err(), "{text}");
-        }
-    }
 }

@@ -59,8 +59,8 @@ pub fn instructions(progress: &Progress) -> Result<(String, Vec<String>)> {
 /// If the source is not as `cargo fmt` writes it, or Clippy warns.
 pub fn lint(progress: &Progress) -> Result<()> {
     for words in [&["fmt", "--check"][..], &["clippy", "--all-targets", "--", "-Dwarnings"]] {
-        let mut cargo = command::cargo(words[0]);
-        cargo.args(&words[1..]).current_dir(project::root().join(FOLDER));
+        let mut cargo = command::cargo(words);
+        cargo.current_dir(project::root().join(FOLDER));
         progress.run(cargo)?;
     }
     Ok(())

@@ -104,17 +104,3 @@ impl Target {
         if matches!(self, Self::Board(_)) { "instructions" } else { "ns" }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn target_is_found_by_its_name_or_the_names_are_told() {
-        for target in Target::all() {
-            assert_eq!(Target::named(target.name()), Ok(target));
-        }
-        let refused = Target::named("gpu").unwrap_err();
-        assert!(refused.contains("gpu") && refused.contains("wasm-simd"), "{refused}");
-    }
-}

@@ -107,7 +107,7 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     without_bits(&mut group);
     for (name, fact) in [
         ("compiler", wasm::compiler(progress)?),
-        ("flags", format!("opt-level=3 lto=fat {}", package.flags().join(" ")).trim_end().to_owned()),
+        ("flags", format!("opt-level=3 lto=fat {}", package.flags()).trim_end().to_owned()),
         ("runs_on", format!("{}, {}", found.version, processor())),
     ] {
         group.about.insert(name.to_owned(), fact);
@@ -162,9 +162,7 @@ fn compare(browser: &Group, host: &Group) -> Result<()> {
 
 /// Builds and runs the program that measures.
 fn run(words: &[&str], progress: &Progress) -> Result<String> {
-    let mut build = command::cargo("build");
-    build.args(["--release", "--package", "luminaire-prices"]);
-    progress.run(build)?;
+    progress.run(command::cargo(["build", "--release", "--package", "luminaire-prices"]))?;
     let program = project::target().join("release").join(format!("luminaire-prices{EXE_SUFFIX}"));
     let step = progress.begin("Measuring", words.join(" "));
     let answer = command::answer(Command::new(program).args(words))?;

@@ -1,19 +1,21 @@
 //! The command line.
 
-use std::path::PathBuf;
-
 use measure::MeasureOptions;
 use measure::conform::ConformOptions;
 use measure::device::DeviceOptions;
 use measure::rivals::RivalsOptions;
 
+use crate::test::TestOptions;
+
 /// The commands of the laboratory.
 #[derive(Debug, PartialEq, clap::Parser)]
 #[command(name = "cargo xtask", disable_help_subcommand = true, arg_required_else_help = true)]
 pub(crate) enum Request {
-    /// Run a part of the steps of `cargo xtask test`, which calls this
-    #[command(hide = true)]
-    Steps(StepsOptions),
+    /// Run the tests: format, lints, documentation, host, an emulated board, a browser
+    Test(TestOptions),
+    /// Run the tests with the long sweeps, on all boards, in all browsers, with all feature sets, and
+    /// from the packed crates
+    Full(TestOptions),
     /// Take the pictures of the demo for the documents again
     Pictures,
     /// Draw the pictures of renderers that are not the project's, and compare the spotlight of
@@ -27,32 +29,6 @@ pub(crate) enum Request {
     Measure(MeasureOptions),
     /// Compare the results of every model, bit by bit, with the conformance vectors on every target
     Conform(ConformOptions),
-}
-
-/// The options of `steps`.
-#[derive(Debug, PartialEq, clap::Args)]
-pub(crate) struct StepsOptions {
-    /// The steps
-    #[arg(value_enum)]
-    pub(crate) part: Part,
-    /// Run also the long steps
-    #[arg(long)]
-    pub(crate) full: bool,
-    /// Run only the steps whose name contains this text
-    #[arg(long, value_name = "TEXT")]
-    pub(crate) only: Option<String>,
-    /// Write the counts into this file
-    #[arg(value_name = "FILE")]
-    pub(crate) report: PathBuf,
-}
-
-/// A part of the test run.
-#[derive(Clone, Copy, Debug, PartialEq, clap::ValueEnum)]
-pub(crate) enum Part {
-    /// What runs on emulated boards, or is built for one
-    Boards,
-    /// What a browser runs
-    Browsers,
 }
 
 #[cfg(test)]
@@ -82,7 +58,7 @@ mod tests {
     #[test]
     fn commands_are_those_that_the_help_lists() {
         let list = include_str!("../../../xtask/src/arguments.rs");
-        for command in Request::command().get_subcommands().filter(|command| !command.is_hide_set()) {
+        for command in Request::command().get_subcommands() {
             let name = command.get_name();
             assert!(list.contains(&format!("\n  {name} ")), "{name} is not in the list of xtask");
         }

@@ -1,12 +1,17 @@
-//! The laboratory's commands, and its steps of the test run. `cargo xtask` calls this program.
+//! The laboratory's commands, and the test run. `cargo xtask` calls this program.
 
 mod arguments;
 mod browsers;
+mod contributing;
 mod expected;
+mod features;
+mod msrv;
 mod package;
 mod pictures;
 mod renderers;
-mod steps;
+mod scripts;
+mod semver;
+mod test;
 
 use std::process::ExitCode;
 
@@ -18,7 +23,8 @@ use arguments::Request;
 fn main() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
     let outcome = match Request::parse() {
-        Request::Steps(options) => steps::run(options).map(done),
+        Request::Test(options) => Ok(test::run(options, false)),
+        Request::Full(options) => Ok(test::run(options, true)),
         Request::Pictures => pictures::run().map(done),
         Request::Renderers => renderers::run().map(done),
         Request::Board(options) => device::run(&options).map(done),

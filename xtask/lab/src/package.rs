@@ -91,8 +91,7 @@ struct Unpacked {
 
 impl Unpacked {
     fn new(progress: &Progress) -> Result<Self> {
-        let mut package = command::cargo("package");
-        package.args(["--allow-dirty", "--no-verify"]);
+        let mut package = command::cargo(["package", "--allow-dirty", "--no-verify"]);
         package.args(CRATES.iter().flat_map(|(name, _)| ["--package", name]));
         let output = progress.output(package)?;
         let warnings = output.lines().filter(|line| line.starts_with("warning"));
@@ -136,14 +135,13 @@ impl Unpacked {
         compilers::find(progress)?;
         let mut tally = Tally::default();
         for (name, _) in CRATES {
-            let mut test = self.cargo("test", &self.of(name));
+            let mut test = self.cargo(name, &["test", "--all-features"]);
             // Tests that compile C skip a compiler that is not installed, unless this variable is set.
-            test.arg("--all-features").env("LUMINAIRE_TOOLS", "1");
+            test.env("LUMINAIRE_TOOLS", "1");
             tally += tally::cargo_test(test, progress)?;
         }
         for example in EXAMPLES {
-            let mut run = self.cargo("run", &self.of("luminaire"));
-            run.args(["--all-features", "--example", example]);
+            let run = self.cargo("luminaire", &["run", "--all-features", "--example", example]);
             progress.run(run).with_context(|| format!("the example {example}"))?;
         }
         Ok(tally)
@@ -151,18 +149,17 @@ impl Unpacked {
 
     /// Checks the kernel with the oldest version of each dependency that its manifest allows.
     fn oldest_dependencies(&self, progress: &Progress) -> Result<()> {
-        let mut update = self.cargo("update", &self.of("luminaire"));
+        let mut update = self.cargo("luminaire", &["update", "-Zdirect-minimal-versions"]);
         // Only nightly cargo has the option, or stable cargo with `RUSTC_BOOTSTRAP`.
-        update.arg("-Zdirect-minimal-versions").env("RUSTC_BOOTSTRAP", "1");
+        update.env("RUSTC_BOOTSTRAP", "1");
         progress.run(update)?;
-        let mut check = self.cargo("check", &self.of("luminaire"));
-        check.args(["--lib", "--all-features"]);
-        progress.run(check)
+        progress.run(self.cargo("luminaire", &["check", "--lib", "--all-features"]))
     }
 
-    fn cargo(&self, subcommand: &str, folder: &Path) -> Command {
-        let mut cargo = command::cargo(subcommand);
-        cargo.current_dir(folder).env("CARGO_TARGET_DIR", project::target().join("unpacked"));
+    /// A call of cargo in the folder of a crate.
+    fn cargo(&self, name: &str, words: &[&str]) -> Command {
+        let mut cargo = command::cargo(words);
+        cargo.current_dir(self.of(name)).env("CARGO_TARGET_DIR", project::target().join("unpacked"));
         // The workspace's profiles are not packed, and without optimisation the renderer's tests
         // take minutes.
         cargo.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2").env("CARGO_PROFILE_TEST_OPT_LEVEL", "2");
@@ -213,9 +210,7 @@ impl Unpacked {
 /// Builds the template in a folder. Returns its bytes of flash.
 fn scanline(folder: &Path, progress: &Progress) -> Result<u64> {
     let toolchain = Toolchain::find(TARGET, progress)?;
-    let mut build = toolchain.cargo_build("core", &[]);
-    build.arg("--release").current_dir(folder);
-    progress.run(build)?;
+    toolchain.build(folder, &["--release"], progress)?;
     let program = Program::read(&toolchain.artifacts("release").join("scanline"))?;
     program.has_no_float()?;
     let panics = program.names_of(|name| name.starts_with("core::panicking"));

@@ -35,8 +35,8 @@ pub(crate) fn steps(suite: &mut Suite) {
     suite.step("renderers: cargo fmt and clippy", |progress| {
         spotlights::lint(progress)?;
         let folder = project::root().join(FOLDER);
-        progress.run(cargo("fmt", &folder, &["--all", "--check"]))?;
-        progress.run(cargo("clippy", &folder, &["--workspace", "--all-targets", "--", "-Dwarnings"]))
+        progress.run(cargo(&folder, &["fmt", "--all", "--check"]))?;
+        progress.run(cargo(&folder, &["clippy", "--workspace", "--all-targets", "--", "-Dwarnings"]))
     });
     suite.step("renderers: the spotlight of embedded-3dgfx has the errors of the page", |progress| {
         are_on_the_page(&spotlights::errors(progress)?)
@@ -53,7 +53,7 @@ pub(crate) fn steps(suite: &mut Suite) {
 /// Draws all pictures and compares them, in a folder that holds the workspace. Returns a row of the table
 /// for each renderer.
 pub(crate) fn pictures(folder: &Path, progress: &Progress) -> Result<Vec<String>> {
-    let output = progress.output(cargo("test", folder, &["--workspace", "--", "--nocapture"]))?;
+    let output = progress.output(cargo(folder, &["test", "--workspace", "--", "--nocapture"]))?;
     let rows = output.lines().filter(|line| line.starts_with("| "));
     Ok(rows.map(str::to_owned).collect())
 }
@@ -72,8 +72,8 @@ fn page() -> Result<String> {
 }
 
 /// A call of cargo in a workspace of renderers, whose crates are compiled in a folder of their own.
-fn cargo(subcommand: &str, folder: &Path, arguments: &[&str]) -> Command {
-    let mut cargo = command::cargo(subcommand);
-    cargo.current_dir(folder).env("CARGO_TARGET_DIR", project::target().join("renderers")).args(arguments);
+fn cargo(folder: &Path, words: &[&str]) -> Command {
+    let mut cargo = command::cargo(words);
+    cargo.current_dir(folder).env("CARGO_TARGET_DIR", project::target().join("renderers"));
     cargo
 }

@@ -7,7 +7,7 @@ use anyhow::Result;
 
 use crate::progress::Progress;
 use crate::toolchain::Toolchain;
-use crate::{install, project};
+use crate::{command, install, project};
 
 /// The emulator's npm package. The recorded cycles are from the version of `xtask/tools/npm`.
 pub const RP2040JS: &str = "rp2040js";
@@ -18,18 +18,21 @@ pub const RP2040: &str = "rp2040";
 /// The target that its firmware is compiled for.
 pub const TARGET: &str = "thumbv6m-none-eabi";
 
-/// Makes a call of cargo run in a folder of `examples/boards`.
-pub fn in_folder(name: &str, mut cargo: Command) -> Command {
-    cargo.current_dir(project::root().join("examples/boards").join(name));
+/// A call of cargo in a folder of `examples/boards`.
+pub fn cargo<const N: usize>(name: &str, words: [&str; N]) -> Command {
+    let mut cargo = command::cargo(words);
+    cargo.current_dir(folder(name));
     cargo
+}
+
+fn folder(name: &str) -> PathBuf {
+    project::root().join("examples/boards").join(name)
 }
 
 /// Builds the firmware of the board. Returns its file.
 pub fn build(progress: &Progress) -> Result<PathBuf> {
     let toolchain = Toolchain::find(TARGET, progress)?;
-    let mut build = in_folder(RP2040, toolchain.cargo_build("core", &[]));
-    build.arg("--release");
-    progress.run(build)?;
+    toolchain.build(&folder(RP2040), &["--release"], progress)?;
     Ok(toolchain.artifacts("release").join(format!("luminaire-{RP2040}")))
 }
 

@@ -94,17 +94,3 @@ impl Step<'_> {
         self.progress.say("Done", format_args!("in {:.1} s: {result}", self.start.elapsed().as_secs_f64()));
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn kept_progress_tells_the_steps_in_order() {
-        let progress = Progress::kept();
-        progress.begin("Building", "a house").done_with("four walls");
-        let text = progress.into_text();
-        assert!(text.starts_with("    Building a house\n        Done in "), "{text}");
-        assert!(text.ends_with(" s: four walls\n"), "{text}");
-    }
-}

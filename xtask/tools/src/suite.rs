@@ -1,18 +1,15 @@
 //! Runs named steps one after the other, reports each, and sums up.
 
-use std::fs;
 use std::io::{self, Write};
-use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use std::thread;
 use std::time::Instant;
 
-use anyhow::{Context, Result};
-use serde::{Deserialize, Serialize};
+use anyhow::Result;
 
+use crate::command;
 use crate::progress::Progress;
 use crate::tally::Tally;
-use crate::{command, project};
 
 /// The steps that have been run so far. After a step that fails, the next is still run.
 #[derive(Debug)]
@@ -25,7 +22,7 @@ pub struct Suite {
 }
 
 /// A step that has ended.
-#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Debug)]
 struct Done {
     tally: Tally,
     /// The processor time of the programs that it started, in seconds.
@@ -114,7 +111,7 @@ impl Suite {
     pub fn side_by_side<const N: usize>(&mut self, groups: [Group<'_>; N]) {
         let only = &self.only;
         let run = |group: Group<'_>| {
-            let mut suite = Self::new(only.clone()).beside_others();
+            let mut suite = Self { has_company: true, ..Self::new(only.clone()) };
             group(&mut suite);
             suite.done
         };
@@ -125,38 +122,6 @@ impl Suite {
             };
             threads.map(join).into_iter().flatten().collect::<Vec<_>>()
         }));
-    }
-
-    /// Runs steps in another program, whose suite [writes a report](Self::report) to the file that is
-    /// the last argument. The program prints its steps itself.
-    pub fn run_elsewhere(&mut self, mut program: Command) {
-        let name = command::describe(&program);
-        let mut run = || {
-            let file = project::target().join("report.json");
-            command::run(program.arg(&file).current_dir(project::root()))?;
-            serde_json::from_str(&fs::read_to_string(&file)?).context("it has not written its report")
-        };
-        match run() {
-            Ok(done) => self.done.extend::<Vec<Done>>(done),
-            Err(error) => {
-                println!("{name:.<90} FAIL\nerror: {error:#}\n");
-                let failure = Some(format!("{name}: {error:#}"));
-                self.done.push(Done { tally: Tally::FAILED, processor: 0.0, failure });
-            }
-        }
-    }
-
-    /// Whether the suite is one part of a larger one: its steps are printed when they have ended.
-    #[must_use]
-    pub fn beside_others(mut self) -> Self {
-        self.has_company = true;
-        self
-    }
-
-    /// Writes the ended steps for the suite that [ran this program](Self::run_elsewhere).
-    pub fn report(self, file: &Path) -> Result<()> {
-        let report = serde_json::to_string(&self.done)?;
-        fs::write(file, report).with_context(|| format!("cannot write {}", file.display()))
     }
 
     /// Prints the failures and, as the last line, the counts.
@@ -198,11 +163,6 @@ mod tests {
         ]);
         let failures = vec!["one: broken", "many: 1 of its tests failed or were ignored"];
         assert_eq!(sum(&suite.done), ("6 passed, 2 failed".to_owned(), failures));
-        let file = tempfile::NamedTempFile::new().unwrap();
-        let done = suite.done.len();
-        suite.report(file.path()).unwrap();
-        let read: Vec<Done> = serde_json::from_str(&fs::read_to_string(file.path()).unwrap()).unwrap();
-        assert_eq!((read.len(), sum(&read).0), (done, "6 passed, 2 failed".to_owned()));
     }
 
     #[test]

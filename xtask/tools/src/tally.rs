@@ -6,12 +6,11 @@ use std::ops::AddAssign;
 use std::process::Command;
 
 use anyhow::{Result, bail, ensure};
-use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
 
 /// Numbers of passed and failed tests. A test that did not run counts in neither.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
     /// Tests that passed.
     pub passed: u64,

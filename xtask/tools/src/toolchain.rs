@@ -5,7 +5,7 @@
 //! Nothing is installed with rustup, whose toolchains are the user's choice.
 
 use std::env;
-use std::iter;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -25,7 +25,7 @@ pub struct Toolchain {
     library: Library,
 }
 
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 enum Library {
     Installed,
     FromSource { rustc: PathBuf },
@@ -53,40 +53,17 @@ impl Toolchain {
         )
     }
 
-    /// A `cargo build` for the target. If the standard library is built from source, `library`
-    /// names the crates to build, such as `core,alloc`. `flags` are flags of the compiler.
-    pub fn cargo_build(&self, library: &str, flags: &[&str]) -> Command {
-        self.cargo("build", &[], library, flags)
-    }
-
-    /// A `cargo check` for the target: finds the errors of a build, without code generation.
-    pub fn cargo_check(&self, library: &str) -> Command {
-        self.cargo("check", &[], library, &[])
-    }
-
-    /// `cargo build` for many targets: one call per group of targets whose libraries come from the
-    /// same place. A call builds for its targets side by side.
-    pub fn cargo_builds(toolchains: &[Self], library: &str, flags: &[&str]) -> Vec<Command> {
-        let groups = toolchains.chunk_by(|one, next| one.library == next.library);
-        let build = |group: &[Self]| {
-            let (first, rest) = group.split_first()?;
-            Some(first.cargo("build", rest, library, flags))
-        };
-        groups.filter_map(build).collect()
-    }
-
-    /// A command of cargo for the target, and for others whose library comes from the same place.
-    fn cargo(&self, command: &str, others: &[Self], library: &str, flags: &[&str]) -> Command {
-        let mut build = command::cargo(command);
-        for target in iter::once(self).chain(others).map(|toolchain| toolchain.target) {
-            build.args(["--target", target]);
-            let variable = linker_variable(target);
-            if let (None, Some(linker)) = (env::var_os(&variable), linker(target)) {
-                build.env(variable, linker);
-            }
+    /// A call of cargo for the target, such as `cargo build`. If the standard library is built from
+    /// source, `library` names the crates to build, such as `core,alloc`.
+    pub fn cargo(&self, library: &str, words: impl IntoIterator<Item: AsRef<OsStr>>) -> Command {
+        let mut build = command::cargo(words);
+        build.args(["--target", self.target]);
+        let variable = format!("CARGO_TARGET_{}_LINKER", self.target.to_uppercase().replace(['-', '.'], "_"));
+        if let (None, Some(linker)) = (env::var_os(&variable), linker(self.target)) {
+            build.env(variable, linker);
         }
-        // Flags in the environment are meant for the host, and would silently replace `flags`.
-        build.env_remove("RUSTFLAGS").env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"));
+        // Flags in the environment are meant for the host.
+        build.env_remove("RUSTFLAGS").env("CARGO_ENCODED_RUSTFLAGS", "");
         if let Library::FromSource { rustc } = &self.library {
             // Without features: what shows a backtrace is a tenth of the library's build, and is never linked.
             build.arg(format!("-Zbuild-std={library}")).arg("-Zbuild-std-features=");
@@ -96,6 +73,13 @@ impl Toolchain {
             build.env("RUSTC_WRAPPER", "").env("RUSTC_WORKSPACE_WRAPPER", "").env_remove("LD_LIBRARY_PATH");
         }
         build
+    }
+
+    /// Builds firmware in a folder, with further words of `cargo build`.
+    pub fn build(&self, folder: &Path, words: &[&str], progress: &Progress) -> Result<()> {
+        let mut build = self.cargo("core", ["build"]);
+        build.args(words).current_dir(folder);
+        progress.run(build)
     }
 
     /// The folder of what was built with a profile.
@@ -154,11 +138,8 @@ fn print(rustc: &Path, what: &[&str]) -> Option<String> {
 fn has_library(target: &str) -> bool {
     let Some(folder) = print(&active_rustc(), &["target-libdir", "--target", target]) else { return false };
     let Ok(entries) = Path::new(&folder).read_dir() else { return false };
+    let is_core = |file: &str| file.starts_with("libcore-") && file.ends_with(".rlib");
     entries.flatten().any(|entry| is_core(&entry.file_name().to_string_lossy()))
-}
-
-fn is_core(file: &str) -> bool {
-    file.starts_with("libcore-") && file.ends_with(".rlib")
 }
 
 fn rustc_with_source() -> Option<PathBuf> {
@@ -180,26 +161,4 @@ fn linker(target: &str) -> Option<PathBuf> {
     };
     let system = if target.starts_with("wasm") { "wasm-ld" } else { "ld.lld" };
     bundled().or_else(|| command::on_path(&[system]))
-}
-
-fn linker_variable(target: &str) -> String {
-    format!("CARGO_TARGET_{}_LINKER", target.to_uppercase().replace(['-', '.'], "_"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_linker_variable_is_the_one_cargo_reads() {
-        assert_eq!(linker_variable("wasm32-unknown-unknown"), "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER");
-        assert_eq!(linker_variable("thumbv8m.main-none-eabi"), "CARGO_TARGET_THUMBV8M_MAIN_NONE_EABI_LINKER");
-    }
-
-    #[test]
-    fn only_the_compiled_core_counts_as_installed() {
-        assert!(is_core("libcore-9d2c1a.rlib"));
-        assert!(!is_core("libcore-9d2c1a.rmeta"));
-        assert!(!is_core("libcortex_m-9d2c1a.rlib"));
-    }
 }

@@ -55,17 +55,18 @@ impl Package {
         Self { name, library, bindings, simd: true }
     }
 
-    /// The compiler's flags.
-    pub fn flags(&self) -> &'static [&'static str] {
-        if self.simd { &["-Ctarget-feature=+simd128"] } else { &[] }
+    /// The flags of the compiler.
+    pub fn flags(&self) -> &'static str {
+        if self.simd { "-Ctarget-feature=+simd128" } else { "" }
     }
 
     /// Compiles the package. The resulting module still needs its bindings.
     pub fn compile(&self, progress: &Progress) -> Result<PathBuf> {
         let toolchain = Toolchain::find(TARGET, progress)?;
         let step = progress.begin("Building", format_args!("{} for {}", self.name, toolchain.describe()));
-        let mut build = toolchain.cargo_build("std,panic_abort", self.flags());
-        build.args(["--package", self.name, "--lib", "--profile", PROFILE]);
+        let words = ["build", "--package", self.name, "--lib", "--profile", PROFILE];
+        let mut build = toolchain.cargo("std,panic_abort", words);
+        build.env("CARGO_ENCODED_RUSTFLAGS", self.flags());
         progress.run(build)?;
         step.done();
         Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))

@@ -15,14 +15,13 @@ const NAMES: [&str; 4] = ["LICEN", "COPYING", "UNLICENSE", "NOTICE"];
 /// Writes the licences of the packages that are linked into the firmware of the board, and of the
 /// emulator. Each text is there once, after the names of what it applies to.
 pub(super) fn write(file: &Path, emulator: &Path) -> Result<()> {
-    let cargo = |subcommand| board::in_folder(board::RP2040, command::cargo(subcommand));
     // Without the dependencies of build scripts, and without macros.
-    let mut tree = cargo("tree");
-    tree.args(["--locked", "--edges=normal,no-proc-macro", "--prefix=none", "--target", board::TARGET]);
-    let tree = command::answer(&mut tree)?;
-    let mut metadata = cargo("metadata");
-    metadata.args(["--format-version=1", "--locked", "--filter-platform", board::TARGET]);
-    let metadata: Value = serde_json::from_str(&command::answer(&mut metadata)?)?;
+    let tree =
+        ["tree", "--locked", "--edges=normal,no-proc-macro", "--prefix=none", "--target", board::TARGET];
+    let tree = command::answer(&mut board::cargo(board::RP2040, tree))?;
+    let metadata = ["metadata", "--format-version=1", "--locked", "--filter-platform", board::TARGET];
+    let metadata = command::answer(&mut board::cargo(board::RP2040, metadata))?;
+    let metadata: Value = serde_json::from_str(&metadata)?;
     let mut names: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for package in metadata["packages"].as_array().context("the metadata have no packages")? {
         let [name, version] = ["name", "version"].map(|field| package[field].as_str().unwrap_or_default());

@@ -88,11 +88,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_views_are_those_of_the_navigation() {
-        assert_eq!(views().collect::<Vec<_>>(), ["stage", "compare", "museum", "chip"]);
-    }
-
-    #[test]
     fn a_folder_is_renewed_whole_or_not_at_all() {
         let temporary = tempfile::tempdir().unwrap();
         let folder = temporary.path().join("demo");

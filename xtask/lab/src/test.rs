@@ -4,61 +4,40 @@ use std::process::{Command, ExitCode};
 
 use anyhow::Result;
 
+use measure::steps;
+use tools::command::cargo;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
-use tools::{command, compilers, install, project};
+use tools::{compilers, install, project};
 
-use crate::features::{ALL, BARE_METAL, SETS, STD};
-use crate::{contributing, features, lab, msrv, scripts, semver};
+use crate::features::{self, ALL, BARE_METAL, SETS, STD};
+use crate::{browsers, contributing, msrv, package, renderers, scripts, semver};
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
 const TOOLS: [&str; 5] = ["lab", "luminaire-counter", "measure", "tools", "xtask"];
 
-/// How the names of steps begin that are of this program alone: they run without the laboratory.
-const OWN: [&str; 13] = [
-    "bare metal",
-    "contributing",
-    "dependencies",
-    "documentation",
-    "export: C",
-    "features",
-    "format",
-    "fuzz",
-    "host",
-    "lint",
-    "oldest compiler",
-    "scripts",
-    "semver",
-];
+/// The options of `test` and `full`.
+#[derive(Debug, PartialEq, clap::Args)]
+pub(crate) struct TestOptions {
+    /// Run only the steps whose name contains this text
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+}
 
 /// Runs the tests; the last line on stdout counts them.
-pub(crate) fn run(only: Option<String>, full: bool) -> ExitCode {
-    let mut suite = Suite::new(only.clone());
-    let is_own = only.as_ref().is_some_and(|text| OWN.iter().any(|own| text.starts_with(own)));
-    if !is_own {
-        // First, because cargo builds one thing at a time in a folder, and the others have long steps.
-        suite.require("the laboratory is built", lab::build);
-    }
-    let laboratory = |suite: &mut Suite, part: &str| {
-        if is_own {
-            return;
-        }
-        let mut steps = lab::program();
-        steps.args(["steps", part]).args(full.then_some("--full"));
-        steps.args(only.iter().flat_map(|text| ["--only", text]));
-        suite.run_elsewhere(steps);
-    };
+pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
+    let mut suite = Suite::new(options.only);
     // Three groups for two processors, because linking the demo's modules keeps only one busy.
     suite.side_by_side([
         Box::new(|suite| host(suite, full)),
-        Box::new(|suite| laboratory(suite, "boards")),
+        Box::new(|suite| boards(suite, full)),
         Box::new(|suite| page(suite, full)),
     ]);
     // After the other steps, because they would slow the page down.
-    laboratory(&mut suite, "browsers");
+    browsers::visit(&mut suite, full);
     suite.finish()
 }
 
@@ -104,6 +83,17 @@ fn host(suite: &mut Suite, full: bool) {
     }
 }
 
+/// Adds the steps that run on emulated boards, or build something for one, and those of what is packed.
+fn boards(suite: &mut Suite, full: bool) {
+    if full {
+        steps::all_boards(suite);
+        renderers::steps(suite);
+        package::run(suite);
+    } else {
+        steps::smallest_board(suite);
+    }
+}
+
 /// Adds the steps that build the page and check its scripts.
 fn page(suite: &mut Suite, full: bool) {
     let build = if full { Build::Small } else { Build::Part };
@@ -115,7 +105,7 @@ fn page(suite: &mut Suite, full: bool) {
 /// runs them.
 fn fuzz(suite: &mut Suite) {
     suite.step("fuzz: the targets compile", |progress| {
-        let mut check = with(command::cargo("check"), &["--bins"]);
+        let mut check = cargo(["check", "--bins"]);
         check.current_dir(project::root().join("tests/fuzz"));
         progress.run(check)
     });
@@ -133,51 +123,47 @@ fn dependencies(suite: &mut Suite) {
 /// Adds the checks that run nothing. With `full`, Clippy also sees each set of features by itself, and
 /// cargo all pairs.
 fn sources(suite: &mut Suite, full: bool) {
-    suite.step("format: cargo fmt", |progress| {
-        progress.run(with(command::cargo("fmt"), &["--all", "--check"]))
-    });
+    suite.step("format: cargo fmt", |progress| progress.run(cargo(["fmt", "--all", "--check"])));
     suite.step("lint: cargo clippy", |progress| {
         // All targets are without those that a plain `cargo test` leaves out.
-        let all = ["--workspace", "--all-targets", "--test", "slow"];
-        let mut clippy = with(command::cargo("clippy"), &all);
+        let mut clippy = cargo(["clippy", "--workspace", "--all-targets", "--test", "slow"]);
         if !full {
             clippy.args(TOOLS.iter().flat_map(|package| ["--exclude", package]));
         }
-        progress.run(with(clippy, &["--", "-Dwarnings"]))
+        clippy.args(["--", "-Dwarnings"]);
+        progress.run(clippy)
     });
     if full {
         suite.step("lint: luminaire with each set of features", |progress| {
             SETS.iter().chain([&STD, &ALL]).try_for_each(|(_, features)| {
-                let clippy = with(command::cargo("clippy"), &["--package", "luminaire", "--lib", "--tests"]);
-                progress.run(with(with(clippy, features), &["--", "-Dwarnings"]))
+                let mut clippy = cargo(["clippy", "--package", "luminaire", "--lib", "--tests"]);
+                clippy.args(*features).args(["--", "-Dwarnings"]);
+                progress.run(clippy)
             })
         });
         suite.step("features: each, all pairs, all and none", |progress| {
             features::pairs(&features::names()?).iter().try_for_each(|set| {
-                let check =
-                    with(command::cargo("check"), &["--package", "luminaire", "--no-default-features"]);
-                progress.run(with(check, &["--features", set]))
+                let check = ["check", "--package", "luminaire", "--no-default-features", "--features", set];
+                progress.run(cargo(check))
             })
         });
     }
     let documented: [(&str, &[&str]); 2] = [
-        ("luminaire with all features", &["--package", "luminaire", "--all-features", "--no-deps"]),
-        ("cargo doc", &["--workspace", "--no-deps"]),
+        ("luminaire with all features", &["--package", "luminaire", "--all-features"]),
+        ("cargo doc", &["--workspace"]),
     ];
-    for (name, arguments) in &documented[..if full { 2 } else { 1 }] {
+    for (name, packages) in &documented[..if full { 2 } else { 1 }] {
         suite.step(&format!("documentation: {name}"), |progress| {
-            let mut doc = with(command::cargo("doc"), arguments);
-            doc.env("RUSTDOCFLAGS", "-Dwarnings");
+            let mut doc = cargo(["doc", "--no-deps"]);
+            doc.args(*packages).env("RUSTDOCFLAGS", "-Dwarnings");
             progress.run(doc)
         });
     }
 }
 
 fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tally> {
-    let mut test = with(command::cargo("test"), arguments);
-    if full {
-        test.env("LUMINAIRE_FULL", "1");
-    }
+    let mut test = cargo(["test"]);
+    test.args(arguments).envs(full.then_some(("LUMINAIRE_FULL", "1")));
     tally::cargo_test(test, progress)
 }
 
@@ -185,11 +171,9 @@ fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tal
 /// installed.
 fn by_all_compilers(progress: &Progress) -> Result<Tally> {
     compilers::find(progress)?;
-    let mut test = command::cargo("test");
+    let mut test = cargo(["test", "--package", "luminaire-export", "--test", "fixed", "--test", "float"]);
     // The tests skip a compiler that is not installed, unless this variable is set.
-    test.args(["--package", "luminaire-export", "--test", "fixed", "--test", "float"])
-        .args(["--package", "luminaire-c", "--test", "calls"])
-        .env("LUMINAIRE_TOOLS", "1");
+    test.args(["--package", "luminaire-c", "--test", "calls"]).env("LUMINAIRE_TOOLS", "1");
     tally::cargo_test(test, progress)
 }
 
@@ -201,13 +185,9 @@ fn bare_metal(suite: &mut Suite) {
     suite.step(&format!("bare metal: the crates with each set of features for {BARE_METAL}"), |progress| {
         let toolchain = Toolchain::find(BARE_METAL, progress)?;
         crates.into_iter().try_for_each(|(package, features)| {
-            let cargo = with(toolchain.cargo_check("core,alloc"), &["--lib", "--package", package]);
-            progress.run(with(cargo, features))
+            let mut check = toolchain.cargo("core,alloc", ["check", "--lib", "--package", package]);
+            check.args(features);
+            progress.run(check)
         })
     });
-}
-
-fn with(mut command: Command, arguments: &[&str]) -> Command {
-    command.args(arguments);
-    command
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -34,8 +34,7 @@ pub(crate) fn run(suite: &mut Suite) {
         let Some(usr) = unpacked(progress)? else {
             return Ok(vec!["not compiled: there is no such package of Debian; clippy checks it".to_owned()]);
         };
-        let mut check = command::cargo("check");
-        check.args(["--lib", "--all-features"]);
+        let mut check = command::cargo(["check", "--lib", "--all-features"]);
         check.args(CRATES.iter().flat_map(|(name, _)| ["--package", name]));
         check.env("RUSTC", usr.join("bin/rustc")).env("LD_LIBRARY_PATH", usr.join("lib/x86_64-linux-gnu"));
         check.env("CARGO_TARGET_DIR", project::target().join("oldest-compiler"));
@@ -52,18 +51,8 @@ fn unpacked(progress: &Progress) -> Result<Option<PathBuf>> {
         return Ok(Some(usr));
     }
     let Some(packages) = PACKAGES.iter().find_map(|packages| offered(packages)) else { return Ok(None) };
-    fs::create_dir_all(&folder).with_context(|| format!("cannot create {}", folder.display()))?;
-    let words: Vec<_> = ["download", LLVM].into_iter().chain(packages.iter().map(String::as_str)).collect();
-    install::apt_get(&words, &folder, progress)?;
-    for entry in fs::read_dir(&folder)? {
-        let package = entry?.path();
-        if package.extension().is_some_and(|extension| extension == "deb") {
-            let mut unpack = Command::new("dpkg-deb");
-            unpack.arg("-x").arg(&package).arg(&folder);
-            progress.run(unpack)?;
-            fs::remove_file(package)?;
-        }
-    }
+    let packages: Vec<_> = [LLVM].into_iter().chain(packages.iter().map(String::as_str)).collect();
+    install::unpack(&packages, &folder, progress)?.iter().try_for_each(fs::remove_file)?;
     Ok(Some(usr))
 }
 

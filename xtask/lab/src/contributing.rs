@@ -63,9 +63,8 @@ impl Tree {
     /// of two copies of a workspace apart by the times of their files alone, and would take what it has
     /// compiled for the example as the project's.
     fn cargo(&self, folder: &str, arguments: &[&str]) -> Command {
-        let mut cargo = command::cargo(arguments[0]);
-        cargo.args(&arguments[1..]).current_dir(self.folder.join(folder));
-        cargo.env("CARGO_TARGET_DIR", self.folder.join("target"));
+        let mut cargo = command::cargo(arguments);
+        cargo.current_dir(self.folder.join(folder)).env("CARGO_TARGET_DIR", self.folder.join("target"));
         cargo
     }
 }
