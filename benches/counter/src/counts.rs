@@ -49,26 +49,3 @@ impl fmt::Display for Counts {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_what_is_between_the_markers_counts() {
-        let mut counts = Counts::new();
-        counts.execute(0x10);
-        counts.mark(Marker::End);
-        counts.mark(Marker::Begin);
-        counts.execute(0x20);
-        counts.execute(0x22);
-        counts.execute(0x20);
-        counts.mark(Marker::End);
-        counts.execute(0x30);
-        counts.mark(Marker::Begin);
-        counts.mark(Marker::End);
-        counts.mark(Marker::Begin);
-        counts.execute(0x20);
-        assert_eq!(counts.to_string(), "0 20 2\n0 22 1\n2 20 1\n");
-    }
-}
