@@ -17,17 +17,15 @@
 //! | `f64` | the versine form in twice the width |
 //! | `rival` | the methods of others: f32, each with its own formula |
 //!
-//! Files, in the order in which they build on one another: `value`, `falloff`, `scene`, `truth`,
-//! `kernel`, `ours`, `cosine`, `double`, `rival`, `list`.
+//! Files, in the order in which they build on one another: `value`, `scene`, `truth`, `kernel`, `ours`,
+//! `double`, `rival`, `list`.
 #![no_std]
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "std")]
 extern crate std;
 
-mod cosine;
 mod double;
-mod falloff;
 mod kernel;
 mod list;
 mod ours;
@@ -36,7 +34,6 @@ pub mod scene;
 pub mod truth;
 mod value;
 
-pub use cosine::CosineFalloff;
 pub use double::{DoubleFalloff, DoublePoint};
 pub use kernel::{Kernel, Row, Stage, Visitor};
 pub use list::{Setting, doubles, falloffs, points, rungs};
@@ -44,7 +41,7 @@ pub use luminaire::falloff::ListedFalloff;
 pub use ours::{Highlit, OurFalloff, OurPoint};
 #[cfg(feature = "std")]
 pub use rival::Std;
-pub use rival::{Clamp, CosineTable, Gltf, Libm, Micromath, Power, Powf, Schlick, Smoothstep};
+pub use rival::{Clamp, CosineFalloff, CosineTable, Gltf, Libm, Micromath, Power, Powf, Schlick, Smoothstep};
 pub use value::{Format, Value};
 
 pub use luminaire_oracle as oracle;

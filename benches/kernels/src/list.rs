@@ -2,7 +2,7 @@
 
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, Scalar, SpotLight,
-    attenuation::{Attenuation, NoAttenuation},
+    attenuation::NoAttenuation,
     falloff::{FalloffVisitor, ListedFalloff, Power, Smooth, Soft, constant_falloffs},
     light::LightModel,
     number::Quick,
@@ -10,12 +10,10 @@ use luminaire::{
 use luminaire_oracle as oracle;
 
 use crate::{
-    cosine::cosine,
     double::{DoubleFalloff, DoublePoint},
-    falloff::{exact, sample},
     kernel::{Row, Visitor},
     ours::{Highlit, OurFalloff, OurPoint},
-    rival,
+    rival::{self, cosine},
     scene::{AXIS, EYE, POSITION, Population},
     truth::{Highlight, Point, widened},
     value::Format,
@@ -64,7 +62,17 @@ impl Setting {
     }
 }
 
-fn cone<P>(made: Result<Cone<P>, luminaire::Error>) -> Cone<P> {
+/// Returns the intensity in f64 by the formula of the sample: what kernels are compared with.
+fn exact<P: ListedFalloff>(t: f64) -> f64 {
+    sample::<P>().formula().exact(t)
+}
+
+/// Returns the falloff of the list.
+fn sample<P: ListedFalloff>() -> P {
+    P::sample().expect("the parameters of the list are sound")
+}
+
+fn cone<P>(made: Result<Cone<P>, Error>) -> Cone<P> {
     made.expect("an angle of more than 0 and at most 180 degrees")
 }
 
@@ -84,27 +92,21 @@ struct Formats<'a, V> {
 
 impl<V: Visitor> FalloffVisitor for Formats<'_, V> {
     fn falloff<P: ListedFalloff>(&mut self) {
-        shape::<P>(self.setting, self.visitor);
+        let Self { setting, ref mut visitor } = *self;
+        let (cone, truth) = (setting.cone(sample::<P>()), setting.truth::<P>());
+        ours::<Fx16, P>(&cone, &truth, *visitor);
+        ours::<Fx32, P>(&cone, &truth, *visitor);
+        ours::<f32, P>(&cone, &truth, *visitor);
+        let double = DoubleFalloff::<P>::new(setting.outer_versine());
+        visitor.falloff(Row::falloff(P::NAME, "f64"), double, &truth);
     }
-}
-
-/// A falloff in every format.
-fn shape<P: ListedFalloff>(setting: Setting, visitor: &mut impl Visitor) {
-    let falloff = sample::<P>();
-    let cone = setting.cone(falloff);
-    let truth = setting.truth::<P>();
-    ours::<Fx16, P>(&cone, &truth, visitor);
-    ours::<Fx32, P>(&cone, &truth, visitor);
-    ours::<f32, P>(&cone, &truth, visitor);
-    let double = DoubleFalloff::<P>::new(setting.outer_versine());
-    visitor.falloff(Row::falloff(P::NAME, "f64"), double, &truth);
 }
 
 fn ours<S: Format, P: ListedFalloff>(cone: &Cone<P>, truth: &oracle::Cone, visitor: &mut impl Visitor) {
     let row = Row::falloff(P::NAME, S::NAME);
     match cone.compile::<S>() {
         Ok(falloff) => visitor.falloff(row, OurFalloff::new(falloff, cone.outer_versine()), truth),
-        Err(_) => visitor.refused(row, Cone::narrowest::<S>(cone.falloff()).to_degrees() / 2.0),
+        Err(_) => visitor.refused(row, narrowest::<S, P>()),
     }
 }
 
@@ -152,45 +154,48 @@ const REJECTS: [(&str, Population); 2] = [("away", Population::Away), ("outside"
 /// Intensity of the light with an inverse square: full scale at a distance of 4.
 const INTENSITY: f32 = 16.0;
 
+/// The points by the standard evaluation of a format, with those of a highlight.
 fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
-    let near = light_of::<Soft>(setting, Population::Lit, 1.0, false);
-    let far = light_of::<Soft>(setting, Population::Lit, INTENSITY, true);
+    let (spot, falling) = spots::<Soft>(setting);
+    rejects::<S>(S::NAME, &spot.compile(), setting, visitor);
+    lit::<S, Soft>(lit_rows(S::NAME), (spot.compile(), falling.compile()), setting, visitor);
     let surface = oracle::Classic {
         ambient: [0.0; 2],
         diffuse: [Highlit::<S>::DIFFUSE.into(), 1.0],
         specular: [Highlit::<S>::SPECULAR.into(), 1.0],
         shininess: Highlit::<S>::SHININESS.into(),
     };
-    let shiny = Point { highlight: Some(Highlight { eye: widened(EYE), surface }), ..far };
-    let refused = Cone::narrowest::<S>(Soft).to_degrees() / 2.0;
-    let (spot, falling) = spots::<Soft>(setting);
-    let Ok(highlit) = Highlit::<S>::new(&falling) else {
-        for kernel in ["away", "outside", "lit", "lit-inverse-square", "lit-specular"] {
-            visitor.refused(Row::lit(kernel, S::NAME), refused);
-        }
-        return;
-    };
-    for (kernel, population) in REJECTS {
-        point::<S, _>(kernel, &spot, &light_of::<Soft>(setting, population, 1.0, false), visitor);
+    let highlight = Some(Highlight { eye: widened(EYE), surface });
+    let [_, far] = lit_truths::<Soft>(setting);
+    let row = Row::lit("lit-specular", S::NAME);
+    match Highlit::<S>::new(&falling) {
+        Ok(highlit) => visitor.point(row, highlit, &Point { highlight, ..far }),
+        Err(_) => visitor.refused(row, narrowest::<S, Soft>()),
     }
-    point::<S, _>("lit", &spot, &near, visitor);
-    point::<S, _>("lit-inverse-square", &falling, &far, visitor);
-    visitor.point(Row::lit("lit-specular", S::NAME), highlit, &shiny);
 }
 
 /// The points by the quick evaluation of a format.
 fn quick<S: Format + Quick>(name: &'static str, setting: Setting, visitor: &mut impl Visitor) {
     let (spot, falling) = spots::<Soft>(setting);
+    rejects::<S>(name, &spot.compile_quick(), setting, visitor);
+    lit::<S, Soft>(lit_rows(name), (spot.compile_quick(), falling.compile_quick()), setting, visitor);
+}
+
+/// The points that a light does not reach.
+fn rejects<S: Format>(
+    name: &'static str,
+    light: &Result<impl LightModel<S>, Error>,
+    setting: Setting,
+    visitor: &mut impl Visitor,
+) {
     for (kernel, population) in REJECTS {
-        if let Ok(light) = spot.compile_quick::<S>() {
-            let truth = light_of::<Soft>(setting, population, 1.0, false);
-            visitor.point(Row::lit(kernel, name), OurPoint::new(light), &truth);
-        } else {
-            visitor.refused(Row::lit(kernel, name), narrowest::<S, Soft>());
+        let row = Row::lit(kernel, name);
+        let truth = light_of::<Soft>(setting, population, 1.0, false);
+        match light {
+            Ok(light) => visitor.point(row, OurPoint::new(*light), &truth),
+            Err(_) => visitor.refused(row, narrowest::<S, Soft>()),
         }
     }
-    let rows = LIT.map(|kernel| Row::lit(kernel, name));
-    lit::<S, Soft>(rows, (spot.compile_quick(), falling.compile_quick()), setting, visitor);
 }
 
 /// The lit points of a cone with the edge `P`, without and with an inverse square, in every format
@@ -225,8 +230,10 @@ fn lit<S: Format, P: ListedFalloff>(
     visitor.point(rows[1], OurPoint::new(falling), &far);
 }
 
-/// The kernels of a lit point, without and with an inverse square.
-const LIT: [&str; 2] = ["lit", "lit-inverse-square"];
+/// The rows of a lit point, without and with an inverse square.
+fn lit_rows(name: &'static str) -> [Row; 2] {
+    ["lit", "lit-inverse-square"].map(|kernel| Row::lit(kernel, name))
+}
 
 fn lit_truths<P: ListedFalloff>(setting: Setting) -> [Point; 2] {
     [(1.0, false), (INTENSITY, true)]
@@ -252,89 +259,4 @@ fn light_of<P: ListedFalloff>(
     let attenuation = if falls { light.attenuation } else { oracle::Attenuation::None };
     let light = oracle::SpotLight { intensity: intensity.into(), attenuation, ..light };
     Point { light, highlight: None, population }
-}
-
-fn point<S: Format, A: Attenuation>(
-    kernel: &'static str,
-    spot: &SpotLight<Soft, A>,
-    truth: &Point,
-    visitor: &mut impl Visitor,
-) {
-    if let Ok(light) = spot.compile::<S>() {
-        visitor.point(Row::lit(kernel, S::NAME), OurPoint::new(light), truth);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    extern crate std;
-    use std::collections::HashSet;
-    use std::vec::Vec;
-
-    use super::*;
-    use crate::kernel::Kernel;
-    use crate::scene::{Site, Sites};
-    use crate::value::Value;
-
-    /// Collects the names, and compares every kernel coarsely with its exact model.
-    #[derive(Default)]
-    struct Census {
-        rows: Vec<Row>,
-        refused: Vec<Row>,
-        worst: f64,
-        outer: f32,
-    }
-
-    impl Visitor for Census {
-        fn falloff<K: Kernel<Place = f32>>(&mut self, row: Row, kernel: K, truth: &oracle::Cone) {
-            self.rows.push(row);
-            for i in 0..100 {
-                let versine = self.outer * (i as f32 + 0.5) / 100.0;
-                let error = kernel.evaluate(&kernel.input(&versine)).exact() - truth.falloff(versine.into());
-                self.worst =
-                    self.worst.max(if row.format == "rival" { 0.0 } else { oracle::counted(error.abs()) });
-            }
-        }
-
-        fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point) {
-            self.rows.push(row);
-            for site in Sites::new(truth.population, self.outer).take(256) {
-                let (light, exact) = (kernel.evaluate(&kernel.input(&site)).exact(), truth.at(&site));
-                if truth.population == Population::Lit {
-                    assert!(exact > 0.0, "{row:?} has a site that is dark");
-                    let error = (light - exact).abs() / exact.max(1.0);
-                    self.worst = self.worst.max(oracle::counted(error));
-                } else {
-                    assert_eq!((light, exact), (0.0, 0.0), "{row:?} has a site that is lit");
-                }
-            }
-        }
-
-        fn refused(&mut self, row: Row, _: f32) {
-            self.refused.push(row);
-        }
-    }
-
-    fn census(setting: Setting) -> Census {
-        let mut census = Census { outer: setting.outer_versine(), ..Census::default() };
-        falloffs(setting, &mut census);
-        points(setting, &mut census);
-        census
-    }
-
-    #[test]
-    fn every_kernel_stands_beside_its_own_truth_and_no_name_twice() {
-        let census = census(Setting::standard());
-        assert!(census.worst < 1e-3, "off by {}", census.worst);
-        let names: HashSet<_> = census.rows.iter().map(|row| (row.kernel, row.format)).collect();
-        assert_eq!((names.len(), census.refused.len()), (census.rows.len(), 0));
-        assert!(census.rows.iter().all(|row| !row.kernel.contains(' ')));
-    }
-
-    #[test]
-    fn what_a_format_cannot_hold_is_told() {
-        let census = census(Setting::ending_at(Angle::degrees(2.0)));
-        let refused = |kernel| census.refused.iter().any(|row| (row.kernel, row.format) == (kernel, "fx16"));
-        assert!(refused("hard") && !refused("soft"));
-    }
 }

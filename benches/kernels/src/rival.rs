@@ -5,7 +5,9 @@ use core::marker::PhantomData;
 
 use micromath::F32Ext;
 
-use crate::{cosine::cosine, kernel::Kernel, value::Value};
+use luminaire::{falloff::ListedFalloff, light::CompiledCone};
+
+use crate::{kernel::Kernel, value::Value};
 
 /// A kernel from a cosine to an intensity.
 macro_rules! from_cosine {
@@ -38,6 +40,12 @@ from_cosine!(Smoothstep);
 from_cosine!(Gltf);
 from_cosine!(Schlick);
 from_cosine!(Clamp);
+from_cosine!(CosineFalloff<P>, P: ListedFalloff);
+
+/// The cosine nearest to a versine.
+pub(crate) fn cosine(versine: f32) -> f32 {
+    (1.0 - f64::from(versine)) as f32
+}
 
 /// A library's power function.
 pub trait Power: Copy {
@@ -197,5 +205,25 @@ impl Clamp {
     #[inline(always)]
     pub fn at(&self, cosine: f32) -> f32 {
         cosine.clamp(0.0, 1.0)
+    }
+}
+
+/// f32 with the versine by `1 - l.s`, which cancels in narrow beams: both numbers are near 1. The demo
+/// compares it; it has no price.
+#[derive(Clone, Copy, Debug)]
+pub struct CosineFalloff<P: ListedFalloff> {
+    falloff: CompiledCone<f32, P>,
+}
+
+impl<P: ListedFalloff> CosineFalloff<P> {
+    /// Wraps a compiled cone.
+    pub fn new(falloff: CompiledCone<f32, P>) -> Self {
+        Self { falloff }
+    }
+
+    /// The intensity at a cosine.
+    #[inline(always)]
+    pub fn at(&self, cosine: f32) -> f32 {
+        self.falloff.at(1.0 - cosine)
     }
 }

@@ -45,7 +45,7 @@ impl Sites {
     /// The sites of a population about the cone that ends at this versine.
     pub fn new(population: Population, outer: f32) -> Self {
         let tangent = libm::sqrtf(outer * (2.0 - outer)) / (1.0 - outer);
-        Self { random: Random::new(), population, tangent }
+        Self { random: Random(0x9e37_79b9), population, tangent }
     }
 }
 
@@ -71,11 +71,6 @@ impl Iterator for Sites {
     }
 }
 
-/// The vector with a length of 1.
-pub fn unit(v: Vec3<f32>) -> Vec3<f32> {
-    scaled(v, 1.0 / libm::sqrtf(v.dot(v)))
-}
-
 /// The nearest multiple of 2^-16.
 pub fn on_grid(value: f32) -> f32 {
     libm::roundf(value * 65_536.0) / 65_536.0
@@ -83,22 +78,11 @@ pub fn on_grid(value: f32) -> f32 {
 
 /// Marsaglia's xorshift generator of 32 bits.
 #[derive(Clone, Debug)]
-pub struct Random(u32);
-
-impl Default for Random {
-    fn default() -> Self {
-        Self::new()
-    }
-}
+struct Random(u32);
 
 impl Random {
-    /// The sequence from its beginning.
-    pub fn new() -> Self {
-        Self(0x9e37_79b9)
-    }
-
     /// A number from -1 to 1.
-    pub fn number(&mut self) -> f32 {
+    fn number(&mut self) -> f32 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 17;
         self.0 ^= self.0 << 5;
@@ -107,11 +91,11 @@ impl Random {
 }
 
 /// The sum of two vectors.
-pub fn sum(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
+fn sum(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
     a.zip(b, |a, b| a + b)
 }
 
 /// The vector times a factor.
-pub fn scaled(v: Vec3<f32>, factor: f32) -> Vec3<f32> {
+fn scaled(v: Vec3<f32>, factor: f32) -> Vec3<f32> {
     v.map(|c| c * factor)
 }
