@@ -33,18 +33,12 @@ fn ramp<S: Scalar, P: Falloff>(falloff: P) -> Ramp<S, P> {
     Ramp { falloff, versines: (0..POINTS).map(at).collect(), intensities: vec![S::ZERO; POINTS] }
 }
 
-/// Checks that the intensity is 1 on the axis and falls to less than 0.01 at the edge.
-fn check_ramp<S: Scalar, P: Falloff>(ramp: Ramp<S, P>) {
-    assert_eq!(ramp.intensities[0], S::ONE);
-    assert!(ramp.intensities.is_sorted_by(|a, b| a >= b) && ramp.intensities[POINTS - 1].to_f32() < 0.01);
-}
-
 #[library_benchmark]
-#[bench::soft_f32(args = (ramp::<f32, _>(Soft)), teardown = check_ramp)]
-#[bench::hard_f32(args = (ramp::<f32, _>(Hard)), teardown = check_ramp)]
-#[bench::smooth_f32(args = (ramp::<f32, _>(Smooth)), teardown = check_ramp)]
-#[bench::soft_fx32(args = (ramp::<Fx32, _>(Soft)), teardown = check_ramp)]
-#[bench::soft_fx16(args = (ramp::<Fx16, _>(Soft)), teardown = check_ramp)]
+#[bench::soft_f32(ramp::<f32, _>(Soft))]
+#[bench::hard_f32(ramp::<f32, _>(Hard))]
+#[bench::smooth_f32(ramp::<f32, _>(Smooth))]
+#[bench::soft_fx32(ramp::<Fx32, _>(Soft))]
+#[bench::soft_fx16(ramp::<Fx16, _>(Soft))]
 fn falloff<S: Scalar, P: Falloff>(mut ramp: Ramp<S, P>) -> Ramp<S, P> {
     ramp.falloff.at_each(black_box(&ramp.versines), &mut ramp.intensities);
     ramp
@@ -77,16 +71,10 @@ fn floor<S: Scalar>() -> Floor<S> {
     }
 }
 
-/// Checks that the brightest point, in the middle of the spot, is at full scale.
-fn check_floor<S: Scalar>(floor: Floor<S>) {
-    let brightest = floor.light.red.iter().map(|&red| S::light_to_f32(red)).fold(0.0, f32::max);
-    assert!((0.95..=1.05).contains(&brightest), "the middle of the spot is {brightest}");
-}
-
 #[library_benchmark]
-#[bench::soft_f32(args = (floor::<f32>()), teardown = check_floor)]
-#[bench::soft_fx32(args = (floor::<Fx32>()), teardown = check_floor)]
-#[bench::soft_fx16(args = (floor::<Fx16>()), teardown = check_floor)]
+#[bench::soft_f32(floor::<f32>())]
+#[bench::soft_fx32(floor::<Fx32>())]
+#[bench::soft_fx16(floor::<Fx16>())]
 fn lit<S: Scalar>(mut floor: Floor<S>) -> Floor<S> {
     let Floor { spot, point, normal, light } = &mut floor;
     let (point, normal) =

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
-use tools::browser::{Act, Visit, WebGl};
+use tools::browser::{Visit, WebGl};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
@@ -25,14 +25,6 @@ const LIBRARY: [&str; 2] = ["three.module.js", "three.core.js"];
 
 const PAGE: [(&str, &str); 2] =
     [("index.html", include_str!("rivals/page.html")), ("rival.js", include_str!("rivals/rival.js"))];
-
-/// The options of `rivals`.
-#[derive(Debug, Default, PartialEq, clap::Args)]
-pub struct RivalsOptions {
-    /// Write a PNG of each picture of three.js into target/rivals
-    #[arg(long)]
-    screenshots: bool,
-}
 
 /// The answer of the page of three.js. Times are medians in milliseconds.
 #[derive(Deserialize)]
@@ -46,7 +38,7 @@ struct Answer {
 }
 
 /// Times each load in three renderers, and prints a table.
-pub fn run(options: &RivalsOptions) -> Result<()> {
+pub fn run() -> Result<()> {
     let progress = Progress::Live;
     let (demo, folder) = (site::build(Build::Small, &progress)?, gather(&progress)?);
     let demo = Server::start(server::listen(0)?, &demo)?;
@@ -54,7 +46,7 @@ pub fn run(options: &RivalsOptions) -> Result<()> {
     let ours = ours(&demo, &progress)?;
     let mut columns = Vec::new();
     for web_gl in [WebGl::SwiftShader, WebGl::Llvmpipe] {
-        columns.push(theirs(web_gl, &rival, options, &progress)?);
+        columns.push(theirs(web_gl, &rival, &progress)?);
     }
     println!("Milliseconds a frame of 960 x 540, camera at rest / moving; times the demo's in parentheses.");
     for answers in &columns {
@@ -100,8 +92,8 @@ fn file(load: &Load) -> String {
 /// The demo's median times: with the camera at rest, and moving.
 fn ours(server: &Server, progress: &Progress) -> Result<Vec<(f64, f64)>> {
     let address = format!("{}#stage?scene=three-point&play=none", server.address());
-    let acts: Vec<_> = LOADS.iter().map(|load| Act::Ask(load.frame_call(scene::FRAMES))).collect();
-    let found = Visit { address: &address, ..Visit::default() }.run(&acts, progress)?;
+    let frames: Vec<_> = LOADS.iter().map(|load| load.frame_call(scene::FRAMES)).collect();
+    let found = Visit { address: &address, ..Visit::default() }.run(&frames, progress)?;
     let time = |(load, found): (&Load, _)| match Frame::of(found) {
         Frame { at_rest: Some(at_rest), moving: Some(moving) } => Ok((at_rest, moving)),
         _ => anyhow::bail!("nothing moves under the load {}", load.name),
@@ -110,23 +102,12 @@ fn ours(server: &Server, progress: &Progress) -> Result<Vec<(f64, f64)>> {
 }
 
 /// The times of three.js for each load.
-fn theirs(
-    web_gl: WebGl,
-    server: &Server,
-    options: &RivalsOptions,
-    progress: &Progress,
-) -> Result<Vec<Answer>> {
+fn theirs(web_gl: WebGl, server: &Server, progress: &Progress) -> Result<Vec<Answer>> {
     let (mut answers, address) = (Vec::new(), server.address());
     for load in &LOADS {
         let step = progress.begin("Timing", format_args!("three.js: {}", load.name));
-        let mut acts = vec![Act::Ask(format!("rival('{}')", file(load)))];
-        if options.screenshots {
-            let kind = if web_gl == WebGl::SwiftShader { "swiftshader" } else { "llvmpipe" };
-            let name = format!("{}-{kind}.png", file(load));
-            acts.push(Act::Picture(project::target().join("rivals").join(name)));
-        }
-        let visit = Visit { address: &address, web_gl: Some(web_gl), ..Visit::default() };
-        let answer = visit.run(&acts, progress)?.values.swap_remove(0);
+        let visit = Visit { address: &address, web_gl: Some(web_gl) };
+        let answer = visit.ask(&format!("rival('{}')", file(load)), progress)?;
         let answer: Answer = serde_json::from_value(answer).context("three.js gave no times")?;
         ensure!(answer.lit > 0.5, "three.js lit only {} of the picture", answer.lit);
         step.done_with(format_args!("{} triangles", answer.triangles));

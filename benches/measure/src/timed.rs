@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::record::{Group, Record};
 use crate::target::Target;
-use tools::browser::{Act, Found, Visit};
+use tools::browser::{Found, Visit};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
@@ -37,9 +37,9 @@ const PAGE: &str = r#"<!doctype html>
 <link rel="icon" href="data:,">
 <body data-state="loading">
 <script type="module">
-import init, { count, time } from "./pkg/luminaire_prices.js";
+import init, { time } from "./pkg/luminaire_prices.js";
 await init();
-window.prices = { count, time };
+window.time = time;
 document.body.dataset.state = "ready";
 </script>
 "#;
@@ -47,8 +47,8 @@ document.body.dataset.state = "ready";
 /// Times every kernel once. Between two kernels the page does other work.
 const ROUND: &str = "(async () => {
     const times = [];
-    for (let number = 0; number < prices.count(); number += 1) {
-        times.push(prices.time(number));
+    for (let lines; (lines = time(times.length)); ) {
+        times.push(lines);
         await new Promise((resolve) => setTimeout(resolve));
     }
     return times.join('');
@@ -99,7 +99,7 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     fs::write(site.path().join("index.html"), PAGE)?;
     package.bind(&module, &site.path().join("pkg"), progress)?;
     let server = Server::start(server::listen(0)?, site.path())?;
-    let found = visit(&server, &vec![Act::Ask(ROUND.to_owned()); ROUNDS], progress)?;
+    let found = visit(&server, &vec![ROUND.to_owned(); ROUNDS], progress)?;
     let mut group = best(found.values.iter().map(|round| round.as_str().unwrap_or_default()))?;
     let mut host = Group::default();
     host.add_lines(&run(&["time"], progress)?)?;
@@ -120,9 +120,9 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     Ok(record)
 }
 
-fn visit(server: &Server, acts: &[Act], progress: &Progress) -> Result<Found> {
+fn visit(server: &Server, expressions: &[String], progress: &Progress) -> Result<Found> {
     let step = progress.begin("Timing", "in Chromium");
-    let found = Visit { address: &server.address(), ..Visit::default() }.run(acts, progress)?;
+    let found = Visit { address: &server.address(), ..Visit::default() }.run(expressions, progress)?;
     step.done();
     Ok(found)
 }
@@ -201,7 +201,7 @@ fn frames(progress: &Progress) -> Result<Group> {
         }
         acts.extend(LOADS.iter().map(|load| load.frame_call(FRAMES)));
     }
-    let found = visit(&server, &acts.into_iter().map(Act::Ask).collect::<Vec<_>>(), progress)?;
+    let found = visit(&server, &acts, progress)?;
     let mut group = Group::about(&[("runs_on", found.version)]);
     let per_round = 2 * TRIALS.len() + LOADS.len();
     for (number, (effect, scene, _)) in TRIALS.iter().enumerate() {

@@ -133,35 +133,3 @@ impl Visitor for Search {
         self.lines.add(row, narrowest, "narrowest_degrees");
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use luminaire_kernels::Stage;
-
-    #[test]
-    fn largest_error_is_told_with_its_place_and_nan_is_infinite() {
-        let mut tally = Tally::new();
-        for i in 0..1000 {
-            tally.look(i, if i == 7 { 1.5_f32 } else { 1.0 }, 1.0);
-        }
-        let row = Row { kernel: "k", stage: Stage::Lit, format: "f" };
-        let mut lines = Lines::default();
-        tally.write::<f32>(&mut lines, row, "searched", |i| vec![(f64::from(i), "place")]);
-        for line in ["k.f 127.5 codes", "k.f 7 place", "k.f 0.1275 mean_codes", "k.f 0 p999_codes"] {
-            assert!(lines.0.lines().any(|found| found == line), "{line}: {}", lines.0);
-        }
-        let mut tally = Tally::new();
-        tally.look((), f32::NAN, 0.0);
-        assert_eq!(tally.worst.0, f64::INFINITY);
-    }
-
-    #[test]
-    fn every_number_of_a_small_format_is_looked_at() {
-        let text = errors(Setting::standard());
-        assert!(text.contains("soft.fx16 exhaustive kind") && text.contains("lit.fx16 searched kind"));
-        for line in text.lines().filter(|line| line.ends_with(" exhaustive kind")) {
-            assert!(line.contains(".fx16 ") && !line.starts_with("lit"), "{line}");
-        }
-    }
-}

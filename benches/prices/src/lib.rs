@@ -16,7 +16,7 @@ use std::fmt::{Display, Write as _};
 
 pub use accuracy::errors;
 pub use ladder::steps;
-pub use time::{BATCH, Clock, count, time};
+pub use time::{BATCH, Clock, time};
 
 use luminaire_kernels::Row;
 

@@ -11,7 +11,7 @@ use std::time::Instant;
 use luminaire::HalfAngle;
 use luminaire::falloff::{Hard, Soft};
 use luminaire_kernels::Setting;
-use luminaire_prices::{Clock, count, errors, steps, time};
+use luminaire_prices::{Clock, errors, steps, time};
 
 fn main() -> ExitCode {
     let words: Vec<_> = std::env::args().skip(1).collect();
@@ -25,7 +25,8 @@ fn main() -> ExitCode {
         }
         (Some("time"), None) => {
             let clock = Monotonic(Instant::now());
-            (0..count()).for_each(|number| print!("{}", time(number, &clock)));
+            let times = (0..).map(|number| time(number, &clock)).take_while(|lines| !lines.is_empty());
+            times.for_each(|lines| print!("{lines}"));
         }
         _ => {
             eprintln!("error: expected `errors [DEGREES]`, `steps DEGREES` or `time`");

@@ -21,14 +21,6 @@ pub trait Clock {
     fn shortest(&self) -> f64;
 }
 
-/// Counts the kernels.
-pub fn count() -> usize {
-    let mut count = Count(0);
-    falloffs(Setting::standard(), &mut count);
-    points(Setting::standard(), &mut count);
-    count.0
-}
-
 /// Times the kernel of this number. Returns lines: nanoseconds a call, the median and the quartiles, and a
 /// checksum of the results. Empty if there is no such kernel.
 pub fn time(number: usize, clock: &impl Clock) -> String {
@@ -38,18 +30,6 @@ pub fn time(number: usize, clock: &impl Clock) -> String {
     falloffs(setting, &mut stopwatch);
     points(setting, &mut stopwatch);
     stopwatch.lines.0
-}
-
-struct Count(usize);
-
-impl Visitor for Count {
-    fn falloff<K: Kernel<Place = f32>>(&mut self, _: Row, _: K, _: &oracle::Cone) {
-        self.0 += 1;
-    }
-
-    fn point<K: Kernel<Place = Site>>(&mut self, _: Row, _: K, _: &Point) {
-        self.0 += 1;
-    }
 }
 
 struct Stopwatch<'a, C> {
@@ -124,34 +104,5 @@ impl<C: Clock> Visitor for Stopwatch<'_, C> {
             let inputs: Vec<_> = sites.take(BATCH).map(|site| kernel.input(&site)).collect();
             self.time(row, &kernel, &inputs);
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::cell::Cell;
-
-    use super::*;
-
-    /// A clock that advances by 4096 ns at each reading, so that a call of a kernel seems to take 1
-    /// ns.
-    struct Ticking(Cell<f64>);
-
-    impl Clock for Ticking {
-        fn now(&self) -> f64 {
-            self.0.set(self.0.get() + 4096.0);
-            self.0.get()
-        }
-
-        fn shortest(&self) -> f64 {
-            4096.0
-        }
-    }
-
-    #[test]
-    fn kernel_is_timed_by_its_number_and_the_last_is_the_last() {
-        let clock = Ticking(Cell::new(0.0));
-        assert!(time(0, &clock).starts_with("soft.fx16 1 ns\nsoft.fx16 1 ns_lower\n"));
-        assert!(!time(count() - 1, &clock).is_empty() && time(count(), &clock).is_empty());
     }
 }

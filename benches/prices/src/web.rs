@@ -18,13 +18,8 @@ impl Clock for PageClock {
     }
 }
 
-/// Returns the number of kernels.
-#[wasm_bindgen]
-pub fn count() -> usize {
-    crate::count()
-}
-
-/// Times the kernel of this number. Returns its lines, as the host prints them.
+/// Times the kernel of this number. Returns its lines, as the host prints them; empty if there is no
+/// such kernel.
 #[wasm_bindgen]
 pub fn time(number: usize) -> Option<String> {
     let clock = PageClock(web_sys::window()?.performance()?);

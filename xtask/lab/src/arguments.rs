@@ -3,7 +3,6 @@
 use measure::MeasureOptions;
 use measure::conform::ConformOptions;
 use measure::device::DeviceOptions;
-use measure::rivals::RivalsOptions;
 
 use crate::test::TestOptions;
 
@@ -24,7 +23,7 @@ pub(crate) enum Request {
     /// Build the firmware of a board with a display: rp2040
     Board(DeviceOptions),
     /// Time frames of the demo and of three.js without a GPU, in one run
-    Rivals(RivalsOptions),
+    Rivals,
     /// Measure errors, and costs on every target, and compare them with the record or write it
     Measure(MeasureOptions),
     /// Compare the results of every model, bit by bit, with the conformance vectors on every target

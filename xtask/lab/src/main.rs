@@ -28,7 +28,7 @@ fn main() -> ExitCode {
         Request::Pictures => pictures::run().map(done),
         Request::Renderers => renderers::run().map(done),
         Request::Board(options) => device::run(&options).map(done),
-        Request::Rivals(options) => rivals::run(&options).map(done),
+        Request::Rivals => rivals::run().map(done),
         Request::Measure(options) => measure::run(&options).map(done),
         Request::Conform(options) => conform::run(&options),
     };

@@ -66,22 +66,11 @@ const NO_GPU: &str = "--disable-gpu";
 const MESA: [&str; 4] =
     ["--ozone-platform=x11", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist"];
 
-/// Something that is done with a page.
-#[derive(Clone, Debug)]
-pub enum Act {
-    /// Evaluates a JavaScript expression; a promise is awaited.
-    Ask(String),
-    /// Writes a PNG of the page, of 1440 x 900 pixels.
-    Picture(PathBuf),
-}
-
 /// A page to open.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Visit<'a> {
     /// Its address.
     pub address: &'a str,
-    /// A script that runs before the page's own.
-    pub script: &'a str,
     /// What draws its WebGL, if it has any.
     pub web_gl: Option<WebGl>,
 }
@@ -91,25 +80,19 @@ pub struct Visit<'a> {
 pub struct Found {
     /// The browser's name and version.
     pub version: String,
-    /// The value of each act; `null` of a picture.
+    /// The value of each expression.
     pub values: Vec<Value>,
 }
 
 impl Visit<'_> {
-    /// Opens the page, waits until it is ready and acts. It is an error if the page complains on its
-    /// console.
-    pub fn run(&self, acts: &[Act], progress: &Progress) -> Result<Found> {
+    /// Opens the page, waits until it is ready, and evaluates JavaScript expressions in it; a promise
+    /// is awaited. It is an error if the page complains on its console.
+    pub fn run(&self, expressions: &[String], progress: &Progress) -> Result<Found> {
         let is_mesa = self.web_gl == Some(WebGl::Llvmpipe);
         let mut flags = if is_mesa { MESA.to_vec() } else { vec![NO_GPU] };
         flags.extend((self.web_gl == Some(WebGl::SwiftShader)).then_some("--enable-unsafe-swiftshader"));
-        let acts = acts.iter().map(|act| match act {
-            Act::Ask(expression) => json!({ "ask": expression }),
-            Act::Picture(file) => json!({ "picture": file }),
-        });
-        let request = json!({
-            "address": self.address, "script": self.script, "flags": flags, "display": is_mesa,
-            "acts": acts.collect::<Vec<_>>(),
-        });
+        let acts: Vec<_> = expressions.iter().map(|expression| json!({ "ask": expression })).collect();
+        let request = json!({ "address": self.address, "flags": flags, "display": is_mesa, "acts": acts });
         let mut node = node(progress)?;
         if is_mesa {
             node.env("XVFB", find("XVFB", &["Xvfb"], &["xvfb", "libgl1-mesa-dri"], progress)?);
@@ -128,7 +111,7 @@ impl Visit<'_> {
 
     /// The value of a single expression in the page.
     pub fn ask(&self, expression: &str, progress: &Progress) -> Result<Value> {
-        let mut found = self.run(&[Act::Ask(expression.to_owned())], progress)?;
+        let mut found = self.run(&[expression.to_owned()], progress)?;
         found.values.pop().context("the page has no answer")
     }
 }
