@@ -1,10 +1,9 @@
 //! Figures on record: a JSON file under version control, with which new measurements are compared.
 
-use std::collections::BTreeSet;
 use std::{fs, io};
 
 use anyhow::{Context, Result};
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use tools::project;
@@ -87,26 +86,27 @@ impl Group {
     fn differences(&self, now: &Self) -> Vec<String> {
         let compiler = |group: &Self| group.about.get("compiler").cloned();
         let is_same = compiler(self) == compiler(now);
-        let names = |group: &Self| -> Vec<(String, String)> {
-            let units = |(name, units): (&String, &IndexMap<String, Value>)| {
-                units.keys().map(|unit| (name.clone(), unit.clone())).collect::<Vec<_>>()
-            };
-            group.figures.iter().flat_map(units).collect()
-        };
-        let mut seen = BTreeSet::new();
-        let all = names(self).into_iter().chain(names(now)).filter(|name| seen.insert(name.clone()));
-        let found = all.filter_map(|(name, unit)| {
-            let leeway = leeway(&unit, is_same)?;
-            let value = |group: &Self| group.figures.get(&name)?.get(&unit).cloned();
-            let told = match (value(self), value(now)) {
+        let (old, new) = (self.flat(), now.flat());
+        let names: IndexSet<_> = old.keys().chain(new.keys()).collect();
+        let found = names.into_iter().filter_map(|name @ &(kernel, unit)| {
+            let leeway = leeway(unit, is_same)?;
+            let told = match (old.get(name), new.get(name)) {
+                (Some(old), Some(new)) => difference(old, new, leeway)?,
                 (Some(_), None) => "is no longer measured".to_owned(),
-                (None, Some(_)) => "is not on record".to_owned(),
-                (Some(before), Some(now)) => difference(&before, &now, leeway)?,
-                (None, None) => return None,
+                _ => "is not on record".to_owned(),
             };
-            Some(format!("{name}, {unit}: {told}"))
+            Some(format!("{kernel}, {unit}: {told}"))
         });
         found.collect()
+    }
+
+    /// The figures by name and unit.
+    fn flat(&self) -> IndexMap<(&str, &str), &Value> {
+        let units = |(name, units)| {
+            let units: &IndexMap<String, Value> = units;
+            units.iter().map(move |(unit, value)| ((name, unit.as_str()), value))
+        };
+        self.figures.iter().map(|(name, units)| (name.as_str(), units)).flat_map(units).collect()
     }
 }
 

@@ -115,55 +115,10 @@ fn with_links(page: &str, folder: &str, first: &BTreeSet<String>, address: Optio
     Ok(format!("{head}{links}</head>{body}"))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SITE: [(&str, &str); 9] = [
-        (
-            "index.html",
-            "<head><meta content=\"preview.png\"><link href=\"icon.svg\"><script src=\"main.js\"></head>",
-        ),
-        ("main.js", "import { words } from \"./words.js\"; load(\"later.js\");"),
-        ("words.js", "import init from \"./pkg/glue.js\";"),
-        ("later.js", "import { words } from \"./words.js\"; fetch(\"part.html\");"),
-        ("part.html", "<img src=\"icon.svg\">"),
-        ("icon.svg", "<svg/>"),
-        ("preview.png", "pixels"),
-        ("pkg/glue.js", "new URL(\"module.wasm\", import.meta.url)"),
-        ("pkg/module.wasm", "wasm"),
-    ];
-
-    #[test]
-    fn all_but_the_page_is_in_a_folder_named_by_its_content() {
-        let (site, to) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-        fs::create_dir(site.path().join("pkg")).unwrap();
-        for (name, content) in SITE {
-            fs::write(site.path().join(name), content).unwrap();
-        }
-        let first = place(site.path(), to.path(), Some("https://example.org/demo/")).unwrap();
-        let files = project::files(to.path(), &[]).unwrap();
-        let text = |name: &str| str::from_utf8(&files[Path::new(name)]).unwrap();
-        let folder = first.first().unwrap().split_once('/').unwrap().0;
-        assert!(folder.len() == 8 && u32::from_str_radix(folder, 16).is_ok(), "{folder}");
-        assert!(files.keys().all(|name| name == Path::new(PAGE) || name.starts_with(folder)), "{files:?}");
-        assert_eq!(files.len(), SITE.len());
-        let needed =
-            ["icon.svg", "main.js", "pkg/glue.js", "words.js"].map(|name| format!("{folder}/{name}"));
-        assert_eq!(first, needed.into_iter().chain([PAGE.to_owned()]).collect());
-        let page = text(PAGE);
-        for expected in [
-            format!("<script src=\"{folder}/main.js\">"),
-            format!("modulepreload\" href=\"{folder}/words.js\""),
-            format!("content=\"https://example.org/demo/{folder}/preview.png\""),
-            "og:url".to_owned(),
-        ] {
-            assert!(page.contains(&expected), "expected {expected}, found {page}");
-        }
-        assert!(!page.contains("later."), "a module that is loaded later is preloaded");
-        assert_eq!(text(&format!("{folder}/part.html")), format!("<img src=\"{folder}/icon.svg\">"));
-
-        let refusal = place(site.path(), to.path(), None).unwrap_err().to_string();
-        assert!(refusal.contains("absent or empty"), "{refusal}");
-    }
+#[test]
+fn folder_with_a_file_is_refused() {
+    let to = tempfile::tempdir().unwrap();
+    fs::write(to.path().join("mine.txt"), "").unwrap();
+    let refusal = place(to.path(), to.path(), None).unwrap_err().to_string();
+    assert!(refusal.contains("absent or empty"), "{refusal}");
 }
