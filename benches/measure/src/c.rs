@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, ensure};
 
-use crate::qemu::Qemu;
+use crate::qemu::{Qemu, prints_the_same};
 use crate::target::{BOARDS, Board};
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -29,13 +29,7 @@ struct Machine {
 
 /// No emulated board with a Cortex-M0 has room for the text output of newlib, so one with a Cortex-M3 runs
 /// its code.
-static ROOMY: Board = Board {
-    name: "cortex-m0",
-    title: "Cortex-M0",
-    target: "thumbv6m-none-eabi",
-    emulator: "qemu-system-arm",
-    machine: &["-M", "mps2-an385"],
-};
+static ROOMY: Board = Board::arm("cortex-m0", "Cortex-M0", "thumbv6m-none-eabi", &["-M", "mps2-an385"]);
 
 static MACHINES: [Machine; 2] = [
     Machine {
@@ -97,11 +91,7 @@ fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     let mut qemu = Qemu::find(board, progress)?.command(",chardev=console");
     let found = command::answer(qemu.args(["-chardev", "stdio,id=console", "-kernel"]).arg(&program))?;
     ensure!(expected.lines().count() > 1000, "expected many results, found {expected}");
-    if let Some((found, expected)) = found.lines().zip(expected.lines()).find(|(one, other)| one != other) {
-        bail!("on {} `{found}`, on the host `{expected}`", board.title);
-    }
-    ensure!(found.lines().count() == expected.lines().count(), "a program did not end");
-    Ok(())
+    prints_the_same(board, &found, &expected)
 }
 
 /// Compiles the program and a file beside it with a library. Returns its file.

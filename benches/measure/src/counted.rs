@@ -11,7 +11,7 @@ use tools::toolchain::Toolchain;
 use tools::{command, project};
 
 use crate::program::Program;
-use crate::qemu::{Qemu, Region};
+use crate::qemu::{Qemu, Region, prints_the_same};
 use crate::record::{Group, Line};
 use crate::rp2040;
 use crate::target::Board;
@@ -87,10 +87,7 @@ impl<'a> Firmware<'a> {
         let host = self.on_the_host(progress)?;
         let (qemu, file) = (Qemu::find(board, progress)?, self.build(board, progress)?);
         let (text, regions) = qemu.count(&file, progress)?;
-        if let Some((line, host)) = text.lines().zip(host.lines()).find(|(line, host)| line != host) {
-            bail!("{}: not the bits of the host: `{line}`, on the host `{host}`", board.name);
-        }
-        ensure!(!host.is_empty() && text == host, "{}: not all lines of the host", board.name);
+        prints_the_same(board, &text, &host)?;
         let about = vec![("compiler", Program::read(&file)?.compiler), ("runs_on", qemu.describe())];
         Ok(Run { text, regions, file, about })
     }

@@ -23,47 +23,26 @@ pub(crate) const UNUSED: &str = "unused";
 
 /// A number format, which a feature of the programs selects.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Format {
-    Fx16,
-    Fx32,
-    F32,
+pub(crate) struct Format {
+    /// The name that the library gives it.
+    pub(crate) name: &'static str,
+    /// Arguments of cargo that select it in the programs of one effect each.
+    pub(crate) features: &'static [&'static str],
+    /// Arguments of cargo that select it in the programs that run all effects.
+    effects: [&'static str; 2],
 }
+
+pub(crate) const FX16: Format = Format { name: "fx16", features: &[], effects: ["--features", "effects"] };
+const FX32: Format =
+    Format { name: "fx32", features: &["--features", "fx32"], effects: ["--features", "effects-fx32"] };
+const F32: Format =
+    Format { name: "f32", features: &["--features", "f32"], effects: ["--features", "effects-f32"] };
+
+pub(crate) const FORMATS: [Format; 3] = [FX16, FX32, F32];
 
 /// The processors whose bytes are counted, and of which every effect is on record: the smallest, and one
 /// with a floating point unit, each with the format that suits it.
-pub(crate) const SUITED: [(&str, Format); 2] = [("cortex-m0", Format::Fx16), ("cortex-m4f", Format::F32)];
-
-impl Format {
-    pub(crate) const ALL: [Self; 3] = [Self::Fx16, Self::Fx32, Self::F32];
-
-    /// The name that the library gives it.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Fx16 => "fx16",
-            Self::Fx32 => "fx32",
-            Self::F32 => "f32",
-        }
-    }
-
-    /// Arguments of cargo that select it in the programs of one effect each.
-    pub(crate) fn features(self) -> &'static [&'static str] {
-        match self {
-            Self::Fx16 => &[],
-            Self::Fx32 => &["--features", "fx32"],
-            Self::F32 => &["--features", "f32"],
-        }
-    }
-
-    /// A program that runs effects.
-    fn firmware(self, name: &'static str) -> Firmware<'static> {
-        let options: &[&str] = match self {
-            Self::Fx16 => &["--features", "effects"],
-            Self::Fx32 => &["--features", "effects-fx32"],
-            Self::F32 => &["--features", "effects-f32"],
-        };
-        Firmware::new(name, options)
-    }
-}
+pub(crate) const SUITED: [(&str, Format); 2] = [("cortex-m0", FX16), ("cortex-m4f", F32)];
 
 /// A group of the catalogue.
 #[derive(Debug)]
@@ -115,7 +94,7 @@ fn is_priced(name: &str) -> bool {
 /// The costs of every kernel on a board.
 pub(crate) fn costs(board: &'static Board, progress: &Progress) -> Result<Vec<Cost>> {
     let (mut costs, _) = Firmware::new("cost", &[]).costs(board, progress)?;
-    for format in Format::ALL {
+    for format in FORMATS {
         costs.extend(of_format(format, board, progress)?);
     }
     Ok(costs)
@@ -123,8 +102,8 @@ pub(crate) fn costs(board: &'static Board, progress: &Progress) -> Result<Vec<Co
 
 /// The costs of the effects, and of lit points by other evaluations, in a format on a board.
 fn of_format(format: Format, board: &'static Board, progress: &Progress) -> Result<Vec<Cost>> {
-    let (mut costs, _) = format.firmware(EFFECTS).costs(board, progress)?;
-    costs.extend(format.firmware("evaluations").costs(board, progress)?.0);
+    let (mut costs, _) = Firmware::new(EFFECTS, &format.effects).costs(board, progress)?;
+    costs.extend(Firmware::new("evaluations", &format.effects).costs(board, progress)?.0);
     for cost in &mut costs {
         let (program, format) = cost.name.split_once('.').context("a name has no format")?;
         cost.name = figure(program, format);
@@ -140,7 +119,7 @@ pub(crate) fn counted(board: &'static Board, progress: &Progress) -> Result<Grou
     let (kernels, run) = Firmware::new("cost", &[]).costs(board, progress)?;
     let mut group = run.group();
     kernels.iter().for_each(|cost| add(&mut group, cost));
-    for format in Format::ALL {
+    for format in FORMATS {
         let is_suited = SUITED.contains(&(board.name, format));
         let costs = of_format(format, board, progress)?;
         costs.iter().filter(|cost| is_suited || is_priced(&cost.name)).for_each(|cost| add(&mut group, cost));
@@ -162,12 +141,13 @@ fn add(group: &mut Group, cost: &Cost) {
 /// Adds what is counted of programs that are compiled for size. Every program of the catalogue must have
 /// been counted for speed, too.
 fn for_size(format: Format, board: &'static Board, group: &mut Group, progress: &Progress) -> Result<()> {
-    let (costs, _) = Firmware { profile: SIZE, ..format.firmware(EFFECTS) }.costs(board, progress)?;
+    let (costs, _) =
+        Firmware { profile: SIZE, ..Firmware::new(EFFECTS, &format.effects) }.costs(board, progress)?;
     let programs = Effects::build(board, format, progress)?;
     let empty = programs.program(EMPTY)?.bytes();
     for entry in catalogue().iter().flat_map(|chapter| &chapter.entries) {
-        let name = figure(entry.name, format.name());
-        let is_it = |cost: &&Cost| cost.name == format!("{}.{}", entry.name, format.name());
+        let name = figure(entry.name, format.name);
+        let is_it = |cost: &&Cost| cost.name == format!("{}.{}", entry.name, format.name);
         let cost = costs.iter().find(is_it).with_context(|| format!("{name} was not counted for size"))?;
         ensure!(group.figures.contains_key(&name), "{name} was not counted for speed");
         group.add(&name, "instructions_for_size", thousandths(cost.instructions));
@@ -198,7 +178,7 @@ impl Effects {
     ) -> Result<Self> {
         write_programs()?;
         let package = ["--profile", SIZE, "--package", "luminaire-effects"];
-        let options = [&package, programs, format.features()].concat();
+        let options = [&package, programs, format.features].concat();
         Ok(Self { folder: counted::build_in(FIRMWARE, board, &options, progress)?.artifacts(SIZE) })
     }
 

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, ensure};
 
 use crate::counted::{self, FIRMWARE, SIZE};
-use crate::effects::{Format, write_source};
+use crate::effects::{FX16, Format, write_source};
 use crate::program::{Program, is_heap};
 use crate::public::{self, Function};
 use crate::target::Board;
@@ -69,7 +69,7 @@ pub(crate) fn no_panic(
 ) -> Result<String> {
     let proof = Proof::write(configuration, features, progress)?;
     for &format in formats {
-        let name = format.name();
+        let name = format.name;
         let files = proof.link(board, format, &[], progress).or_else(|error| {
             let culprits = proof.culprits(board, format, progress).unwrap_or_default();
             ensure!(culprits.is_empty(), "in {name} these can panic:\n{}", culprits.join("\n"));
@@ -93,7 +93,7 @@ pub(crate) fn no_panic(
 
 /// The programs that are linked in a format.
 fn programs(format: Format) -> &'static [&'static str] {
-    if format == Format::Fx16 { &[NO_PANIC, COMMON] } else { &[NO_PANIC] }
+    if format == FX16 { &[NO_PANIC, COMMON] } else { &[NO_PANIC] }
 }
 
 impl Proof {
@@ -147,7 +147,7 @@ impl Proof {
     ) -> Result<Vec<PathBuf>> {
         let package = ["--profile", SIZE, "--package", "luminaire-proof", "--features", self.configuration];
         let bins: Vec<_> = programs(format).iter().flat_map(|name| ["--bin", name]).collect();
-        let options = [&package, &bins[..], format.features(), options].concat();
+        let options = [&package, &bins[..], format.features, options].concat();
         let folder = counted::build_in(FIRMWARE, board, &options, progress)?.artifacts(SIZE);
         Ok(programs(format).iter().map(|name| folder.join(name)).collect())
     }

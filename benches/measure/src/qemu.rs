@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use tools::progress::Progress;
 use tools::{command, install, project};
 
@@ -93,6 +93,16 @@ impl Qemu {
         progress.run(build)?;
         Ok(project::target().join("release").join(format!("{DLL_PREFIX}luminaire_counter{DLL_SUFFIX}")))
     }
+}
+
+/// Fails unless a program prints on a board what it prints on the host.
+pub(crate) fn prints_the_same(board: &Board, found: &str, host: &str) -> Result<()> {
+    let name = board.name;
+    if let Some((line, host)) = found.lines().zip(host.lines()).find(|(line, host)| line != host) {
+        bail!("{name}: not the bits of the host: `{line}`, on the host `{host}`");
+    }
+    ensure!(!host.is_empty() && found.lines().eq(host.lines()), "{name}: not all lines of the host");
+    Ok(())
 }
 
 /// Reads the counter's file: `region address count` on each line. A region without executed instructions

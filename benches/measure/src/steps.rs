@@ -3,7 +3,7 @@
 use anyhow::ensure;
 
 use crate::documents::check;
-use crate::effects::{EMPTY, Effects, Format, UNUSED, write_programs};
+use crate::effects::{EMPTY, Effects, FORMATS, FX16, UNUSED, write_programs};
 use crate::proof::{CONFIGURATIONS, no_panic};
 use crate::target::{BOARDS, Target};
 use crate::{c, conform, counted, device, on};
@@ -21,7 +21,7 @@ const SPOT: &str = "lit";
 /// not used, the budget of bytes, and the same bits. What panics does so on every processor.
 pub fn smallest_board(suite: &mut Suite) {
     suite.remarked("effects: no function panics and none allocates on cortex-m0", |progress| {
-        Ok(vec![no_panic(CONFIGURATIONS[0], &BOARDS[0], &[Format::Fx16], progress)?])
+        Ok(vec![no_panic(CONFIGURATIONS[0], &BOARDS[0], &[FX16], progress)?])
     });
     linked(suite);
     conform::steps(suite, false);
@@ -39,14 +39,12 @@ pub fn all_boards(suite: &mut Suite) {
         });
         suite.remarked(
             &format!("effects: no function panics and none allocates on {}", board.name),
-            |progress| Ok(vec![no_panic(CONFIGURATIONS[0], board, &Format::ALL, progress)?]),
+            |progress| Ok(vec![no_panic(CONFIGURATIONS[0], board, &FORMATS, progress)?]),
         );
     }
     for configuration in &CONFIGURATIONS[1..] {
         let name = format!("effects: no function panics in the configuration {}", configuration.0);
-        suite.remarked(&name, |progress| {
-            Ok(vec![no_panic(*configuration, &BOARDS[0], &Format::ALL, progress)?])
-        });
+        suite.remarked(&name, |progress| Ok(vec![no_panic(*configuration, &BOARDS[0], &FORMATS, progress)?]));
     }
     linked(suite);
     suite.remarked("measure: the errors are those on record", |progress| {
@@ -77,7 +75,7 @@ fn linked(suite: &mut Suite) {
     suite.step("effects: what is not used adds no byte and no instruction", |progress| {
         let names = [EMPTY, SPOT, UNUSED];
         let options: Vec<_> = names.iter().flat_map(|name| ["--bin", name]).collect();
-        let effects = Effects::build_some(&options, &BOARDS[0], Format::Fx16, progress)?;
+        let effects = Effects::build_some(&options, &BOARDS[0], FX16, progress)?;
         let [empty, alone, beside] = names.map(|name| effects.program(name));
         let (empty, alone, beside) = (empty?, alone?, beside?);
         // A program that could name other effects, but does not, is the same to the byte.

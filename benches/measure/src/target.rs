@@ -33,27 +33,9 @@ pub struct Board {
 
 /// All boards: the Cortex-M from the smallest up, then a RISC-V without a floating point unit.
 pub static BOARDS: [Board; 4] = [
-    Board {
-        name: "cortex-m0",
-        title: "Cortex-M0",
-        target: "thumbv6m-none-eabi",
-        emulator: "qemu-system-arm",
-        machine: &["-M", "microbit"],
-    },
-    Board {
-        name: "cortex-m3",
-        title: "Cortex-M3",
-        target: "thumbv7m-none-eabi",
-        emulator: "qemu-system-arm",
-        machine: &["-M", "lm3s6965evb"],
-    },
-    Board {
-        name: "cortex-m4f",
-        title: "Cortex-M4F",
-        target: "thumbv7em-none-eabihf",
-        emulator: "qemu-system-arm",
-        machine: &["-M", "mps2-an386"],
-    },
+    Board::arm("cortex-m0", "Cortex-M0", "thumbv6m-none-eabi", &["-M", "microbit"]),
+    Board::arm("cortex-m3", "Cortex-M3", "thumbv7m-none-eabi", &["-M", "lm3s6965evb"]),
+    Board::arm("cortex-m4f", "Cortex-M4F", "thumbv7em-none-eabihf", &["-M", "mps2-an386"]),
     Board {
         name: "rv32imc",
         title: "RV32IMC",
@@ -62,6 +44,17 @@ pub static BOARDS: [Board; 4] = [
         machine: &["-M", "virt", "-bios", "none", "-cpu", "rv32,a=false,f=false,d=false"],
     },
 ];
+
+impl Board {
+    pub(crate) const fn arm(
+        name: &'static str,
+        title: &'static str,
+        target: &'static str,
+        machine: &'static [&'static str],
+    ) -> Self {
+        Self { name, title, target, emulator: "qemu-system-arm", machine }
+    }
+}
 
 impl Target {
     /// Every target, in the order of the page.

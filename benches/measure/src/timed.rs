@@ -14,7 +14,7 @@ use tools::browser::{Found, Visit};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
-use tools::turntable::{self, LOADS};
+use tools::turntable::{self, Frame, LOADS};
 use tools::{command, project, toolchain, wasm};
 
 /// Outer half angles in degrees at which errors are measured beside the standard cone, because there the
@@ -77,17 +77,14 @@ pub(crate) fn errors(progress: &Progress) -> Result<Record> {
 /// Times every kernel on this machine.
 pub(crate) fn host(progress: &Progress) -> Result<Record> {
     let rounds = (0..ROUNDS).map(|_| run(&["time"], progress)).collect::<Result<Vec<_>>>()?;
-    let mut group = best(rounds.iter().map(String::as_str))?;
+    let best = best(rounds.iter().map(String::as_str))?;
     let flags = env::var("RUSTFLAGS").unwrap_or_default();
-    for (name, fact) in [
+    let about = [
         ("compiler", toolchain::active_compiler()?),
         ("flags", format!("opt-level=3 {flags}").trim_end().to_owned()),
         ("runs_on", format!("{} on {}", processor(), env::consts::OS)),
-    ] {
-        group.about.insert(name.to_owned(), fact);
-    }
-    without_bits(&mut group);
-    Ok(Record([("host".to_owned(), group)].into()))
+    ];
+    Ok(Record([("host".to_owned(), times(&about, best))].into()))
 }
 
 /// Times every kernel in a browser, and frames of the demo. It is an error if the results are not the
@@ -100,20 +97,17 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     package.bind(&module, &site.path().join("pkg"), progress)?;
     let server = Server::start(server::listen(0)?, site.path())?;
     let found = visit(&server, &vec![ROUND.to_owned(); ROUNDS], progress)?;
-    let mut group = best(found.values.iter().map(|round| round.as_str().unwrap_or_default()))?;
+    let best = best(found.values.iter().map(|round| round.as_str().unwrap_or_default()))?;
     let mut host = Group::default();
     host.add_lines(&run(&["time"], progress)?)?;
-    compare(&group, &host)?;
-    without_bits(&mut group);
-    for (name, fact) in [
+    compare(&best, &host)?;
+    let about = [
         ("compiler", wasm::compiler(progress)?),
         ("flags", format!("opt-level=3 lto=fat {}", package.flags()).trim_end().to_owned()),
         ("runs_on", format!("{}, {}", found.version, processor())),
-    ] {
-        group.about.insert(name.to_owned(), fact);
-    }
+    ];
     let name = Target::Browser { simd }.name();
-    let mut record = Record([(name.to_owned(), group)].into());
+    let mut record = Record([(name.to_owned(), times(&about, best))].into());
     if simd {
         record.0.insert("demo".to_owned(), frames(progress)?);
     }
@@ -144,10 +138,10 @@ fn best<'a>(rounds: impl Iterator<Item = &'a str>) -> Result<Group> {
     Ok(best)
 }
 
-fn without_bits(group: &mut Group) {
-    group.figures.values_mut().for_each(|figures| {
-        figures.shift_remove("bits");
-    });
+/// The times alone, with what they depend on.
+fn times(about: &[(&str, String)], mut best: Group) -> Group {
+    best.figures.values_mut().for_each(|figures| figures.retain(|unit, _| unit != "bits"));
+    Group { figures: best.figures, ..Group::about(about) }
 }
 
 /// Fails if a kernel has other results in the browser than on the host.
@@ -204,34 +198,32 @@ fn frames(progress: &Progress) -> Result<Group> {
     let found = visit(&server, &acts, progress)?;
     let mut group = Group::about(&[("runs_on", found.version)]);
     let per_round = 2 * TRIALS.len() + LOADS.len();
+    let rounds: Vec<Vec<_>> =
+        found.values.chunks(per_round).map(|round| round.iter().map(Frame::of).collect()).collect();
     for (number, (effect, scene, _)) in TRIALS.iter().enumerate() {
-        let round = |round: &[Value]| {
-            Some([2 * number, 2 * number + 1].map(|at| turntable::Frame::of(&round[at]).at_rest))
-                .and_then(|[with, without]| Some([with?, without?]))
-        };
-        let best = quickest(found.values.chunks(per_round).filter_map(round));
-        let [with, without] = best.with_context(|| format!("the page has no time of {scene}"))?;
         group.add(effect.name(), "scene", *scene);
-        group.add(effect.name(), "ms_with", with);
-        group.add(effect.name(), "ms_without", without);
+        let pairs = rounds.iter().map(|round| [round[2 * number].at_rest, round[2 * number + 1].at_rest]);
+        add_quickest(&mut group, effect.name(), ["ms_with", "ms_without"], pairs)?;
     }
-    for (number, load) in LOADS.iter().enumerate() {
-        let round = |round: &[Value]| {
-            let frame = turntable::Frame::of(&round[2 * TRIALS.len() + number]);
-            Some([frame.at_rest?, frame.moving?])
-        };
-        let best = quickest(found.values.chunks(per_round).filter_map(round));
-        let [at_rest, moving] = best.with_context(|| format!("the page has no time of {}", load.name))?;
-        group.add(load.name, "ms_at_rest", at_rest);
-        group.add(load.name, "ms_moving", moving);
+    for (number, load) in (2 * TRIALS.len()..).zip(&LOADS) {
+        let pairs = rounds.iter().map(|round| [round[number].at_rest, round[number].moving]);
+        add_quickest(&mut group, load.name, ["ms_at_rest", "ms_moving"], pairs)?;
     }
     Ok(group)
 }
 
-/// The pair of times with the smallest sum, in hundredths of a millisecond.
-fn quickest(rounds: impl Iterator<Item = [f64; 2]>) -> Option<[f64; 2]> {
-    let best = rounds.min_by(|one, other| one.iter().sum::<f64>().total_cmp(&other.iter().sum()))?;
-    Some(best.map(|time| (time * 100.0).round() / 100.0))
+/// Adds the pair of times with the smallest sum, in hundredths of a millisecond.
+fn add_quickest(
+    group: &mut Group,
+    name: &str,
+    units: [&str; 2],
+    pairs: impl Iterator<Item = [Option<f64>; 2]>,
+) -> Result<()> {
+    let pairs = pairs.filter_map(|[one, other]| Some([one?, other?]));
+    let best = pairs.min_by(|one, other| one.iter().sum::<f64>().total_cmp(&other.iter().sum()));
+    let best = best.with_context(|| format!("the page has no time of {name}"))?;
+    units.iter().zip(best).for_each(|(unit, time)| group.add(name, unit, (time * 100.0).round() / 100.0));
+    Ok(())
 }
 
 #[cfg(test)]

@@ -133,18 +133,17 @@ impl Unpacked {
     /// Runs the crates' own tests, doc tests and examples included.
     fn tests(&self, progress: &Progress) -> Result<Tally> {
         compilers::find(progress)?;
-        let mut tally = Tally::default();
-        for (name, _) in CRATES {
+        let tallies = CRATES.map(|(name, _)| {
             let mut test = self.cargo(name, &["test", "--all-features"]);
             // Tests that compile C skip a compiler that is not installed, unless this variable is set.
             test.env("LUMINAIRE_TOOLS", "1");
-            tally += tally::cargo_test(test, progress)?;
-        }
+            tally::cargo_test(test, progress)
+        });
         for example in EXAMPLES {
             let run = self.cargo("luminaire", &["run", "--all-features", "--example", example]);
             progress.run(run).with_context(|| format!("the example {example}"))?;
         }
-        Ok(tally)
+        tallies.into_iter().sum()
     }
 
     /// Checks the kernel with the oldest version of each dependency that its manifest allows.

@@ -2,7 +2,6 @@
 
 use std::fmt;
 use std::iter::Sum;
-use std::ops::AddAssign;
 use std::process::Command;
 
 use anyhow::{Result, bail, ensure};
@@ -47,7 +46,7 @@ pub fn cargo_test(test: Command, progress: &Progress) -> Result<Tally> {
     ensure!(tally != Tally::default(), "no test was run");
     // A test program that does not compile, or that crashes, prints no `test result:` line.
     if !ended.success && tally.failed == 0 {
-        tally += Tally::FAILED;
+        tally = Tally { failed: 1, ..tally };
     }
     Ok(tally)
 }
@@ -65,18 +64,11 @@ pub fn node_test(test: Command, progress: &Progress) -> Result<Tally> {
     }
 }
 
-impl AddAssign for Tally {
-    fn add_assign(&mut self, other: Self) {
-        self.passed += other.passed;
-        self.failed += other.failed;
-    }
-}
-
 impl Sum for Tally {
     fn sum<I: Iterator<Item = Self>>(tallies: I) -> Self {
-        tallies.fold(Self::default(), |mut sum, tally| {
-            sum += tally;
-            sum
+        tallies.fold(Self::default(), |sum, tally| Self {
+            passed: sum.passed + tally.passed,
+            failed: sum.failed + tally.failed,
         })
     }
 }

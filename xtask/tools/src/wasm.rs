@@ -17,8 +17,6 @@ const PROFILE: &str = "wasm";
 #[derive(Debug)]
 pub struct Package {
     name: &'static str,
-    /// The name of its library, as in file names.
-    library: &'static str,
     /// The name of its bindings, as in file names.
     bindings: &'static str,
     /// Whether it may use the vector instructions.
@@ -26,24 +24,23 @@ pub struct Package {
 }
 
 /// What the board of the demo must show.
-pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip", "luminaire_chip");
+pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip");
 /// The modules of the demo's page, and the folders of their bindings on it: the stage, which draws
 /// pictures in `f32`, and what is loaded when it is first needed. The chip's is apart: it has the
 /// firmware beside it.
 pub const PAGE: [(Package, &str); 5] = [
-    (Package::new("demo-stage", "demo_stage", "wasm_demo"), "pkg"),
-    (Package::new("demo-fixed-point", "demo_fixed_point", "fixed_point"), "pkg"),
-    (Package::new("demo-comparison", "demo_comparison", "comparison"), "pkg"),
-    (Package::new("demo-code", "demo_code", "code"), "pkg"),
-    (Package::new("luminaire-price", "luminaire_price", "luminaire_price"), "price"),
+    (Package::new("demo-stage", "wasm_demo"), "pkg"),
+    (Package::new("demo-fixed-point", "fixed_point"), "pkg"),
+    (Package::new("demo-comparison", "comparison"), "pkg"),
+    (Package::new("demo-code", "code"), "pkg"),
+    (Package::new("luminaire-price", "luminaire_price"), "price"),
 ];
 /// The check of the conformance vectors.
-pub const CONFORM: Package =
-    Package::new("luminaire-conform-wasm", "luminaire_conform_wasm", "luminaire_conform_wasm");
+pub const CONFORM: Package = Package::new("luminaire-conform-wasm", "luminaire_conform_wasm");
 /// The program that times the kernels.
 pub const PRICES: Package = Package { simd: false, ..SIMD_PRICES };
 /// The program that times the kernels, with vector instructions.
-pub const SIMD_PRICES: Package = Package::new("luminaire-prices", "luminaire_prices", "luminaire_prices");
+pub const SIMD_PRICES: Package = Package::new("luminaire-prices", "luminaire_prices");
 
 /// The compiler that packages are compiled with, as in `rustc 1.96.0`.
 pub fn compiler(progress: &Progress) -> Result<String> {
@@ -51,8 +48,8 @@ pub fn compiler(progress: &Progress) -> Result<String> {
 }
 
 impl Package {
-    const fn new(name: &'static str, library: &'static str, bindings: &'static str) -> Self {
-        Self { name, library, bindings, simd: true }
+    const fn new(name: &'static str, bindings: &'static str) -> Self {
+        Self { name, bindings, simd: true }
     }
 
     /// The flags of the compiler.
@@ -69,13 +66,13 @@ impl Package {
         build.env("CARGO_ENCODED_RUSTFLAGS", self.flags());
         progress.run(build)?;
         step.done();
-        Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.library)))
+        Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.name.replace('-', "_"))))
     }
 
     /// Writes the bindings, their types and the bound module into `folder`. Returns the path of the
     /// bound module.
     pub fn bind(&self, module: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
-        let step = progress.begin("Binding", format_args!("{}.wasm to JavaScript", self.library));
+        let step = progress.begin("Binding", format_args!("{} to JavaScript", self.name));
         let mut bindgen = Bindgen::new();
         // Pages that call `init()` without a path rely on bindings that know where their module is.
         bindgen.input_path(module).out_name(self.bindings).typescript(true);

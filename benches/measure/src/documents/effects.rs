@@ -65,7 +65,7 @@ fn row(record: &Record, entry: &Entry) -> Result<Vec<String>> {
         for (board, format) in boards {
             let group = record.group(board);
             let number = |program: &str| {
-                let name = figure(program, format.name());
+                let name = figure(program, format.name);
                 group.number(&name, unit).with_context(|| format!("{board} has no {unit} of {name}"))
             };
             let value = number(entry.name)?;
