@@ -25,7 +25,7 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let checking = options.check || options.screenshot.is_some();
     // Before the build, so that a taken port is reported at once.
     let listener = server::listen(options.port.unwrap_or(if checking { 0 } else { PORT }))?;
-    let server = Server::start(listener, &site::build(Build::Whole, &progress)?)?;
+    let server = Server::on(listener, server::HEADERS, &site::build(Build::Whole, &progress)?)?;
     let view = options.view.as_ref().map(|view| format!("#{view}"));
     let address = server.address() + &view.unwrap_or_default();
     if checking {

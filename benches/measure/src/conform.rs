@@ -12,7 +12,7 @@ use crate::counted::{self, FIRMWARE};
 use crate::qemu::Qemu;
 use crate::target::{BOARDS, Board, Target};
 use tools::progress::Progress;
-use tools::server::{self, Server};
+use tools::server::Server;
 use tools::suite::Suite;
 use tools::{command, project, wasm};
 
@@ -139,7 +139,7 @@ fn in_a_browser(progress: &Progress) -> Result<String> {
     wasm::CONFORM.bind(&wasm::CONFORM.compile(progress)?, &site.join("pkg"), progress)?;
     fs::copy(folder().join("wasm/index.html"), site.join("index.html"))?;
     fs::copy(file(), site.join("vectors.txt"))?;
-    let server = Server::start(server::listen(0)?, &site)?;
+    let server = Server::start(&site)?;
     let visit = Visit { address: &server.address(), ..Visit::default() };
     let report = visit.ask("document.getElementById('report').textContent", progress)?;
     Ok(report.as_str().context("the page has no report")?.to_owned())

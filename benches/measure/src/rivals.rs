@@ -16,7 +16,7 @@ use serde::Deserialize;
 use tools::browser::{Visit, WebGl};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
-use tools::server::{self, Server};
+use tools::server::Server;
 use tools::turntable::{Frame, LOADS, Load};
 use tools::{install, project};
 
@@ -41,8 +41,8 @@ struct Answer {
 pub fn run() -> Result<()> {
     let progress = Progress::Live;
     let (demo, folder) = (site::build(Build::Small, &progress)?, gather(&progress)?);
-    let demo = Server::start(server::listen(0)?, &demo)?;
-    let rival = Server::start(server::listen(0)?, &folder)?;
+    let demo = Server::start(&demo)?;
+    let rival = Server::start(&folder)?;
     let ours = ours(&demo, &progress)?;
     let mut columns = Vec::new();
     for web_gl in [WebGl::SwiftShader, WebGl::Llvmpipe] {
@@ -105,12 +105,13 @@ fn ours(server: &Server, progress: &Progress) -> Result<Vec<(f64, f64)>> {
 fn theirs(web_gl: WebGl, server: &Server, progress: &Progress) -> Result<Vec<Answer>> {
     let (mut answers, address) = (Vec::new(), server.address());
     for load in &LOADS {
-        let step = progress.begin("Timing", format_args!("three.js: {}", load.name));
         let visit = Visit { address: &address, web_gl: Some(web_gl) };
-        let answer = visit.ask(&format!("rival('{}')", file(load)), progress)?;
+        let answer = progress.timed("Timing", format_args!("three.js: {}", load.name), || {
+            visit.ask(&format!("rival('{}')", file(load)), progress)
+        })?;
         let answer: Answer = serde_json::from_value(answer).context("three.js gave no times")?;
         ensure!(answer.lit > 0.5, "three.js lit only {} of the picture", answer.lit);
-        step.done_with(format_args!("{} triangles", answer.triangles));
+        progress.say("Drawn", format_args!("{} triangles", answer.triangles));
         answers.push(answer);
     }
     Ok(answers)

@@ -13,7 +13,7 @@ use crate::target::Target;
 use tools::browser::{Found, Visit};
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
-use tools::server::{self, Server};
+use tools::server::Server;
 use tools::turntable::{self, Frame, LOADS};
 use tools::{command, project, toolchain, wasm};
 
@@ -95,7 +95,7 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     let site = tempfile::Builder::new().prefix("prices-").tempdir_in(project::target())?;
     fs::write(site.path().join("index.html"), PAGE)?;
     package.bind(&module, &site.path().join("pkg"), progress)?;
-    let server = Server::start(server::listen(0)?, site.path())?;
+    let server = Server::start(site.path())?;
     let found = visit(&server, &vec![ROUND.to_owned(); ROUNDS], progress)?;
     let best = best(found.values.iter().map(|round| round.as_str().unwrap_or_default()))?;
     let mut host = Group::default();
@@ -115,10 +115,9 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
 }
 
 fn visit(server: &Server, expressions: &[String], progress: &Progress) -> Result<Found> {
-    let step = progress.begin("Timing", "in Chromium");
-    let found = Visit { address: &server.address(), ..Visit::default() }.run(expressions, progress)?;
-    step.done();
-    Ok(found)
+    let address = server.address();
+    let visit = Visit { address: &address, ..Visit::default() };
+    progress.timed("Timing", "in Chromium", || visit.run(expressions, progress))
 }
 
 /// The times of each kernel in the round where its median is smallest.
@@ -158,10 +157,7 @@ fn compare(browser: &Group, host: &Group) -> Result<()> {
 fn run(words: &[&str], progress: &Progress) -> Result<String> {
     progress.run(command::cargo(["build", "--release", "--package", "luminaire-prices"]))?;
     let program = project::target().join("release").join(format!("luminaire-prices{EXE_SUFFIX}"));
-    let step = progress.begin("Measuring", words.join(" "));
-    let answer = command::answer(Command::new(program).args(words))?;
-    step.done();
-    Ok(answer)
+    progress.timed("Measuring", words.join(" "), || command::answer(Command::new(program).args(words)))
 }
 
 /// The processor's name, or its architecture where the system does not state the name.
@@ -187,7 +183,7 @@ const FRAMES: u32 = 15;
 /// turntable under each load. The quickest of the rounds counts; both times with and without an effect
 /// come from the same round, so that a slow machine affects both alike.
 fn frames(progress: &Progress) -> Result<Group> {
-    let server = Server::start(server::listen(0)?, &site::build(Build::Small, progress)?)?;
+    let server = Server::start(&site::build(Build::Small, progress)?)?;
     let mut acts = Vec::new();
     for _ in 0..ROUNDS {
         for (_, scene, options) in &TRIALS {

@@ -98,11 +98,11 @@ struct Served {
 
 impl Served {
     fn new(build: Build, progress: &Progress) -> Result<Self> {
-        let demo = Server::start(server::listen(0)?, &site::folder())?;
+        let demo = Server::start(&site::folder())?;
         let host = tempfile::tempdir()?;
         let folder = host.path().join(PATH);
         let first = publish(&site::folder(), &folder, Some(STANDS), progress)?;
-        let plain = Server::start_plain(server::listen(0)?, host.path())?;
+        let plain = Server::on(server::listen(0)?, "", host.path())?;
         let mut expected = expected::page()?;
         expected["hosted"] = json!({
             "address": format!("{}{PATH}", plain.address()), "folder": folder, "stands": STANDS,

@@ -9,7 +9,7 @@ use tools::browser::check;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::project;
-use tools::server::{self, Server};
+use tools::server::Server;
 
 /// The pictures, each with the view that it shows.
 const PICTURES: [(&str, &str); 3] =
@@ -21,7 +21,7 @@ const FINGERPRINT: &str = "docs/pictures.txt";
 /// Builds the demo, takes the pictures and writes the fingerprint.
 pub(crate) fn run() -> Result<()> {
     let progress = Progress::Live;
-    let server = Server::start(server::listen(0)?, &site::build(Build::Small, &progress)?)?;
+    let server = Server::start(&site::build(Build::Small, &progress)?)?;
     for (file, view) in PICTURES {
         let file = project::root().join("docs").join(file);
         check(&format!("{}#{view}", server.address()), Some(&file), &progress)?;

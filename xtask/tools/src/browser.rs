@@ -42,12 +42,9 @@ pub fn find(variable: &str, names: &[&str], packages: &[&str], progress: &Progre
 /// Runs a page of the demo once in Chromium, and writes a picture of it. Returns its measurements as
 /// one line.
 pub fn check(address: &str, picture: Option<&Path>, progress: &Progress) -> Result<String> {
-    let step = progress.begin("Checking", address);
     let mut node = node(progress)?;
     node.arg(project::root().join("xtask/browser/check.mjs")).arg(address).args(picture);
-    let verdict = command::answer(&mut node)?;
-    step.done();
-    Ok(verdict)
+    progress.timed("Checking", address, || command::answer(&mut node))
 }
 
 /// What draws the WebGL of pages on a machine without a GPU.

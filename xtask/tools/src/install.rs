@@ -48,16 +48,14 @@ const NODE_PACKAGES: [&str; 2] = ["nodejs", "npm"];
 
 /// Installs Debian packages. Call it only if [`debian_root`] returns true.
 pub fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
-    let step = progress.begin("Installing", format_args!("Debian packages: {}", packages.join(" ")));
     let remedy = || {
         format!("cannot install them: try `apt-get update && apt-get install {}` by hand", packages.join(" "))
     };
     let install = [&["install", "-y", "--no-install-recommends"], packages].concat();
-    for words in [&["update"][..], &install] {
-        apt_get(words, project::root(), progress).with_context(remedy)?;
-    }
-    step.done();
-    Ok(())
+    let mut calls = [&["update"][..], &install].into_iter();
+    progress.timed("Installing", format_args!("Debian packages: {}", packages.join(" ")), || {
+        calls.try_for_each(|words| apt_get(words, project::root(), progress)).with_context(remedy)
+    })
 }
 
 /// Runs `apt-get` in a folder, when no other apt is running.
@@ -149,7 +147,6 @@ pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
         return Ok(folder);
     }
     let npm = program(&["npm"], &NODE_PACKAGES, progress)?;
-    let step = progress.begin("Installing", "the npm packages of xtask/tools/npm into target/tools");
     fs::write(tools().join("package.json"), NPM_PACKAGES)?;
     fs::write(tools().join("package-lock.json"), NPM_LOCK)?;
     let mut install = Command::new(npm);
@@ -161,8 +158,8 @@ pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
         install.arg("--omit=dev");
     }
     install.current_dir(tools());
-    progress.run(install)?;
-    step.done();
+    let what = "the npm packages of xtask/tools/npm into target/tools";
+    progress.timed("Installing", what, || progress.run(install))?;
     ensure!(folder.is_dir(), "npm has not installed {name} into {}", folder.display());
     fs::write(&installed, NPM_LOCK)?;
     Ok(folder)
@@ -175,11 +172,9 @@ pub fn cargo_program(name: &str, progress: &Progress) -> Result<PathBuf> {
     if let Some(program) = command::on_path(&[name]).or_else(|| built.is_file().then(|| built.clone())) {
         return Ok(program);
     }
-    let step = progress.begin("Building", format_args!("{name} into target/tools"));
     let mut install = command::cargo(["install", "--locked", name, "--root"]);
     install.arg(tools());
-    progress.run(install)?;
-    step.done();
+    progress.timed("Building", format_args!("{name} into target/tools"), || progress.run(install))?;
     Ok(built)
 }
 

@@ -20,13 +20,6 @@ pub enum Progress {
     Kept(RefCell<String>),
 }
 
-/// A step that has begun.
-#[derive(Debug)]
-pub struct Step<'a> {
-    progress: &'a Progress,
-    start: Instant,
-}
-
 impl Progress {
     /// Progress that is kept in memory and not printed.
     pub fn kept() -> Self {
@@ -53,10 +46,13 @@ impl Progress {
         }
     }
 
-    /// Begins a step; [`Step::done`] ends it.
-    pub fn begin(&self, verb: &str, what: impl Display) -> Step<'_> {
+    /// Does some work between two lines: what it is, and how long it took.
+    pub fn timed<T>(&self, verb: &str, what: impl Display, work: impl FnOnce() -> Result<T>) -> Result<T> {
         self.say(verb, what);
-        Step { progress: self, start: Instant::now() }
+        let start = Instant::now();
+        let result = work()?;
+        self.say("Done", format_args!("in {:.1} s", start.elapsed().as_secs_f64()));
+        Ok(result)
     }
 
     /// Runs a program that must succeed. Its output is part of the progress, and keeps its colours on a
@@ -80,17 +76,5 @@ impl Progress {
     /// Runs a program that may fail. Its output is part of the progress.
     pub fn capture(&self, command: Command) -> Result<Ended> {
         command::capture(command, |text| self.quote(text))
-    }
-}
-
-impl Step<'_> {
-    /// Reports how long the step took.
-    pub fn done(self) {
-        self.progress.say("Done", format_args!("in {:.1} s", self.start.elapsed().as_secs_f64()));
-    }
-
-    /// Reports how long the step took, and its result.
-    pub fn done_with(self, result: impl Display) {
-        self.progress.say("Done", format_args!("in {:.1} s: {result}", self.start.elapsed().as_secs_f64()));
     }
 }

@@ -36,7 +36,7 @@ const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 /// Headers of every response of the demo's own server. The demo may be rebuilt at any time, so nothing
 /// is cached. `Allow` is required in the response to a method other than these. The `Cross-Origin`
 /// headers make the page `crossOriginIsolated`, so that its clock has a resolution of microseconds.
-const HEADERS: &str = "Allow: GET, HEAD\r\n\
+pub const HEADERS: &str = "Allow: GET, HEAD\r\n\
     Cache-Control: no-store\r\n\
     Cross-Origin-Opener-Policy: same-origin\r\n\
     Cross-Origin-Embedder-Policy: require-corp\r\n\
@@ -63,17 +63,13 @@ pub fn listen(port: u16) -> Result<TcpListener> {
 }
 
 impl Server {
-    /// Serves `folder` to every client of the port.
-    pub fn start(listener: TcpListener, folder: &Path) -> Result<Self> {
-        Self::start_with(HEADERS, listener, folder)
+    /// Serves `folder` to every client of any free port.
+    pub fn start(folder: &Path) -> Result<Self> {
+        Self::on(listen(0)?, HEADERS, folder)
     }
 
-    /// Serves `folder` without any special header, as static hosts do.
-    pub fn start_plain(listener: TcpListener, folder: &Path) -> Result<Self> {
-        Self::start_with("", listener, folder)
-    }
-
-    fn start_with(headers: &'static str, listener: TcpListener, folder: &Path) -> Result<Self> {
+    /// Serves `folder` to every client of the port, with these headers in every response.
+    pub fn on(listener: TcpListener, headers: &'static str, folder: &Path) -> Result<Self> {
         let port = listener.local_addr()?.port();
         let folder = Arc::<Path>::from(folder);
         let accepting = thread::spawn(move || {
@@ -213,7 +209,7 @@ mod tests {
     fn served() -> (tempfile::TempDir, Server) {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("index.html"), "the page").unwrap();
-        let server = Server::start(listen(0).unwrap(), folder.path()).unwrap();
+        let server = Server::start(folder.path()).unwrap();
         (folder, server)
     }
 

@@ -60,26 +60,24 @@ impl Package {
     /// Compiles the package. The resulting module still needs its bindings.
     pub fn compile(&self, progress: &Progress) -> Result<PathBuf> {
         let toolchain = Toolchain::find(TARGET, progress)?;
-        let step = progress.begin("Building", format_args!("{} for {}", self.name, toolchain.describe()));
         let words = ["build", "--package", self.name, "--lib", "--profile", PROFILE];
         let mut build = toolchain.cargo("std,panic_abort", words);
         build.env("CARGO_ENCODED_RUSTFLAGS", self.flags());
-        progress.run(build)?;
-        step.done();
+        let what = format_args!("{} for {}", self.name, toolchain.describe());
+        progress.timed("Building", what, || progress.run(build))?;
         Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.name.replace('-', "_"))))
     }
 
     /// Writes the bindings, their types and the bound module into `folder`. Returns the path of the
     /// bound module.
     pub fn bind(&self, module: &Path, folder: &Path, progress: &Progress) -> Result<PathBuf> {
-        let step = progress.begin("Binding", format_args!("{} to JavaScript", self.name));
         let mut bindgen = Bindgen::new();
         // Pages that call `init()` without a path rely on bindings that know where their module is.
         bindgen.input_path(module).out_name(self.bindings).typescript(true);
-        let bound =
-            bindgen.web(true).and_then(|bindgen| bindgen.omit_default_module_path(false).generate(folder));
-        bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))?;
-        step.done();
+        progress.timed("Binding", format_args!("{} to JavaScript", self.name), || {
+            let bound = bindgen.web(true)?.omit_default_module_path(false).generate(folder);
+            bound.with_context(|| format!("wasm-bindgen cannot make bindings for {}", module.display()))
+        })?;
         Ok(folder.join(format!("{}_bg.wasm", self.bindings)))
     }
 }

@@ -23,9 +23,8 @@ pub(super) fn write(site: &Path, build: Build, progress: &Progress) -> Result<()
             return Ok(());
         }
     };
-    let step = progress.begin("Building", format_args!("the firmware of the {RP2040}"));
-    let firmware = board::build(progress)?;
-    step.done();
+    let what = format_args!("the firmware of the {RP2040}");
+    let firmware = progress.timed("Building", what, || board::build(progress))?;
     let module = wasm::CHIP.compile(progress)?;
     copy(&firmware, &site.join(format!("{RP2040}.elf")))?;
     bundle(site, progress)?;

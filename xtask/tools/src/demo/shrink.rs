@@ -51,14 +51,14 @@ fn shrink(module: &Path, progress: &Progress) -> Result<()> {
         progress.say("Leaving", format_args!("{name}: no wasm-opt (install binaryen, or npm) to shrink it"));
         return Ok(());
     };
-    let step = progress.begin("Shrinking", format_args!("with {}", project::shown(&wasm_opt)));
     let kilobytes = || fs::metadata(module).map_or(0, |file| file.len() / 1000);
     let (before, shrunk) = (kilobytes(), module.with_extension("shrunk"));
-    let mut shrinking = Command::new(wasm_opt);
+    let mut shrinking = Command::new(&wasm_opt);
     shrinking.arg(module).arg("--output").arg(&shrunk).args(ARGUMENTS);
-    progress.run(shrinking)?;
+    let what = format_args!("with {}", project::shown(&wasm_opt));
+    progress.timed("Shrinking", what, || progress.run(shrinking))?;
     fs::rename(&shrunk, module).with_context(|| format!("cannot replace {}", module.display()))?;
-    step.done_with(format_args!("{before} kB before, {} kB after", kilobytes()));
+    progress.say("Shrunk", format_args!("{before} kB before, {} kB after", kilobytes()));
     Ok(())
 }
 

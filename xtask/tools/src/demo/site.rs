@@ -45,7 +45,7 @@ pub fn built_views() -> impl Iterator<Item = &'static str> {
 pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
     let site = folder();
     renew(&site, |new| {
-        let step = progress.begin("Gathering", project::shown(&site));
+        progress.say("Gathering", project::shown(&site));
         let docs = project::root().join("docs");
         let mut files = project::files(&project::root().join("wasm-demo/web"), &[])?;
         for (folder, name) in [("", "prices.json"), ("figures", PREVIEW)] {
@@ -55,7 +55,6 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
         }
         project::mirror(&files, new, &[])?;
         chips::write(&docs, new)?;
-        step.done();
         for (package, folder) in wasm::PAGE {
             let module = package.compile(progress)?;
             build.finish(&package.bind(&module, &new.join(folder), progress)?, progress)?;
