@@ -10,7 +10,7 @@ use tools::progress::Progress;
 use tools::toolchain::Toolchain;
 use tools::{command, project};
 
-use crate::program::Program;
+use crate::program::{Program, Split};
 use crate::qemu::{Qemu, Region, prints_the_same};
 use crate::record::{Group, Line};
 use crate::rp2040;
@@ -105,22 +105,16 @@ impl<'a> Firmware<'a> {
         let costs =
             lines.chunks(2).zip(run.regions.chunks(2)).enumerate().map(|(number, (lines, regions))| {
                 ensure!(lines[0].name.starts_with(EMPTY), "{} comes without an empty loop", lines[1].name);
-                let split = [&regions[0], &regions[1]].map(|region| program.split(region));
-                let sums = [&split[0], &split[1]].map(|split| split.values().sum::<u64>() as f64);
-                let bytes =
-                    [&split[0], &split[1]].map(|split| split.keys().map(|(_, bytes)| bytes).sum::<u64>());
-                let per_call = |[idle, busy]: [f64; 2]| busy / calls - idle / calls;
+                let [idle, busy] = [0, 1].map(|region| program.split(&regions[region]));
+                let sum = |split: &Split| split.values().sum::<u64>() as f64 / calls;
+                let bytes = |split: &Split| split.keys().map(|(_, bytes)| bytes).sum::<u64>();
+                let cycles = cycles.as_ref().map(|cycles| &cycles[2 * number..]);
                 Ok(Cost {
                     name: lines[1].name.clone(),
-                    instructions: per_call(sums),
-                    bytes: bytes[1].saturating_sub(bytes[0]),
-                    cycles: cycles
-                        .as_ref()
-                        .map(|cycles| (cycles[2 * number + 1] as f64 - cycles[2 * number] as f64) / calls),
-                    split: split[1]
-                        .iter()
-                        .map(|(name, count)| (name.clone(), *count as f64 / calls))
-                        .collect(),
+                    instructions: sum(&busy) - sum(&idle),
+                    bytes: bytes(&busy).saturating_sub(bytes(&idle)),
+                    cycles: cycles.map(|cycles| (cycles[1] as f64 - cycles[0] as f64) / calls),
+                    split: busy.into_iter().map(|(name, count)| (name, count as f64 / calls)).collect(),
                 })
             });
         Ok((costs.collect::<Result<_>>()?, run))

@@ -143,49 +143,32 @@ fn add(group: &mut Group, cost: &Cost) {
 fn for_size(format: Format, board: &'static Board, group: &mut Group, progress: &Progress) -> Result<()> {
     let (costs, _) =
         Firmware { profile: SIZE, ..Firmware::new(EFFECTS, &format.effects) }.costs(board, progress)?;
-    let programs = Effects::build(board, format, progress)?;
-    let empty = programs.program(EMPTY)?.bytes();
+    let folder = build(&["--bins"], board, format, progress)?;
+    let empty = Program::read(&folder.join(EMPTY))?.bytes();
     for entry in catalogue().iter().flat_map(|chapter| &chapter.entries) {
         let name = figure(entry.name, format.name);
         let is_it = |cost: &&Cost| cost.name == format!("{}.{}", entry.name, format.name);
         let cost = costs.iter().find(is_it).with_context(|| format!("{name} was not counted for size"))?;
         ensure!(group.figures.contains_key(&name), "{name} was not counted for speed");
         group.add(&name, "instructions_for_size", thousandths(cost.instructions));
-        let bytes = programs.program(&file_name(entry.name))?.bytes().saturating_sub(empty);
+        let bytes = Program::read(&folder.join(file_name(entry.name)))?.bytes().saturating_sub(empty);
         group.add(&name, "flash", bytes);
     }
     Ok(())
 }
 
-/// The programs of one effect each that were built. Another format for the same target replaces them.
-#[derive(Debug)]
-pub(crate) struct Effects {
-    folder: PathBuf,
-}
-
-impl Effects {
-    /// Builds all programs for size. A program that can panic does not link.
-    fn build(board: &Board, format: Format, progress: &Progress) -> Result<Self> {
-        Self::build_some(&["--bins"], board, format, progress)
-    }
-
-    /// Builds the programs that arguments of cargo select.
-    pub(crate) fn build_some(
-        programs: &[&str],
-        board: &Board,
-        format: Format,
-        progress: &Progress,
-    ) -> Result<Self> {
-        write_programs()?;
-        let package = ["--profile", SIZE, "--package", "luminaire-effects"];
-        let options = [&package, programs, format.features].concat();
-        Ok(Self { folder: counted::build_in(FIRMWARE, board, &options, progress)?.artifacts(SIZE) })
-    }
-
-    /// A program.
-    pub(crate) fn program(&self, name: &str) -> Result<Program> {
-        Program::read(&self.folder.join(name))
-    }
+/// Builds for size the programs of one effect each that arguments of cargo select. A program that can
+/// panic does not link. Returns their folder, where another format for the same target replaces them.
+pub(crate) fn build(
+    programs: &[&str],
+    board: &Board,
+    format: Format,
+    progress: &Progress,
+) -> Result<PathBuf> {
+    write_programs()?;
+    let package = ["--profile", SIZE, "--package", "luminaire-effects"];
+    let options = [&package, programs, format.features].concat();
+    Ok(counted::build_in(FIRMWARE, board, &options, progress)?.artifacts(SIZE))
 }
 
 fn file_name(program: &str) -> String {

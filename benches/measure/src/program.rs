@@ -13,6 +13,9 @@ use object::{
 
 use crate::qemu::Region;
 
+/// The instructions of a region, by name and bytes of the function.
+pub(crate) type Split = BTreeMap<(String, u64), u64>;
+
 /// A program as the linker has left it.
 #[derive(Debug)]
 pub struct Program {
@@ -85,8 +88,8 @@ impl Program {
 
     /// The instructions of a region, by name and bytes of the function. Instructions outside every
     /// function are counted as `?`.
-    pub(crate) fn split(&self, region: &Region) -> BTreeMap<(String, u64), u64> {
-        let mut split = BTreeMap::new();
+    pub(crate) fn split(&self, region: &Region) -> Split {
+        let mut split = Split::new();
         for (&address, &count) in region {
             let function = self.functions.range(..=address).next_back();
             let function = function.filter(|(start, (_, bytes))| address < *start + bytes);

@@ -3,7 +3,8 @@
 use anyhow::ensure;
 
 use crate::documents::check;
-use crate::effects::{EMPTY, Effects, FORMATS, FX16, UNUSED, write_programs};
+use crate::effects::{self, EMPTY, FORMATS, FX16, UNUSED, write_programs};
+use crate::program::Program;
 use crate::proof::{CONFIGURATIONS, no_panic};
 use crate::target::{BOARDS, Target};
 use crate::{c, conform, counted, device, on};
@@ -75,8 +76,8 @@ fn linked(suite: &mut Suite) {
     suite.step("effects: what is not used adds no byte and no instruction", |progress| {
         let names = [EMPTY, SPOT, UNUSED];
         let options: Vec<_> = names.iter().flat_map(|name| ["--bin", name]).collect();
-        let effects = Effects::build_some(&options, &BOARDS[0], FX16, progress)?;
-        let [empty, alone, beside] = names.map(|name| effects.program(name));
+        let folder = effects::build(&options, &BOARDS[0], FX16, progress)?;
+        let [empty, alone, beside] = names.map(|name| Program::read(&folder.join(name)));
         let (empty, alone, beside) = (empty?, alone?, beside?);
         // A program that could name other effects, but does not, is the same to the byte.
         ensure!(

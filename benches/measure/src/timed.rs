@@ -227,13 +227,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn best_round_of_each_kernel_counts() {
-        let rounds = ["a.f 2 ns\nb.f 1 ns\n", "a.f 1 ns\nb.f 3 ns\n", "a.f 3 ns\nb.f 2 ns\n"];
-        let best = best(rounds.into_iter()).unwrap();
-        assert_eq!(["a.f", "b.f"].map(|name| best.number(name, "ns")), [Some(1.0); 2]);
-    }
-
-    #[test]
     fn other_bits_in_the_browser_are_refused_but_for_the_platforms_own() {
         let group = |bits: &str| {
             let mut group = Group::default();
