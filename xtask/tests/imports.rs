@@ -25,7 +25,8 @@ fn roots() -> Vec<PathBuf> {
 fn files_of_a_crate_have_no_import_cycle() {
     let roots = roots();
     assert!(roots.len() > 20, "expected all crates, found {}", roots.len());
-    let found: String = roots.iter().flat_map(|root| Graph::of(root).cycles()).map(|(_, text)| text).collect();
+    let found: String =
+        roots.iter().flat_map(|root| Graph::of(root).cycles()).map(|(_, text)| text).collect();
     assert!(found.is_empty(), "expected no import cycle, found\n{found}");
 }
 
