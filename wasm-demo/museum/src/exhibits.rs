@@ -18,7 +18,18 @@ mod three_cosine;
 mod three_ies;
 mod tinygl;
 
-use crate::exhibit::Exhibit;
+// What the exhibits are built of; each has these names from here.
+use crate::{
+    beam::Beam,
+    exhibit::{Bounds, Control, Exhibit, Source},
+    formula::{clamped_span, glsl_pow, smoothstep},
+    view::View,
+};
+use luminaire::{
+    Cone, Error, HalfAngle,
+    falloff::{Hard, Linear, Smooth, Soft, Step},
+};
+use luminaire_oracle::{self as oracle, hard, linear, smooth, soft, step};
 
 /// Every exhibit.
 pub const ALL: [Exhibit; 17] = [

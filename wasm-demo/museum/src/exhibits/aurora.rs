@@ -1,13 +1,6 @@
 //! aurora: a coefficient without its divisor.
 
-use luminaire::{Cone, Error, HalfAngle, falloff::Hard};
-use luminaire_oracle::{self as oracle, hard};
-
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    view::View,
-};
+use super::*;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "aurora",

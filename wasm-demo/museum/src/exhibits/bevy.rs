@@ -1,7 +1,6 @@
 //! Bevy: a span of cosines of at least a ten-thousandth.
 
-use super::gltf::cone;
-use crate::exhibit::{Bounds, Control, Exhibit, Source};
+use super::{gltf::cone, *};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "bevy",

@@ -4,15 +4,9 @@
 //! 200,000 points of five cones (searched), and the crate is black on the axis of a cone of 5 degrees at
 //! 76 % of the distances from 1 to 4 metres.
 
-use luminaire::{Cone, Error, HalfAngle, falloff::Soft};
-use luminaire_oracle::{self as oracle, soft};
 use micromath::F32;
 
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    view::View,
-};
+use super::*;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "embedded-3dgfx",

@@ -1,13 +1,6 @@
 //! Filament: angles of at least half a degree, and a span of cosines of at least 1/1024.
 
-use luminaire::Error;
-
-use super::gltf::cone;
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    formula::clamped_span,
-};
+use super::{gltf::cone, *};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "filament-clamp",

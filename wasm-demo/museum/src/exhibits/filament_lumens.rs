@@ -1,14 +1,8 @@
 //! Filament and QLC+: lumens spread evenly over a cone that is not even.
 
-use luminaire::{Cone, Error, HalfAngle, SpotLight, attenuation::NoAttenuation, falloff::Soft};
-use luminaire_oracle::{self as oracle, soft};
+use luminaire::{SpotLight, attenuation::NoAttenuation};
 
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    formula::clamped_span,
-    view::View,
-};
+use super::*;
 
 /// The outer half angle in degrees.
 const OUTER: f32 = 20.0;

@@ -1,14 +1,6 @@
 //! Filament's glTF loader: half angles taken for full ones.
 
-use luminaire::{Cone, Error, HalfAngle, falloff::Soft};
-use luminaire_oracle::{self as oracle, soft};
-
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    formula::clamped_span,
-    view::View,
-};
+use super::*;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "full-angle",

@@ -1,13 +1,9 @@
 //! Godot 4.4 betas: an early-out at a thousandth of a light.
 
-use luminaire::{Error, import::Godot};
-use luminaire_oracle::{self as oracle, Attenuation};
+use luminaire::import::Godot;
+use luminaire_oracle::Attenuation;
 
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    view::View,
-};
+use super::*;
 
 /// The range of the light in metres.
 const RANGE: f32 = 5.0;

@@ -1,14 +1,8 @@
 //! Godot: a floor under the argument of a power.
 
-use luminaire::{Cone, Error, HalfAngle, falloff::InvertedRealPower};
-use luminaire_oracle as oracle;
+use luminaire::falloff::InvertedRealPower;
 
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    formula::glsl_pow,
-    view::View,
-};
+use super::*;
 
 /// The half angle of the light in degrees.
 const HALF: f32 = 30.0;

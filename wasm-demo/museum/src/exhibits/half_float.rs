@@ -1,14 +1,6 @@
 //! PlayCanvas: cosines of cone angles in half floats.
 
-use luminaire::{Cone, Error, HalfAngle, falloff::Smooth};
-use luminaire_oracle::{self as oracle, smooth};
-
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    formula::smoothstep,
-    view::View,
-};
+use super::*;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "half-float",

@@ -1,13 +1,6 @@
 //! LearnOpenGL: a division by the difference of two equal cosines.
 
-use luminaire::{Cone, Error, HalfAngle, falloff::Step};
-use luminaire_oracle::{self as oracle, step};
-
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    view::View,
-};
+use super::*;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "equal-angles",

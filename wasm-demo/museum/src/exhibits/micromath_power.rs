@@ -1,18 +1,12 @@
 //! micromath: a power that magnifies the error of its logarithm.
 
 use luminaire::{
-    Error,
     dynamic::AnyLight,
     import::{OpenGl, OpenGlLight},
 };
-use luminaire_oracle as oracle;
 use micromath::F32;
 
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    view::View,
-};
+use super::*;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "micromath-power",

@@ -1,14 +1,8 @@
 //! Open Fixture Library: a field angle where a beam angle is meant.
 
-use luminaire::{Angle, Cone, Error, falloff::Soft};
-use luminaire_oracle::{self as oracle, soft};
+use luminaire::Angle;
 
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    formula::clamped_span,
-    view::View,
-};
+use super::*;
 
 /// The full beam and field angles in degrees of the fixture’s data sheet, at both ends of the zoom.
 const BEAM: [f32; 2] = [8.0, 30.0];

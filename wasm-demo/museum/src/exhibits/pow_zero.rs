@@ -1,18 +1,11 @@
 //! Godot 3: zero to the power of zero beyond the range of a light.
 
 use luminaire::{
-    Cone, Error, HalfAngle, SpotLight,
+    SpotLight,
     attenuation::{CutAt, NoAttenuation},
-    falloff::Linear,
 };
-use luminaire_oracle::{self as oracle, linear};
 
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    formula::glsl_pow,
-    view::View,
-};
+use super::*;
 
 /// The half angle in degrees.
 const HALF: f32 = 20.0;

@@ -1,14 +1,6 @@
 //! three.js: a smoothstep over cosines in f32.
 
-use luminaire::{Cone, Error, HalfAngle, falloff::Smooth};
-use luminaire_oracle::{self as oracle, smooth};
-
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    formula::smoothstep,
-    view::View,
-};
+use super::*;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "three-cosine",

@@ -1,14 +1,6 @@
 //! three.js: candelas of IES files, squared.
 
-use luminaire::Error;
-use luminaire_oracle as oracle;
-
-use super::micromath_power::opengl;
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    view::View,
-};
+use super::{micromath_power::opengl, *};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     name: "three-ies",

@@ -1,14 +1,6 @@
 //! C-Chads' TinyGL: a distance that is never computed.
 
-use luminaire::Error;
-use luminaire_oracle as oracle;
-
-use super::micromath_power::opengl;
-use crate::{
-    beam::Beam,
-    exhibit::{Bounds, Control, Exhibit, Source},
-    view::View,
-};
+use super::{micromath_power::opengl, *};
 
 /// The cutoff in degrees, and the exponent.
 const CUTOFF: f32 = 90.0;
