@@ -1,10 +1,11 @@
 //! The light that a visitor adds: in view, at a free place, and seen at once.
 
 use crate::{
-    aim::plus, desk::Desk, light::position_of, refusal::Refusal, rig, setting::Setting, state::SWITCHABLE,
+    aim::plus, light::position_of, refusal::Refusal, rig, setting::Setting, stage::Stage, state::SWITCHABLE,
 };
 use luminaire::{Vec3, dynamic::Effect, projector::Fixture};
 use luminaire_render::{Renderer, Surfaces};
+use wasm_bindgen::prelude::*;
 
 /// Places of the picture for lights that are added, as shares of a square picture: see
 /// [`rig::place_in_view`]. The first that is free is taken.
@@ -49,10 +50,12 @@ const ENOUGH: f32 = 0.05;
 /// Least cosine of the angle at which the light arrives.
 const STEEP: f32 = 0.3;
 
-impl Desk {
-    /// Adds a spotlight that hangs in view and aims at a surface in view. A white surface is lit to full
+#[wasm_bindgen]
+impl Stage {
+    /// Adds a spotlight behind the others, which hangs in view and aims at a surface in view. A white surface is lit to full
     /// scale there.
-    pub(crate) fn add_light(&mut self) -> Result<(), Refusal> {
+    #[wasm_bindgen(js_name = addLight)]
+    pub fn add_light(&mut self) -> Result<(), Refusal> {
         let added = self.seen_from(self.free_place()?)?;
         self.insert_light(self.state().lights.len(), added)
     }

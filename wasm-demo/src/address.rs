@@ -208,9 +208,9 @@ mod tests {
     use super::*;
     use crate::{
         design::Mark::{Beam, Field},
-        desk::Desk,
         format::Format,
         map::Subject,
+        stage::Stage,
         state::EXPOSURES,
         viewpoint::Viewpoint,
     };
@@ -340,16 +340,16 @@ mod tests {
 
     #[test]
     fn one_bad_light_leaves_the_others() {
-        let mut desk = Desk::new(Example::ThreePoint).unwrap();
+        let mut stage = Stage::of(Example::ThreePoint).unwrap();
         for (text, bad, words) in [
             ("lights=0:x;1:q;2:c00ff00", 1, "lights = \"1:q\""),
             ("lights=0:x;1:b400;2:c00ff00", 1, "light 2 is as the scene has it: beam angle = 400"),
             ("lights=0:x;1:i1000000000000;2:c00ff00", 1, "light 2 is as the scene has it: intensity"),
             ("format=fx16&lights=0:x;1:b0.1;2:c00ff00", 1, "16-bit fixed point cannot hold light 2"),
         ] {
-            let refused: Vec<_> = desk.recall(text).unwrap().iter().map(ToString::to_string).collect();
+            let refused: Vec<_> = stage.take_address(text).unwrap().iter().map(ToString::to_string).collect();
             assert!(refused.len() == 1 && refused[0].contains(words), "{text}: {refused:?}");
-            let lights = &desk.state().lights;
+            let lights = &stage.state().lights;
             assert_eq!((lights.len(), lights[bad]), (3, Setting::of(bad)), "{text}");
             assert!(!lights[0].is_on && lights[2].color == Some([0, 255, 0]), "{text}");
         }
@@ -357,18 +357,18 @@ mod tests {
         for (text, count) in
             [("lights=0;77;2", 2), ("lights=77", 3), ("lights=", 0), ("lights=0-2;0-2;9-1", 6)]
         {
-            desk.recall(text).unwrap();
-            assert_eq!(desk.state().lights.len(), count, "{text}");
+            stage.take_address(text).unwrap();
+            assert_eq!(stage.state().lights.len(), count, "{text}");
         }
-        assert_eq!(desk.recall(&format!("lights={}", "0;".repeat(90))).unwrap().len(), 1);
-        assert_eq!(desk.state().lights.len(), LIGHTS);
+        assert_eq!(stage.take_address(&format!("lights={}", "0;".repeat(90))).unwrap().len(), 1);
+        assert_eq!(stage.state().lights.len(), LIGHTS);
     }
 
     /// States that no light or format can have, and texts that are no states.
     #[test]
     fn whatever_the_address_is_there_is_a_picture() {
         let mut random = fastrand::Rng::with_seed(8);
-        let mut desk = Desk::new(Example::Pocket).unwrap();
+        let mut stage = Stage::of(Example::Pocket).unwrap();
         let mut fallbacks = 0;
         for _ in 0..200 {
             let (state, count) = random_state(&mut random);
@@ -377,9 +377,9 @@ mod tests {
                 let place = random.usize(..text.len());
                 text[place] = random.u8(32..127);
             }
-            let refused = desk.recall(&String::from_utf8(text).unwrap()).unwrap();
+            let refused = stage.take_address(&String::from_utf8(text).unwrap()).unwrap();
             fallbacks += usize::from(!refused.is_empty());
-            assert!(desk.rig().fixtures_at(desk.state().seconds[0]).is_ok());
+            assert!(stage.rig().fixtures_at(stage.state().seconds[0]).is_ok());
         }
         assert!((20..200).contains(&fallbacks), "{fallbacks} of 200 are refused");
     }

@@ -3,15 +3,16 @@
 //! Places of the picture are shares of its width and of its height, from the left and from the top.
 
 use crate::{
-    desk::Desk,
     light::{LightState, lumens_of, position_of},
     photometry::full_scale,
     refusal::Refusal,
     setting::Setting,
+    stage::Stage,
     state::{EXPOSURE_STEP, EXPOSURES},
 };
 use luminaire::{Vec3, attenuation::Attenuation, dynamic::AnyLight, projector::Fixture};
 use luminaire_render::Surfaces;
+use wasm_bindgen::prelude::*;
 
 /// The distance in metres at which a beam ends that no surface stops.
 const FARTHEST: f32 = 30.0;
@@ -35,7 +36,8 @@ fn coordinates(point: Option<Vec3<f32>>) -> Vec<f32> {
     point.map(|Vec3 { x, y, z }| vec![x, y, z]).unwrap_or_default()
 }
 
-impl Desk {
+#[wasm_bindgen]
+impl Stage {
     /// Returns the point that each light aims at: its target, or else the surface that its axis meets.
     /// `None` unless it is a spotlight.
     fn aims(&self) -> Result<Vec<Option<Vec3<f32>>>, Refusal> {
@@ -58,13 +60,14 @@ impl Desk {
     fn lit(&self, light: usize) -> Result<AnyLight, Refusal> {
         let count = self.state().lights.len();
         let fixtures = self.rig().fixtures_at(self.state().seconds[0])?;
-        let fixture = fixtures.get(light).ok_or(Refusal::Number { value: light, count })?;
+        let fixture = fixtures.get(light).ok_or_else(|| Refusal::light(light, count))?;
         Ok(*fixture.light())
     }
 
-    /// Returns name, colour, position and whether it is on, of each light: what a list of lights
-    /// shows. Nothing else is computed.
-    pub(crate) fn listed_lights(&self) -> Result<Vec<LightState>, Refusal> {
+    /// The lights, each with its name, its colour, its position and whether it is on: what a list of
+    /// lights shows. Nothing else is computed.
+    #[wasm_bindgen(js_name = lights)]
+    pub fn listed_lights(&self) -> Result<Vec<LightState>, Refusal> {
         let fixtures = self.rig().fixtures_at(self.state().seconds[0])?;
         let listed = self.state().lights.iter().zip(&fixtures).map(|(setting, fixture)| {
             Ok(LightState {
@@ -77,8 +80,9 @@ impl Desk {
         listed.collect()
     }
 
-    /// Returns the state of a light for the page.
-    pub(crate) fn light_state(&self, light: usize) -> Result<LightState, Refusal> {
+    /// Returns the state of a light.
+    #[wasm_bindgen(js_name = light)]
+    pub fn light_state(&self, light: usize) -> Result<LightState, Refusal> {
         let (setting, full_scale) = (self.setting(light)?, full_scale(self.state().scene));
         let original = self.rig().original(setting.of)?;
         let on = Setting { is_on: true, ..*setting }.applied(original, 1.0)?;
@@ -162,33 +166,35 @@ impl Desk {
         Ok(sides.into_iter().chain(outline.into_iter().map(Some)).collect())
     }
 
-    /// Moves a light to a place of the picture: in the plane through the light that is parallel to
-    /// the screen, or in the horizontal plane. A light whose aim the scene does not move keeps its
-    /// aim.
-    pub(crate) fn drag_light(
+    /// Moves a light to a place of the picture, whose width is `aspect` times its height: in the plane
+    /// through the light that is parallel to the screen, or in the horizontal plane. `x` and `y` are
+    /// shares of the width and of the height. A light whose aim the scene does not move keeps its aim.
+    #[wasm_bindgen(js_name = dragLight)]
+    pub fn drag_light(
         &mut self,
         light: usize,
-        place: [f32; 2],
+        x: f32,
+        y: f32,
         aspect: f32,
         is_level: bool,
     ) -> Result<(), Refusal> {
-        self.within_gesture(|desk| {
-            let camera = desk.camera();
-            let position = position_of(&desk.lit(light)?);
+        self.within_gesture(|stage| {
+            let camera = stage.camera();
+            let position = position_of(&stage.lit(light)?);
             let Some((position, [_, _, depth])) =
                 position.and_then(|p| Some((p, camera.project(p, aspect)?)))
             else {
                 return Ok(());
             };
-            let (eye, toward) = (camera.eye(), camera.toward(place, aspect));
+            let (eye, toward) = (camera.eye(), camera.toward([x, y], aspect));
             let level = (position.y - eye.y) / toward.y;
             let depth = if is_level && level > 0.0 && level < 3.0 * depth { level } else { depth };
-            desk.place_light(light, plus(eye, depth, toward))
+            stage.place(light, plus(eye, depth, toward))
         })
     }
 
     /// Moves a light to a position.
-    pub(crate) fn place_light(&mut self, light: usize, position: Vec3<f32>) -> Result<(), Refusal> {
+    pub(crate) fn place(&mut self, light: usize, position: Vec3<f32>) -> Result<(), Refusal> {
         let original = self.rig().original(self.setting(light)?.of)?;
         let aim = if original.sweeps() { None } else { self.aims()?.get(light).copied().flatten() };
         self.change_light(light, |setting| {
@@ -198,26 +204,29 @@ impl Desk {
     }
 
     /// Aims a light at what is seen at a place of the picture. Where nothing is seen, the point is as
-    /// far from the eye as the point that the light aims at.
-    pub(crate) fn drag_aim(&mut self, light: usize, place: [f32; 2], aspect: f32) -> Result<(), Refusal> {
-        self.within_gesture(|desk| {
-            let Some(aim) = desk.aims()?.get(light).copied().flatten() else { return Ok(()) };
-            let camera = desk.camera();
-            let (eye, toward) = (camera.eye(), camera.toward(place, aspect));
-            let depth = Surfaces::of(desk.rig().scene()).first(eye, toward);
+    /// far from the eye as the point that the light aims at. This ends a sweep.
+    #[wasm_bindgen(js_name = dragAim)]
+    pub fn drag_aim(&mut self, light: usize, x: f32, y: f32, aspect: f32) -> Result<(), Refusal> {
+        self.within_gesture(|stage| {
+            let Some(aim) = stage.aims()?.get(light).copied().flatten() else { return Ok(()) };
+            let camera = stage.camera();
+            let (eye, toward) = (camera.eye(), camera.toward([x, y], aspect));
+            let depth = Surfaces::of(stage.rig().scene()).first(eye, toward);
             let depth = depth.or_else(|| camera.project(aim, aspect).map(|[_, _, depth]| depth));
             let Some(depth) = depth else { return Ok(()) };
-            desk.aim_light(light, plus(eye, depth, toward))
+            stage.aim(light, plus(eye, depth, toward))
         })
     }
 
     /// Aims a light at a point. This ends a sweep.
-    pub(crate) fn aim_light(&mut self, light: usize, target: Vec3<f32>) -> Result<(), Refusal> {
+    pub(crate) fn aim(&mut self, light: usize, target: Vec3<f32>) -> Result<(), Refusal> {
         self.change_light(light, |setting| setting.target = Some(target))
     }
 
-    /// Sets the exposure so that a light's pool is shown as full scale in its middle.
-    pub(crate) fn expose_for(&mut self, light: usize) -> Result<(), Refusal> {
+    /// Sets the exposure, within its range, so that the middle of a light's pool is shown as full
+    /// scale on a white surface.
+    #[wasm_bindgen(js_name = exposeFor)]
+    pub fn expose_for(&mut self, light: usize) -> Result<(), Refusal> {
         let state = self.light_state(light)?;
         let lux = state
             .lux
@@ -226,11 +235,12 @@ impl Desk {
         let [least, most] = EXPOSURES;
         // In the steps of the slider.
         let stops = (full_scale(self.state().scene) / lux).log2();
-        self.set("exposure", ((stops / EXPOSURE_STEP).round() * EXPOSURE_STEP).max(least).min(most))
+        self.put("exposure", ((stops / EXPOSURE_STEP).round() * EXPOSURE_STEP).max(least).min(most))
     }
 
     /// Moves a light and its aim back to where the scene has them.
-    pub(crate) fn put_back(&mut self, light: usize) -> Result<(), Refusal> {
+    #[wasm_bindgen(js_name = putBack)]
+    pub fn put_back(&mut self, light: usize) -> Result<(), Refusal> {
         self.change_light(light, |setting| (setting.position, setting.target) = (None, None))
     }
 }

@@ -1,7 +1,7 @@
 //! The canvas on the page.
 
 use crate::refusal::Refusal;
-use wasm_bindgen::{Clamped, JsCast};
+use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
 /// A canvas that shows pictures of one size.
@@ -18,15 +18,11 @@ impl Canvas {
     pub(crate) fn new(element: &HtmlCanvasElement, width: u32, height: u32) -> Result<Self, Refusal> {
         element.set_width(width);
         element.set_height(height);
-        let context = element.get_context("2d").map_err(|reason| Refusal::browser("the canvas", &reason))?;
-        match context.and_then(|context| context.dyn_into().ok()) {
-            Some(context) => Ok(Self { context, width, height }),
-            None => Err(Refusal::Browser {
-                what: "the canvas",
-                reason: "the browser gives no 2d context: allow canvas for this page, or use another browser"
-                    .to_owned(),
-            }),
-        }
+        let context = element.get_context("2d").map_err(refused)?;
+        let lack =
+            "the canvas: the browser gives no 2d context: allow canvas for this page, or use another browser";
+        let context = context.and_then(|context| context.dyn_into().ok());
+        Ok(Self { context: context.ok_or_else(|| Refusal(lack.to_owned()))?, width, height })
     }
 
     /// Shows a picture of RGBA bytes. The `ImageData` is a view of the module's memory and is
@@ -35,6 +31,10 @@ impl Canvas {
     pub(crate) fn show(&self, pixels: &[u8]) -> Result<(), Refusal> {
         ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), self.width, self.height)
             .and_then(|image| self.context.put_image_data(&image, 0.0, 0.0))
-            .map_err(|reason| Refusal::browser("the canvas", &reason))
+            .map_err(refused)
     }
+}
+
+fn refused(reason: JsValue) -> Refusal {
+    Refusal(format!("the canvas: {reason:?}"))
 }

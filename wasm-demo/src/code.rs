@@ -29,13 +29,7 @@ impl Code {
     /// stops and switched on. `language` is the name of a [`Language`], or `c-header` for the file
     /// that all lights in C share. Throws a string if the language or its number format cannot
     /// express the light.
-    pub fn write(&mut self, job: &str, light: usize, language: &str) -> Result<String, JsValue> {
-        Ok(self.source(job, light, language)?)
-    }
-}
-
-impl Code {
-    fn source(&mut self, job: &str, light: usize, language: &str) -> Result<String, Refusal> {
+    pub fn write(&mut self, job: &str, light: usize, language: &str) -> Result<String, Refusal> {
         if language == HEADER {
             return Ok(c_header());
         }
@@ -62,15 +56,15 @@ mod tests {
 
     #[test]
     fn what_cannot_be_written_is_refused_in_words() {
-        let mut code = Code::new();
+        let mut code = Code::default();
         let job = job::write_opened(Example::ThreePoint, (96, 54));
         for (light, language, words) in [
             (0, "basic", "language = basic: expected one of json, glsl"),
             (99, "json", "light = 99: expected a number from 0"),
         ] {
-            let refusal = code.source(&job, light, language).unwrap_err().to_string();
+            let refusal = code.write(&job, light, language).unwrap_err().to_string();
             assert!(refusal.contains(words), "{refusal}");
         }
-        assert!(code.source("", 0, HEADER).unwrap().contains("luminaire_inverse_square_roots"));
+        assert!(code.write("", 0, HEADER).unwrap().contains("luminaire_inverse_square_roots"));
     }
 }

@@ -51,13 +51,27 @@ impl Comparison {
         right: &HtmlCanvasElement,
         right_errors: &HtmlCanvasElement,
         size: u32,
-    ) -> Result<Self, JsValue> {
+    ) -> Result<Self, Refusal> {
         panic::tell_the_page();
-        Ok(Self::open([[left, left_errors], [right, right_errors]], size)?)
+        if !(1..=LARGEST).contains(&size) {
+            return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels"));
+        }
+        let canvas = |element| Canvas::new(element, size, size);
+        let (forms, half_angle) = FIRST;
+        let wall = Wall::new(size, half_angle)?;
+        Ok(Self {
+            sides: light(forms, &wall),
+            palette: Palette::new(),
+            chosen: None,
+            canvases: [[canvas(left)?, canvas(left_errors)?], [canvas(right)?, canvas(right_errors)?]],
+            pixels: vec![0; 4 * wall.sites().len()],
+            clock: Clock::new(),
+            wall,
+        })
     }
 
     /// Shows both pictures and their errors.
-    pub fn draw(&mut self) -> Result<(), JsValue> {
+    pub fn draw(&mut self) -> Result<(), Refusal> {
         let scale = self.scale_in_force();
         for (side, [picture, errors]) in self.sides.iter().zip(&self.canvases) {
             if side.show(&mut self.pixels) {
@@ -79,7 +93,7 @@ impl Comparison {
     /// Sets the outer half angle of the beam in degrees. The wall moves so that the spot keeps its
     /// size.
     #[wasm_bindgen(js_name = setHalfAngle)]
-    pub fn set_half_angle(&mut self, degrees: f32) -> Result<(), JsValue> {
+    pub fn set_half_angle(&mut self, degrees: f32) -> Result<(), Refusal> {
         self.wall.set_half_angle(degrees)?;
         self.sides = light(self.sides.each_ref().map(Side::form), &self.wall);
         Ok(())
@@ -115,7 +129,7 @@ impl Comparison {
 
     /// Sets the form of the left side, 0, or of the right side, 1.
     #[wasm_bindgen(js_name = setForm)]
-    pub fn set_form(&mut self, side: usize, name: &str) -> Result<(), JsValue> {
+    pub fn set_form(&mut self, side: usize, name: &str) -> Result<(), Refusal> {
         let form = Form::named(name)?;
         let mut forms = self.sides.each_ref().map(Side::form);
         *forms.get_mut(side).ok_or(no_side(side))? = form;
@@ -124,7 +138,7 @@ impl Comparison {
     }
 
     /// Returns the state of a side.
-    pub fn side(&self, side: usize) -> Result<SideState, JsValue> {
+    pub fn side(&self, side: usize) -> Result<SideState, Refusal> {
         Ok(self.sides.get(side).ok_or(no_side(side))?.state())
     }
 
@@ -139,7 +153,7 @@ impl Comparison {
 
     /// Lights the picture of a side again. Returns the time in milliseconds, or nothing if the form
     /// was refused.
-    pub fn time(&mut self, side: usize) -> Result<Option<f64>, JsValue> {
+    pub fn time(&mut self, side: usize) -> Result<Option<f64>, Refusal> {
         let side = self.sides.get_mut(side).ok_or(no_side(side))?;
         let (milliseconds, lit) = self.clock.time(|| side.light());
         Ok(lit.map(|()| milliseconds))
@@ -160,7 +174,7 @@ impl Comparison {
     /// Sets the end of the scale, in displayed codes, to one of `scales`. Without a value the scale
     /// follows the largest error of both pictures.
     #[wasm_bindgen(js_name = setScale)]
-    pub fn set_scale(&mut self, codes: Option<f64>) -> Result<(), JsValue> {
+    pub fn set_scale(&mut self, codes: Option<f64>) -> Result<(), Refusal> {
         let chosen = codes.map(|codes| {
             let expected = "1, 2 or 5 of a power of ten from 0.001 to 100 codes, or 255";
             let refused = || Refusal::name("end of the scale", &codes.to_string(), expected);
@@ -187,25 +201,6 @@ impl Comparison {
 }
 
 impl Comparison {
-    fn open(elements: [[&HtmlCanvasElement; 2]; 2], size: u32) -> Result<Self, Refusal> {
-        if !(1..=LARGEST).contains(&size) {
-            return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels"));
-        }
-        let canvas = |element| Canvas::new(element, size, size);
-        let [[left, left_errors], [right, right_errors]] = elements;
-        let (forms, half_angle) = FIRST;
-        let wall = Wall::new(size, half_angle)?;
-        Ok(Self {
-            sides: light(forms, &wall),
-            palette: Palette::new(),
-            chosen: None,
-            canvases: [[canvas(left)?, canvas(left_errors)?], [canvas(right)?, canvas(right_errors)?]],
-            pixels: vec![0; 4 * wall.sites().len()],
-            clock: Clock::new(),
-            wall,
-        })
-    }
-
     /// Returns one scale for both sides, so that their colours are comparable.
     fn scale_in_force(&self) -> Scale {
         let largest = self.sides.iter().filter_map(Side::largest).fold(0.0, f64::max);

@@ -1,14 +1,15 @@
 //! The ends of a light's dials, found by the checks that take the values between them.
 
 use crate::{
-    desk::Desk,
     fixture,
     light::{DialEnds, lumens_of},
     photometry::full_scale,
     refusal::Refusal,
     setting::Setting,
+    stage::Stage,
 };
 use luminaire::{Angle, Cone, dynamic::AnyLight};
+use wasm_bindgen::prelude::*;
 
 /// The ends of the dial of the intensity, as multiples of the light's own intensity.
 const INTENSITIES: [f32; 2] = [0.01, 10.0];
@@ -19,9 +20,11 @@ const DIMMED: [f32; 2] = [0.001, 1.0];
 /// Number of halvings between a value that is taken and one that is refused.
 const HALVINGS: usize = 20;
 
-impl Desk {
+#[wasm_bindgen]
+impl Stage {
     /// Returns the ends of the dials of a light. They stay the same during a gesture.
-    pub(crate) fn dial_ends(&self, light: usize) -> Result<DialEnds, Refusal> {
+    #[wasm_bindgen(js_name = dialEnds)]
+    pub fn dial_ends(&self, light: usize) -> Result<DialEnds, Refusal> {
         let setting = Setting { is_on: true, ..*self.held(light)? };
         let original = self.rig().original(setting.of)?;
         let full_scale = full_scale(self.state().scene);

@@ -27,24 +27,7 @@ pub struct Divided {
 impl Divided {
     /// Compares two pictures: RGBA, sRGB, eight bits.
     #[wasm_bindgen(constructor)]
-    pub fn new(one: &[u8], other: &[u8]) -> Result<Self, JsValue> {
-        Ok(Self::of(one, other)?)
-    }
-
-    /// The differences in false colours: RGBA. The same differences have the same colours in each
-    /// picture with the same end of the scale.
-    pub fn pixels(&self) -> Clamped<Vec<u8>> {
-        Clamped(self.pixels.clone())
-    }
-
-    /// The colours of the scale from no difference to its end: red, green, blue of each.
-    pub fn palette() -> Clamped<Vec<u8>> {
-        Clamped(Palette::new().colours().concat())
-    }
-}
-
-impl Divided {
-    fn of(one: &[u8], other: &[u8]) -> Result<Self, Refusal> {
+    pub fn new(one: &[u8], other: &[u8]) -> Result<Self, Refusal> {
         if one.len() != other.len() {
             let lengths = format!("{} and {} bytes", one.len(), other.len());
             return Err(Refusal::name("pictures", &lengths, "two pictures of one size"));
@@ -71,6 +54,17 @@ impl Divided {
             pixels: differences.iter().flat_map(|&difference| colours[usize::from(difference)]).collect(),
         })
     }
+
+    /// The differences in false colours: RGBA. The same differences have the same colours in each
+    /// picture with the same end of the scale.
+    pub fn pixels(&self) -> Clamped<Vec<u8>> {
+        Clamped(self.pixels.clone())
+    }
+
+    /// The colours of the scale from no difference to its end: red, green, blue of each.
+    pub fn palette() -> Clamped<Vec<u8>> {
+        Clamped(Palette::new().colours().concat())
+    }
 }
 
 #[cfg(test)]
@@ -81,18 +75,18 @@ mod tests {
     fn pixels_that_differ_are_counted_and_the_largest_is_found() {
         let one = [[10, 20, 30, 255], [0, 0, 0, 255], [9, 9, 9, 255], [200, 0, 0, 255]].concat();
         let other = [[10, 20, 30, 255], [0, 3, 1, 255], [9, 9, 8, 255], [203, 0, 0, 255]].concat();
-        let divided = Divided::of(&one, &other).unwrap();
+        let divided = Divided::new(&one, &other).unwrap();
         assert_eq!((divided.largest, divided.place, divided.differing, divided.end), (3, 1, 3, 5.0));
         let [first, .., last] = divided.pixels.as_chunks::<4>().0 else { panic!("no pixels") };
         assert_eq!(first[..3], Palette::new().colours()[0]);
         assert_ne!(first, last);
-        let same = Divided::of(&one, &one).unwrap();
+        let same = Divided::new(&one, &one).unwrap();
         assert_eq!((same.largest, same.differing, same.end), (0, 0, 1.0));
     }
 
     #[test]
     fn pictures_of_two_sizes_are_refused() {
-        let refusal = Divided::of(&[0; 8], &[0; 4]).unwrap_err().to_string();
+        let refusal = Divided::new(&[0; 8], &[0; 4]).unwrap_err().to_string();
         assert!(refusal.contains("8 and 4 bytes"), "{refusal}");
     }
 }

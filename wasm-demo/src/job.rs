@@ -80,27 +80,27 @@ pub(crate) fn write_opened(scene: Example, size: (u32, u32)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::desk::Desk;
+    use crate::stage::Stage;
 
     #[test]
     fn a_job_comes_back_with_its_scene() {
-        let mut desk = Desk::new(Example::Show).unwrap();
-        desk.switch("haze", false).unwrap();
-        desk.set("exposure", 0.5).unwrap();
-        desk.orbit(0.3, 0.1);
-        assert!(desk.advance(1.7));
-        let lights = desk.rig().lights();
-        let text = write((960, 540), None, desk.state(), lights);
+        let mut stage = Stage::of(Example::Show).unwrap();
+        stage.switch("haze", false).unwrap();
+        stage.put("exposure", 0.5).unwrap();
+        stage.orbit(0.3, 0.1);
+        assert!(stage.advance(1.7));
+        let lights = stage.rig().lights();
+        let text = write((960, 540), None, stage.state(), lights);
         let task = Task::read(&text, None).unwrap();
-        assert_eq!((task.job.size, task.job.load, &task.job.state), ((960, 540), None, desk.state()));
-        assert_eq!(task.rig.scene(), desk.rig().scene());
-        assert_eq!(task.rig.fixtures_at(1.7).unwrap(), desk.rig().fixtures_at(1.7).unwrap());
-        assert_eq!(task.rig.camera_of(&task.job.state), desk.camera());
+        assert_eq!((task.job.size, task.job.load, &task.job.state), ((960, 540), None, stage.state()));
+        assert_eq!(task.rig.scene(), stage.rig().scene());
+        assert_eq!(task.rig.fixtures_at(1.7).unwrap(), stage.rig().fixtures_at(1.7).unwrap());
+        assert_eq!(task.rig.camera_of(&task.job.state), stage.camera());
 
         // The same scene again, and another one.
-        assert!(desk.advance(0.1));
-        let task = Task::read(&write((9, 5), None, desk.state(), lights), Some(task)).unwrap();
-        assert_eq!((task.job.size, &task.job.state), ((9, 5), desk.state()));
+        assert!(stage.advance(0.1));
+        let task = Task::read(&write((9, 5), None, stage.state(), lights), Some(task)).unwrap();
+        assert_eq!((task.job.size, &task.job.state), ((9, 5), stage.state()));
         let task = Task::read(&write_opened(Example::Grid, (16, 9)), Some(task)).unwrap();
         assert_eq!(task.job.state, State::of(Example::Grid, task.rig.lights()));
         assert!(task.rig.lights() > 11);
@@ -114,9 +114,9 @@ mod tests {
     fn the_load_of_the_turntable_is_part_of_the_job() {
         let load = Some((5, Some(256)));
         let rig = rig(Example::Turntable, load).unwrap();
-        let mut desk = Desk::with_rig(Example::Turntable, rig);
-        desk.switch("shadow", true).unwrap();
-        let text = write((96, 54), load, desk.state(), desk.rig().lights());
+        let mut stage = Stage::with_rig(Example::Turntable, rig);
+        stage.switch("shadow", true).unwrap();
+        let text = write((96, 54), load, stage.state(), stage.rig().lights());
         let task = Task::read(&text, None).unwrap();
         let fixtures = task.rig.fixtures_at(0.0).unwrap();
         assert_eq!((fixtures.len(), task.job.load), (5, load));

@@ -43,8 +43,6 @@ mod decimal;
 #[cfg(feature = "state")]
 mod design;
 #[cfg(feature = "stage")]
-mod desk;
-#[cfg(feature = "stage")]
 mod dial;
 #[cfg(feature = "comparison")]
 mod difference;
@@ -108,6 +106,7 @@ pub use composite::Composite;
 pub use divided::Divided;
 #[cfg(feature = "comparison")]
 pub use museum::{ExhibitState, Museum, PictureState};
+pub use refusal::Refusal;
 #[cfg(feature = "comparison")]
 pub use side::{FormState, SideState};
 #[cfg(feature = "stage")]

@@ -103,10 +103,10 @@ impl Museum {
         ours: &HtmlCanvasElement,
         our_errors: &HtmlCanvasElement,
         size: u32,
-    ) -> Result<Self, JsValue> {
+    ) -> Result<Self, Refusal> {
         panic::tell_the_page();
         if !(1..=LARGEST).contains(&size) {
-            return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels").into());
+            return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels"));
         }
         let canvas = |element| Canvas::new(element, size, size);
         let [exhibit, ..] = &ALL;
@@ -129,10 +129,9 @@ impl Museum {
     }
 
     /// Opens an exhibit at its named case.
-    pub fn open(&mut self, name: &str) -> Result<(), JsValue> {
+    pub fn open(&mut self, name: &str) -> Result<(), Refusal> {
         let exhibit = named(name)?;
-        self.look(exhibit, exhibit.control.start)?;
-        Ok(())
+        self.look(exhibit, exhibit.control.start)
     }
 
     /// The name of the exhibit.
@@ -149,18 +148,17 @@ impl Museum {
 
     /// Sets the control.
     #[wasm_bindgen(js_name = setValue)]
-    pub fn set_value(&mut self, value: f32) -> Result<(), JsValue> {
+    pub fn set_value(&mut self, value: f32) -> Result<(), Refusal> {
         let control = self.exhibit.control;
         if !(control.least..=control.most).contains(&value) {
             let range = [control.least, control.most];
-            return Err(Refusal::outside(control.label, value, range, control.unit).into());
+            return Err(Refusal::outside(control.label, value, range, control.unit));
         }
-        self.look(self.exhibit, value)?;
-        Ok(())
+        self.look(self.exhibit, value)
     }
 
     /// Shows both pictures and their errors.
-    pub fn draw(&self) -> Result<(), JsValue> {
+    pub fn draw(&self) -> Result<(), Refusal> {
         let scale = self.scale_in_force();
         for ((lights, errors), [picture, map]) in
             [&self.picture.faulty, &self.picture.ours].into_iter().zip(&self.errors).zip(&self.canvases)
@@ -174,7 +172,7 @@ impl Museum {
     }
 
     /// Returns the errors of the faulty picture, 0, or of the crate's, 1.
-    pub fn side(&self, side: usize) -> Result<PictureState, JsValue> {
+    pub fn side(&self, side: usize) -> Result<PictureState, Refusal> {
         let errors = self.errors.get(side).ok_or_else(|| {
             Refusal::name("side", &side.to_string(), "0 for the faulty one or 1 for the crate’s")
         })?;
@@ -205,7 +203,7 @@ impl Museum {
     }
 
     /// Returns the faulty picture of an exhibit at its named case, as a square of `size` pixels.
-    pub fn thumbnail(name: &str, size: u32) -> Result<Clamped<Vec<u8>>, JsValue> {
+    pub fn thumbnail(name: &str, size: u32) -> Result<Clamped<Vec<u8>>, Refusal> {
         let exhibit = named(name)?;
         let (picture, _) = look(exhibit, exhibit.control.start, size.min(LARGEST))?;
         Ok(Clamped(shown(&picture.faulty)))

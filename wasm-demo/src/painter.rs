@@ -47,10 +47,10 @@ struct Renderer {
 impl Painter {
     /// A painter of the share with this index, of `count` shares.
     #[wasm_bindgen(constructor)]
-    pub fn new(share: usize, count: usize) -> Result<Self, JsValue> {
+    pub fn new(share: usize, count: usize) -> Result<Self, Refusal> {
         panic::tell_the_page();
         Ok(Self {
-            stripes: Stripes::new(share, count).map_err(Refusal::from)?,
+            stripes: Stripes::new(share, count)?,
             clock: Clock::new(),
             task: None,
             fixtures: Vec::new(),
@@ -68,7 +68,7 @@ impl Painter {
 
     /// Whether this module draws a job of the stage. Each number format is drawn by one of two
     /// modules.
-    pub fn draws(job: &str) -> Result<bool, JsValue> {
+    pub fn draws(job: &str) -> Result<bool, Refusal> {
         Ok(job::format_of(job)?.is_drawn_here())
     }
 
@@ -78,8 +78,28 @@ impl Painter {
     }
 
     /// Takes the job that `Stage.job` has written.
-    pub fn take(&mut self, job: &str) -> Result<(), JsValue> {
-        Ok(self.adopt(job)?)
+    pub fn take(&mut self, job: &str) -> Result<(), Refusal> {
+        self.times = Times::default();
+        let task = Task::read(job, self.task.take())?;
+        let kind = (task.job.state.format, task.job.size);
+        let fits = |renderer: &Renderer| renderer.kind == kind;
+        if !self.renderer.as_ref().is_some_and(fits) {
+            std::mem::swap(&mut self.renderer, &mut self.other);
+            // What the canvas shows is from the renderer that has just drawn.
+            if let Some(renderer) = &mut self.renderer {
+                renderer.shown = None;
+            }
+        }
+        if !self.renderer.as_ref().is_some_and(fits) {
+            // The old one is freed first: both may not fit into memory.
+            self.renderer = None;
+            let mut draw = kind.0.renderer(kind.1, self.stripes)?;
+            draw.set_antialiased(true);
+            self.renderer = Some(Renderer { draw, kind, shown: None });
+        }
+        self.fixtures = task.rig.fixtures_at(task.job.state.seconds[0])?;
+        self.task = Some(task);
+        Ok(())
     }
 
     /// Whether any light casts shadows: if so, the painters of all shares pass maps on.
@@ -91,11 +111,11 @@ impl Painter {
 
     /// Draws the shadow maps that this painter draws for all. Returns the numbers of their lights.
     #[wasm_bindgen(js_name = drawShadows)]
-    pub fn draw_shadows(&mut self) -> Result<Vec<u32>, JsValue> {
+    pub fn draw_shadows(&mut self) -> Result<Vec<u32>, Refusal> {
         let Self { clock, fixtures, times, .. } = self;
         let (Some(task), Some(renderer)) = (&self.task, &mut self.renderer) else { return Ok(Vec::new()) };
         let (time, drawn) = clock.time(|| renderer.draw.draw_own_shadows(task.rig.scene(), fixtures));
-        let drawn = drawn.map_err(Refusal::from)?;
+        let drawn = drawn?;
         times.shadows = (!drawn.is_empty()).then_some(time);
         Ok(drawn.into_iter().map(|number| number as u32).collect())
     }
@@ -113,10 +133,9 @@ impl Painter {
 
     /// Takes the shadow map of a light from another painter.
     #[wasm_bindgen(js_name = takeShadowMap)]
-    pub fn take_shadow_map(&mut self, light: usize, depths: &[u32]) -> Result<(), JsValue> {
+    pub fn take_shadow_map(&mut self, light: usize, depths: &[u32]) -> Result<(), Refusal> {
         let (Some(task), Some(renderer)) = (&self.task, &mut self.renderer) else { return Ok(()) };
-        let taken = renderer.draw.take_shadow_map(task.rig.scene(), &self.fixtures, light, depths);
-        Ok(taken.map_err(Refusal::from)?)
+        Ok(renderer.draw.take_shadow_map(task.rig.scene(), &self.fixtures, light, depths)?)
     }
 
     /// Draws the geometry of the stripes.
@@ -130,7 +149,7 @@ impl Painter {
 
     /// Lights the stripes and encodes them. Returns whether they differ from the last picture.
     #[wasm_bindgen(js_name = drawLight)]
-    pub fn draw_light(&mut self) -> Result<bool, JsValue> {
+    pub fn draw_light(&mut self) -> Result<bool, Refusal> {
         let (Some(task), Some(renderer)) = (&self.task, &mut self.renderer) else { return Ok(false) };
         let (state, display) = (&task.job.state, task.rig.display(&task.job.state));
         let Renderer { draw, shown, .. } = renderer;
@@ -139,7 +158,7 @@ impl Painter {
             true => draw.draw_everything(&self.fixtures).map(|()| true),
             false => draw.draw_light(&self.fixtures),
         });
-        let is_lit = lit.map_err(Refusal::from)?;
+        let is_lit = lit?;
         let showing = Some((state.scene, state.is_everything, display));
         let is_drawn = std::mem::replace(shown, showing) != showing || is_lit;
         if is_drawn {
@@ -199,18 +218,18 @@ impl Painter {
     }
 
     /// Lights the stripes of a job in both modes and compares the results bit for bit.
-    pub fn compare(&self, job: &str) -> Result<Equality, JsValue> {
+    pub fn compare(&self, job: &str) -> Result<Equality, Refusal> {
         let task = Task::read(job, self.task.clone())?;
         let state = &task.job.state;
-        let fixtures = task.rig.fixtures_at(state.seconds[0]).map_err(Refusal::from)?;
+        let fixtures = task.rig.fixtures_at(state.seconds[0])?;
         let mut draw = state.format.renderer(task.job.size, self.stripes)?;
         draw.set_display(task.rig.display(state));
         let of = (task.rig.scene(), &task.rig.camera_of(state), &*fixtures);
-        Ok(Equality::new(draw, task.job.size, self.stripes, &self.clock, of)?)
+        Equality::new(draw, task.job.size, self.stripes, &self.clock, of)
     }
 
     /// Draws a small picture of a scene as it opens: RGBA, sRGB, eight bits.
-    pub fn thumbnail(scene: &str, width: u32, height: u32) -> Result<Clamped<Vec<u8>>, JsValue> {
+    pub fn thumbnail(scene: &str, width: u32, height: u32) -> Result<Clamped<Vec<u8>>, Refusal> {
         let address = job::write_opened(crate::address::scene_named(scene)?, (width, height));
         let mut painter = Self::new(0, 1)?;
         painter.take(&address)?;
@@ -219,32 +238,6 @@ impl Painter {
         painter.draw_light()?;
         let pixels = painter.renderer.as_ref().map_or(Vec::new(), |renderer| renderer.draw.pixels().to_vec());
         Ok(Clamped(pixels))
-    }
-}
-
-impl Painter {
-    fn adopt(&mut self, job: &str) -> Result<(), Refusal> {
-        self.times = Times::default();
-        let task = Task::read(job, self.task.take())?;
-        let kind = (task.job.state.format, task.job.size);
-        let fits = |renderer: &Renderer| renderer.kind == kind;
-        if !self.renderer.as_ref().is_some_and(fits) {
-            std::mem::swap(&mut self.renderer, &mut self.other);
-            // What the canvas shows is from the renderer that has just drawn.
-            if let Some(renderer) = &mut self.renderer {
-                renderer.shown = None;
-            }
-        }
-        if !self.renderer.as_ref().is_some_and(fits) {
-            // The old one is freed first: both may not fit into memory.
-            self.renderer = None;
-            let mut draw = kind.0.renderer(kind.1, self.stripes)?;
-            draw.set_antialiased(true);
-            self.renderer = Some(Renderer { draw, kind, shown: None });
-        }
-        self.fixtures = task.rig.fixtures_at(task.job.state.seconds[0])?;
-        self.task = Some(task);
-        Ok(())
     }
 }
 

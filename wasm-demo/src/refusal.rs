@@ -1,64 +1,26 @@
 //! Refusals in words for the page: the parameter, its value, and the remedy.
 
-use luminaire_render::{DrawError, SizeError};
-use std::{borrow::Cow, fmt};
+use std::fmt;
 use wasm_bindgen::JsValue;
 
-/// A rejected value. A rejection changes nothing.
+/// A rejected value, in words. A rejection changes nothing.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) enum Refusal {
-    /// The kernel refused a parameter of a light.
-    Light(luminaire::Error),
-    /// The renderer refused the size of the picture.
-    Size(SizeError),
-    /// The renderer refused to draw something.
-    Draw(DrawError),
-    /// A light does not fit into a number format.
-    Format {
-        /// The number format in words.
-        format: &'static str,
-        /// Which light, counted from 0.
-        light: usize,
-        /// The stage-lighting name of this kind of fixture.
-        name: &'static str,
-        error: luminaire::Error,
-    },
-    /// An unknown name for a choice.
-    Name { parameter: &'static str, value: String, expected: Cow<'static, str> },
-    /// The settings of a light in an address, which opens with that light as the scene has it.
-    Opened { light: usize, reason: String },
-    /// An index of a light that does not exist.
-    Number { value: usize, count: usize },
-    /// A zoom angle outside the range of the fixture.
-    Zoom { value: f32, narrow: f32, wide: f32 },
-    /// A number outside its range.
-    Outside { parameter: &'static str, value: f32, least: f32, most: f32, unit: &'static str },
-    /// A language that cannot express a light.
-    #[cfg(feature = "code")]
-    Export(luminaire_export::ExportError),
-    /// A failed call of the browser.
-    Browser { what: &'static str, reason: String },
-}
+pub struct Refusal(pub(crate) String);
 
 impl Refusal {
     /// An unknown name for a choice.
-    pub(crate) fn name(parameter: &'static str, value: &str, expected: impl Into<Cow<'static, str>>) -> Self {
-        Self::Name { parameter, value: value.to_owned(), expected: expected.into() }
+    pub(crate) fn name(parameter: &str, value: &str, expected: impl fmt::Display) -> Self {
+        Self(format!("{parameter} = \"{value}\": expected {expected}"))
     }
 
     /// A number outside its range.
-    pub(crate) fn outside(
-        parameter: &'static str,
-        value: f32,
-        [least, most]: [f32; 2],
-        unit: &'static str,
-    ) -> Self {
-        Self::Outside { parameter, value, least, most, unit }
+    pub(crate) fn outside(parameter: &str, value: f32, [least, most]: [f32; 2], unit: &str) -> Self {
+        Self(format!("{parameter} = {}: expected {least} to {most} {unit}", Short(value)))
     }
 
-    /// A failure of the browser, with its own message.
-    pub(crate) fn browser(what: &'static str, reason: &JsValue) -> Self {
-        Self::Browser { what, reason: format!("{reason:?}") }
+    /// An index of a light that does not exist, of a number of lights.
+    pub(crate) fn light(index: usize, count: usize) -> Self {
+        Self(format!("light = {index}: expected a number from 0 to {}", count.saturating_sub(1)))
     }
 }
 
@@ -98,61 +60,14 @@ impl fmt::Display for Short {
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Light(error) => error.fmt(f),
-            Self::Size(error) => error.fmt(f),
-            Self::Draw(error) => error.fmt(f),
-            #[cfg(feature = "code")]
-            Self::Export(error) => error.fmt(f),
-            Self::Format { format, light, name, error } => {
-                write!(f, "{format} cannot hold light {}, {name}: {error}", light + 1)
-            }
-            Self::Name { parameter, value, expected } => {
-                write!(f, "{parameter} = \"{value}\": expected {expected}")
-            }
-            Self::Opened { light, reason } => {
-                write!(f, "light {} is as the scene has it: {reason}", light + 1)
-            }
-            Self::Number { value, count } => {
-                write!(f, "light = {value}: expected a number from 0 to {}", count - 1)
-            }
-            Self::Zoom { value, narrow, wide } => {
-                write!(
-                    f,
-                    "zoom = {}: expected {narrow} to {wide} degrees, as this fixture has",
-                    Short(*value)
-                )
-            }
-            Self::Outside { parameter, value, least, most, unit } => {
-                write!(f, "{parameter} = {}: expected {least} to {most} {unit}", Short(*value))
-            }
-            Self::Browser { what, reason } => write!(f, "{what}: {reason}"),
-        }
+        f.write_str(&self.0)
     }
 }
 
-impl From<luminaire::Error> for Refusal {
-    fn from(error: luminaire::Error) -> Self {
-        Self::Light(error)
-    }
-}
-
-impl From<SizeError> for Refusal {
-    fn from(error: SizeError) -> Self {
-        Self::Size(error)
-    }
-}
-
-impl From<DrawError> for Refusal {
-    fn from(error: DrawError) -> Self {
-        Self::Draw(error)
-    }
-}
-
-#[cfg(feature = "code")]
-impl From<luminaire_export::ExportError> for Refusal {
-    fn from(error: luminaire_export::ExportError) -> Self {
-        Self::Export(error)
+impl<E: std::error::Error> From<E> for Refusal {
+    /// What the kernel, the renderer or the exporter refuses, in its own words.
+    fn from(error: E) -> Self {
+        Self(error.to_string())
     }
 }
 
@@ -170,18 +85,13 @@ mod tests {
     #[test]
     fn a_refused_number_is_short_whatever_its_size() {
         for value in [f32::MAX, f32::MIN, f32::MIN_POSITIVE, 1e-9, 3.4e38, f32::NAN, f32::INFINITY] {
-            let zoom = Refusal::Zoom { value, narrow: 1.0, wide: 2.0 }.to_string();
-            let outside =
-                Refusal::Outside { parameter: "zoom", value, least: 1.0, most: 2.0, unit: "" }.to_string();
+            let Refusal(outside) = Refusal::outside("zoom", value, [1.0, 2.0], "degrees");
             let light = luminaire::Angle::degrees(value);
             let light = luminaire::Cone::from_field(luminaire::falloff::Soft, light).map(drop);
             let light = light.map_or_else(|error| error.to_string(), |()| String::new());
-            for words in [zoom, outside, light] {
+            for words in [outside, light] {
                 assert!(words.len() < 100, "{words}");
             }
         }
-        assert!(
-            Refusal::Zoom { value: 20.5, narrow: 1.0, wide: 2.0 }.to_string().starts_with("zoom = 20.5:")
-        );
     }
 }

@@ -145,7 +145,7 @@ impl Rig {
     pub(crate) fn original(&self, light: usize) -> Result<&MovingLight, Refusal> {
         let lights = &self.setup.fixtures;
         let added = (light == lights.len()).then_some(&self.added);
-        lights.get(light).or(added).ok_or(Refusal::Number { value: light, count: lights.len() + 1 })
+        lights.get(light).or(added).ok_or_else(|| Refusal::light(light, lights.len() + 1))
     }
 
     /// Returns the scene's own camera at a time in seconds.
@@ -168,7 +168,7 @@ impl Rig {
     /// and where its movement begins.
     pub(crate) fn described(&self, state: &State, light: usize) -> Result<AnyLight, Refusal> {
         let count = state.lights.len();
-        let setting = state.lights.get(light).ok_or(Refusal::Number { value: light, count })?;
+        let setting = state.lights.get(light).ok_or_else(|| Refusal::light(light, count))?;
         let on = Setting { is_on: true, ..*setting }.applied(self.original(setting.of)?, 1.0)?;
         Ok(if on.sweeps() { *on.at(0.0)?.light() } else { *on.light() })
     }
@@ -236,7 +236,8 @@ impl Rig {
 fn check(state: &State, light: usize, moving: &MovingLight) -> Result<(), Refusal> {
     let fixture = moving.at(state.seconds[0])?;
     [Some(state.format), state.other].into_iter().flatten().try_for_each(|format| {
-        let refused = |error| Refusal::Format { format: format.label(), light, name: moving.name, error };
+        let (format_name, number, name) = (format.label(), light + 1, moving.name);
+        let refused = |error| Refusal(format!("{format_name} cannot hold light {number}, {name}: {error}"));
         format.check_fixture(&fixture).map_err(refused)
     })
 }

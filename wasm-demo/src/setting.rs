@@ -178,7 +178,7 @@ impl Setting {
         };
         let (narrow, wide) = (fixture.narrowest, fixture.widest);
         if !(narrow..=wide).contains(&degrees) {
-            return Err(Refusal::Zoom { value: degrees, narrow, wide });
+            return Err(Refusal::outside("zoom", degrees, [narrow, wide], "degrees, as this fixture has"));
         }
         self.design = Design::of(self.reading(), degrees);
         Ok(())

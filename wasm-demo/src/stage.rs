@@ -1,10 +1,10 @@
 //! The JavaScript class of the stage.
 
+mod changes;
 mod lights;
 
 use crate::{
     address,
-    desk::Desk,
     fixture::FixtureState,
     format::Format,
     job::{self, Load},
@@ -12,13 +12,15 @@ use crate::{
     panic,
     parameter::{self, PARAMETERS, ParameterState, Value},
     refusal::Refusal,
+    rig::Rig,
     scene_state::{EffectState, ExampleState, SwitchState},
+    setting::Setting,
     state::State,
     viewpoint::Viewpoint,
 };
 use luminaire::dynamic::Effect;
 use luminaire_fixtures::FIXTURES;
-use luminaire_render::{LARGEST, scenes::Example};
+use luminaire_render::{Camera, LARGEST, scenes::Example};
 use wasm_bindgen::{Clamped, prelude::*};
 
 /// The scene that the page opens with.
@@ -38,7 +40,15 @@ const SMALL: u32 = 320;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Stage {
-    desk: Desk,
+    state: State,
+    rig: Rig,
+    /// Earlier states, the last of which is marked as one to return to.
+    past: Vec<State>,
+    /// States that were undone, the last of which comes next.
+    future: Vec<State>,
+    /// The lights as they were when the visitor's gesture began: its values are computed from them, and
+    /// not from those that it has passed.
+    grip: Option<Vec<Setting>>,
     /// The lights of the turntable, for measuring.
     load: Option<Load>,
     /// The size of all pictures; `None` for the size that a scene is composed for.
@@ -58,7 +68,7 @@ impl Stage {
     /// # Errors
     /// A width or a height that a picture cannot have.
     #[wasm_bindgen(constructor)]
-    pub fn new(width: Option<u32>, height: Option<u32>) -> Result<Self, JsValue> {
+    pub fn new(width: Option<u32>, height: Option<u32>) -> Result<Self, Refusal> {
         panic::tell_the_page();
         let fixed = width.zip(height);
         if (width, height) != (None, None) {
@@ -69,11 +79,11 @@ impl Stage {
                 [("width", width, largest), ("height", height, largest.min(PIXELS / width.max(1)))]
             {
                 if !(1..=most).contains(&side) {
-                    return Err(Refusal::outside(name, side as f32, [1.0, most as f32], "pixels").into());
+                    return Err(Refusal::outside(name, side as f32, [1.0, most as f32], "pixels"));
                 }
             }
         }
-        Ok(Self { desk: Desk::new(FIRST)?, load: None, fixed, rest: None, map: Map::new(), mapped: None })
+        Ok(Self { fixed, ..Self::of(FIRST)? })
     }
 
     /// The scenes to choose from.
@@ -84,134 +94,66 @@ impl Stage {
     /// The name of the scene.
     #[wasm_bindgen(getter)]
     pub fn scene(&self) -> String {
-        self.desk.state().scene.name().to_owned()
-    }
-
-    /// Opens a scene as it was composed. Opening the same scene again resets it.
-    pub fn open(&mut self, scene: &str) -> Result<(), JsValue> {
-        let scene = address::scene_named(scene)?;
-        if self.load.take().is_some() {
-            self.desk = Desk::new(scene)?;
-        }
-        Ok(self.desk.open(scene)?)
+        self.state.scene.name().to_owned()
     }
 
     /// Opens the turntable under this many spotlights, for measuring. `shadow_side` is the side of
     /// the lights' shadow maps in texels; without it there are no shadow maps.
     #[wasm_bindgen(js_name = openTurntable)]
-    pub fn open_turntable(&mut self, spots: usize, shadow_side: Option<u16>) -> Result<(), JsValue> {
+    pub fn open_turntable(&mut self, spots: usize, shadow_side: Option<u16>) -> Result<(), Refusal> {
         let load = Some((spots, shadow_side));
-        let mut desk = Desk::with_rig(Example::Turntable, job::rig(Example::Turntable, load)?);
+        let mut stage = Self::with_rig(Example::Turntable, job::rig(Example::Turntable, load)?);
         if shadow_side.is_some() {
-            desk.switch(Effect::Shadow.name(), true)?;
+            stage.switch(Effect::Shadow.name(), true)?;
         }
-        (self.desk, self.load) = (desk, load);
+        self.take(Self { load, ..stage });
         Ok(())
-    }
-
-    /// Takes the state of an address. Returns what was refused in words; the rest is taken.
-    pub fn recall(&mut self, address: &str) -> Result<String, JsValue> {
-        self.load = None;
-        let refused = self.desk.recall(address)?;
-        Ok(refused.iter().map(ToString::to_string).collect::<Vec<_>>().join(". "))
     }
 
     /// The state as part of an address.
     pub fn address(&self) -> String {
-        address::write(self.desk.state(), self.desk.rig().lights())
-    }
-
-    /// Forgets all earlier states.
-    pub fn begin(&mut self) {
-        self.desk.begin();
-    }
-
-    /// Marks the state as one to return to.
-    pub fn mark(&mut self) {
-        self.desk.mark();
-    }
-
-    /// Returns to the last marked state, unless nothing has changed since. Returns whether something has.
-    pub fn cancel(&mut self) -> Result<bool, JsValue> {
-        Ok(self.desk.cancel()?)
-    }
-
-    /// Whether there is a state to undo.
-    #[wasm_bindgen(getter, js_name = canUndo)]
-    pub fn can_undo(&self) -> bool {
-        self.desk.can_return()[0]
-    }
-
-    /// Whether there is a state to redo.
-    #[wasm_bindgen(getter, js_name = canRedo)]
-    pub fn can_redo(&self) -> bool {
-        self.desk.can_return()[1]
-    }
-
-    /// Returns to the marked state before this one.
-    pub fn undo(&mut self) -> Result<(), JsValue> {
-        Ok(self.desk.undo()?)
-    }
-
-    /// Returns to the state that was undone last.
-    pub fn redo(&mut self) -> Result<(), JsValue> {
-        Ok(self.desk.redo()?)
+        address::write(&self.state, self.rig.lights())
     }
 
     /// Whether the lights of the scene can move.
     #[wasm_bindgen(getter, js_name = lightsMove)]
     pub fn lights_move(&self) -> bool {
-        self.desk.rig().moves()[0]
+        self.rig.moves()[0]
     }
 
     /// Whether the camera of the scene can move.
     #[wasm_bindgen(getter, js_name = cameraMoves)]
     pub fn camera_moves(&self) -> bool {
-        self.desk.rig().moves()[1]
+        self.rig.moves()[1]
     }
 
     /// Whether the lights move now.
     #[wasm_bindgen(getter, js_name = lightsPlay)]
     pub fn lights_play(&self) -> bool {
-        self.desk.plays()[0]
+        self.plays()[0]
     }
 
     /// Whether the camera moves now.
     #[wasm_bindgen(getter, js_name = cameraPlays)]
     pub fn camera_plays(&self) -> bool {
-        self.desk.plays()[1]
+        self.plays()[1]
     }
 
     /// Lets lights and camera move or stand still.
-    pub fn play(&mut self, lights: bool, camera: bool) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| state.plays = [lights, camera])?)
-    }
-
-    /// Moves what plays by some seconds. Returns whether anything plays.
-    pub fn advance(&mut self, seconds: f32) -> bool {
-        self.desk.advance(seconds)
+    pub fn play(&mut self, lights: bool, camera: bool) -> Result<(), Refusal> {
+        self.change(|state| state.plays = [lights, camera])
     }
 
     /// Moves the lights to their state at one time and the camera to its state at another, both in
     /// seconds.
-    pub fn seek(&mut self, lights: f32, camera: f32) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| state.seconds = [lights, camera])?)
-    }
-
-    /// Turns the camera around its target, by angles in radians.
-    pub fn orbit(&mut self, yaw: f32, pitch: f32) {
-        self.desk.orbit(yaw, pitch);
-    }
-
-    /// Moves the camera to `factor` times its distance. Returns whether it moved.
-    pub fn zoom(&mut self, factor: f32) -> bool {
-        self.desk.zoom(factor)
+    pub fn seek(&mut self, lights: f32, camera: f32) -> Result<(), Refusal> {
+        self.change(|state| state.seconds = [lights, camera])
     }
 
     /// Moves the camera back to that of the scene.
     #[wasm_bindgen(js_name = resetCamera)]
-    pub fn reset_camera(&mut self) -> Result<(), JsValue> {
-        Ok(self.desk.change(|state| state.viewpoint = Viewpoint::ORIGINAL)?)
+    pub fn reset_camera(&mut self) -> Result<(), Refusal> {
+        self.change(|state| state.viewpoint = Viewpoint::ORIGINAL)
     }
 
     /// Sets the size of pictures at rest: this width in pixels, or less if there would be more than
@@ -237,15 +179,15 @@ impl Stage {
 
     /// The picture of the state, as a text that painters take. Equal texts have equal pictures.
     pub fn job(&self) -> String {
-        job::write(self.size(), self.load, self.desk.state(), self.desk.rig().lights())
+        job::write(self.size(), self.load, &self.state, self.rig.lights())
     }
 
     /// The picture of the state in the format of the other half; nothing if the picture is whole.
     #[wasm_bindgen(js_name = otherJob)]
     pub fn other_job(&self) -> Option<String> {
-        let state = self.desk.state();
+        let state = &self.state;
         let other = State { format: state.other?, map: Subject::Nothing, ..state.clone() };
-        Some(job::write(self.size(), self.load, &other, self.desk.rig().lights()))
+        Some(job::write(self.size(), self.load, &other, self.rig.lights()))
     }
 
     /// Pixels in a row.
@@ -264,7 +206,7 @@ impl Stage {
     /// row. Returns RGBA, which is empty if there is no map.
     #[wasm_bindgen(js_name = drawMap)]
     pub fn draw_map(&mut self, counts: &[u16], width: usize) -> Clamped<Vec<u8>> {
-        let state = self.desk.state();
+        let state = &self.state;
         let mapped = Some((state.scene, state.is_everything));
         if std::mem::replace(&mut self.mapped, mapped) != mapped {
             self.map.begin();
@@ -296,8 +238,8 @@ impl Stage {
     }
 
     /// The effects of the library, and whether the picture needs them.
-    pub fn effects(&self) -> Result<Vec<EffectState>, JsValue> {
-        let plan = self.desk.rig().plan_of(self.desk.state()).map_err(Refusal::from)?;
+    pub fn effects(&self) -> Result<Vec<EffectState>, Refusal> {
+        let plan = self.rig.plan_of(&self.state)?;
         let state = |&effect: &Effect| EffectState {
             name: effect.name().to_owned(),
             is_called_for: plan.requires(effect),
@@ -307,13 +249,7 @@ impl Stage {
 
     /// The effects that have a switch.
     pub fn switches(&self) -> Vec<SwitchState> {
-        self.desk.rig().switches(self.desk.state())
-    }
-
-    /// Switches an effect on or off.
-    #[wasm_bindgen(js_name = setEffect)]
-    pub fn set_effect(&mut self, name: &str, on: bool) -> Result<(), JsValue> {
-        Ok(self.desk.switch(name, on)?)
+        self.rig.switches(&self.state)
     }
 
     /// The parameters of the state, with what their controls offer.
@@ -322,8 +258,8 @@ impl Stage {
     }
 
     /// Returns the value of a parameter: a boolean, a number or a text, by its kind.
-    pub fn get(&self, name: &str) -> Result<JsValue, JsValue> {
-        Ok(match parameter::named(name)?.get(self.desk.state()) {
+    pub fn get(&self, name: &str) -> Result<JsValue, Refusal> {
+        Ok(match parameter::named(name)?.get(&self.state) {
             Value::Nothing => JsValue::UNDEFINED,
             Value::Flag(on) => on.into(),
             Value::Number(number) => number.into(),
@@ -332,17 +268,17 @@ impl Stage {
     }
 
     /// Sets a parameter to a value of the kind that `get` returns.
-    pub fn set(&mut self, name: &str, value: &JsValue) -> Result<(), JsValue> {
+    pub fn set(&mut self, name: &str, value: &JsValue) -> Result<(), Refusal> {
         let flag = || value.as_bool().map(Value::Flag);
         let number = || value.as_f64().map(|number| Value::Number(number as f32));
         let value = flag().or_else(number).or_else(|| value.as_string().map(Value::Text));
-        Ok(self.desk.set(name, value.unwrap_or(Value::Nothing))?)
+        self.put(name, value.unwrap_or(Value::Nothing))
     }
 
     /// Returns the largest difference between a picture in this format and one in `f32`, in
     /// displayed codes.
     #[wasm_bindgen(js_name = statedError)]
-    pub fn stated_error(format: &str) -> Result<u8, JsValue> {
+    pub fn stated_error(format: &str) -> Result<u8, Refusal> {
         Ok(Format::named(format)?.stated_error())
     }
 
@@ -353,13 +289,61 @@ impl Stage {
 }
 
 impl Stage {
+    /// Opens a scene. Its pictures have the size that it is composed for.
+    pub(crate) fn of(scene: Example) -> Result<Self, Refusal> {
+        Ok(Self::with_rig(scene, Rig::new(scene.setup()?)?))
+    }
+
+    /// Opens a scene with other lights than its own.
+    pub(crate) fn with_rig(scene: Example, rig: Rig) -> Self {
+        let state = State::of(scene, rig.lights());
+        Self {
+            past: vec![state.clone()],
+            state,
+            rig,
+            future: Vec::new(),
+            grip: None,
+            load: None,
+            fixed: None,
+            rest: None,
+            map: Map::new(),
+            mapped: None,
+        }
+    }
+
+    /// Takes the scene of another stage and its changes, for pictures of the same size.
+    fn take(&mut self, Self { state, rig, past, future, grip, load, .. }: Self) {
+        (self.state, self.rig, self.load) = (state, rig, load);
+        (self.past, self.future, self.grip) = (past, future, grip);
+    }
+
+    /// The state.
+    pub(crate) fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// The scene and its lights.
+    pub(crate) fn rig(&self) -> &Rig {
+        &self.rig
+    }
+
+    /// The camera of the picture.
+    pub(crate) fn camera(&self) -> Camera {
+        self.rig.camera_of(&self.state)
+    }
+
+    /// The scene's own camera.
+    fn own_camera(&self) -> Camera {
+        self.rig.camera_at(self.state.seconds[1])
+    }
+
     fn size(&self) -> (u32, u32) {
         self.fixed.or(self.rest).unwrap_or(self.composed())
     }
 
     /// The size that the scene is composed for.
     fn composed(&self) -> (u32, u32) {
-        let (width, height) = self.desk.state().scene.size();
+        let (width, height) = self.state.scene.size();
         (width as u32, height as u32)
     }
 }

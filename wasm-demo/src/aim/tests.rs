@@ -5,12 +5,12 @@ use luminaire_render::scenes::Example;
 
 const ASPECT: f32 = 16.0 / 9.0;
 
-fn desk(scene: Example) -> Desk {
-    Desk::new(scene).unwrap()
+fn stage(scene: Example) -> Stage {
+    Stage::of(scene).unwrap()
 }
 
-fn spot(desk: &Desk, light: usize) -> ([f32; 3], [f32; 3]) {
-    match desk.lit(light).unwrap() {
+fn spot(stage: &Stage, light: usize) -> ([f32; 3], [f32; 3]) {
+    match stage.lit(light).unwrap() {
         AnyLight::Spot(spot) => (spot.position().into(), spot.axis().into()),
         _ => panic!("no spot"),
     }
@@ -23,9 +23,9 @@ fn near(one: [f32; 3], other: [f32; 3]) -> bool {
 #[test]
 fn every_light_aims_at_a_surface_of_its_scene() {
     for &scene in Example::ALL {
-        let desk = desk(scene);
-        for light in 0..desk.state().lights.len() {
-            let state = desk.light_state(light).unwrap();
+        let stage = stage(scene);
+        for light in 0..stage.state().lights.len() {
+            let state = stage.light_state(light).unwrap();
             if state.is_spot {
                 assert!(state.throw.is_some_and(|throw| throw > 0.1), "light {light} of {scene:?}");
                 assert!(state.lux > Some(0.0), "light {light} of {scene:?}: {:?} lx", state.lux);
@@ -37,62 +37,62 @@ fn every_light_aims_at_a_surface_of_its_scene() {
 
 #[test]
 fn a_light_follows_the_pointer_and_keeps_its_aim() {
-    let mut desk = desk(Example::ThreePoint);
-    let aim = desk.light_state(2).unwrap().aim;
+    let mut stage = stage(Example::ThreePoint);
+    let aim = stage.light_state(2).unwrap().aim;
     for (place, is_level) in [([0.6, 0.3], false), ([0.45, 0.45], true)] {
-        let before = spot(&desk, 2).0;
-        desk.drag_light(2, place, ASPECT, is_level).unwrap();
-        let [Some(found), _] = desk.places(ASPECT).unwrap()[2] else { panic!("not in the picture") };
+        let before = spot(&stage, 2).0;
+        stage.drag_light(2, place[0], place[1], ASPECT, is_level).unwrap();
+        let [Some(found), _] = stage.places(ASPECT).unwrap()[2] else { panic!("not in the picture") };
         assert!((found[0] - place[0]).abs() < 1e-3 && (found[1] - place[1]).abs() < 1e-3, "{found:?}");
-        let (after, now) = (spot(&desk, 2).0, desk.light_state(2).unwrap().aim);
+        let (after, now) = (spot(&stage, 2).0, stage.light_state(2).unwrap().aim);
         assert_eq!((after[1] - before[1]).abs() < 1e-3, is_level, "{before:?} {after:?}");
         assert!(now.iter().zip(&aim).all(|(a, b)| (a - b).abs() < 1e-3), "{aim:?} {now:?}");
     }
-    desk.put_back(2).unwrap();
-    assert_eq!(desk.state(), Desk::new(Example::ThreePoint).unwrap().state());
+    stage.put_back(2).unwrap();
+    assert_eq!(stage.state(), Stage::of(Example::ThreePoint).unwrap().state());
 }
 
 #[test]
 fn a_pool_follows_the_pointer_onto_the_surface() {
-    let mut desk = desk(Example::BareSpot);
+    let mut stage = stage(Example::BareSpot);
     for place in [[0.5, 0.75], [0.3, 0.7], [0.6, 0.4]] {
-        desk.drag_aim(0, place, ASPECT).unwrap();
-        let [_, Some(found)] = desk.places(ASPECT).unwrap()[0] else { panic!("not in the picture") };
+        stage.drag_aim(0, place[0], place[1], ASPECT).unwrap();
+        let [_, Some(found)] = stage.places(ASPECT).unwrap()[0] else { panic!("not in the picture") };
         assert!(
             (found[0] - place[0]).abs() < 0.01 && (found[1] - place[1]).abs() < 0.01,
             "{found:?} {place:?}"
         );
     }
     // Where no surface is, the light still aims toward the pointer.
-    let before = spot(&desk, 0).1;
-    desk.orbit(0.0, -1.0);
-    desk.drag_aim(0, [0.5, -3.0], ASPECT).unwrap();
-    assert_ne!(spot(&desk, 0).1, before);
-    desk.drag_aim(0, [f32::NAN, 0.5], ASPECT).unwrap_err();
+    let before = spot(&stage, 0).1;
+    stage.orbit(0.0, -1.0);
+    stage.drag_aim(0, 0.5, -3.0, ASPECT).unwrap();
+    assert_ne!(spot(&stage, 0).1, before);
+    stage.drag_aim(0, f32::NAN, 0.5, ASPECT).unwrap_err();
 }
 
 /// A light that sweeps goes on sweeping where it is moved to, and stops where it is aimed.
 #[test]
 fn a_sweep_ends_with_an_aim_and_not_with_a_move() {
-    let mut desk = desk(Example::Show);
-    let moves = |desk: &mut Desk| {
-        let before = spot(desk, 0).1;
-        desk.advance(1.0);
-        spot(desk, 0).1 != before
+    let mut stage = stage(Example::Show);
+    let moves = |stage: &mut Stage| {
+        let before = spot(stage, 0).1;
+        stage.advance(1.0);
+        spot(stage, 0).1 != before
     };
-    desk.drag_light(0, [0.3, 0.2], ASPECT, false).unwrap();
-    assert!(moves(&mut desk) && desk.light_state(0).unwrap().sweeps);
-    desk.drag_aim(0, [0.5, 0.8], ASPECT).unwrap();
-    assert!(!moves(&mut desk) && !desk.light_state(0).unwrap().sweeps);
-    desk.put_back(0).unwrap();
-    assert!(moves(&mut desk));
+    stage.drag_light(0, 0.3, 0.2, ASPECT, false).unwrap();
+    assert!(moves(&mut stage) && stage.light_state(0).unwrap().sweeps);
+    stage.drag_aim(0, 0.5, 0.8, ASPECT).unwrap();
+    assert!(!moves(&mut stage) && !stage.light_state(0).unwrap().sweeps);
+    stage.put_back(0).unwrap();
+    assert!(moves(&mut stage));
 }
 
 #[test]
 fn a_pool_surrounds_the_aim() {
-    let desk = desk(Example::Grid);
-    let pool = desk.pool(27, ASPECT).unwrap();
-    let [Some(light), Some(aim)] = desk.places(ASPECT).unwrap()[27] else { panic!("not in the picture") };
+    let stage = stage(Example::Grid);
+    let pool = stage.pool(27, ASPECT).unwrap();
+    let [Some(light), Some(aim)] = stage.places(ASPECT).unwrap()[27] else { panic!("not in the picture") };
     let points: Vec<_> = pool[2..].iter().flatten().collect();
     assert_eq!(points.len(), RAYS, "the floor is one surface");
     let share = 1.0 / points.len() as f32;
@@ -100,10 +100,10 @@ fn a_pool_surrounds_the_aim() {
     assert!((centre[0] - aim[0]).abs() < 0.01 && (centre[1] - aim[1]).abs() < 0.02, "{centre:?} {aim:?}");
     let [Some(left), Some(right)] = pool[..2] else { panic!("no sides") };
     assert!((left[0] - light[0]) * (right[0] - light[0]) < 0.0, "{left:?} {light:?} {right:?}");
-    let desk = Desk::new(Example::Gallery).unwrap();
-    for light in 0..desk.state().lights.len() {
-        let pool = desk.pool(light, ASPECT).unwrap();
-        assert_eq!(pool.is_empty(), !desk.light_state(light).unwrap().is_spot);
+    let stage = Stage::of(Example::Gallery).unwrap();
+    for light in 0..stage.state().lights.len() {
+        let pool = stage.pool(light, ASPECT).unwrap();
+        assert_eq!(pool.is_empty(), !stage.light_state(light).unwrap().is_spot);
     }
 }
 
@@ -127,13 +127,13 @@ fn an_outline_leaves_out_small_objects() {
 
 #[test]
 fn a_position_that_no_light_can_have_is_refused() {
-    let mut desk = desk(Example::BareSpot);
-    let before = desk.state().clone();
-    assert!(desk.place_light(0, Vec3::new(f32::NAN, 0.0, 0.0)).is_err());
-    assert!(desk.aim_light(0, Vec3::new(f32::INFINITY, 0.0, 0.0)).is_err());
-    let (position, _) = spot(&desk, 0);
-    assert!(desk.aim_light(0, position.into()).is_err());
-    assert!(desk.place_light(7, Vec3::new(0.0, 1.0, 0.0)).is_err());
-    assert_eq!(desk.state(), &before);
-    assert!(near(spot(&desk, 0).0, position));
+    let mut stage = stage(Example::BareSpot);
+    let before = stage.state().clone();
+    assert!(stage.place(0, Vec3::new(f32::NAN, 0.0, 0.0)).is_err());
+    assert!(stage.aim(0, Vec3::new(f32::INFINITY, 0.0, 0.0)).is_err());
+    let (position, _) = spot(&stage, 0);
+    assert!(stage.aim(0, position.into()).is_err());
+    assert!(stage.place(7, Vec3::new(0.0, 1.0, 0.0)).is_err());
+    assert_eq!(stage.state(), &before);
+    assert!(near(spot(&stage, 0).0, position));
 }

@@ -1,5 +1,7 @@
-//! The lighting desk: the state, the scene that it gives, and earlier states to return to.
+//! Changes of the state: each is either taken or refused as a whole, so that the state can always be
+//! drawn. Earlier states can be returned to.
 
+use super::Stage;
 use crate::{
     address,
     parameter::{self, Value},
@@ -9,61 +11,14 @@ use crate::{
     setting::Setting,
     state::{LIGHTS, State, switch_of, switchable},
 };
-use luminaire_render::{
-    Camera,
-    scenes::{Example, MovingLight},
-};
+use luminaire_render::scenes::MovingLight;
+use wasm_bindgen::prelude::*;
 
 /// Largest number of states to return to.
 const PAST: usize = 200;
 
-/// The state and what follows from it. A change is either taken or refused as a whole, so that the
-/// state can always be drawn.
-#[derive(Clone, Debug)]
-pub(crate) struct Desk {
-    state: State,
-    rig: Rig,
-    /// Earlier states, the last of which is marked as one to return to.
-    past: Vec<State>,
-    /// States that were undone, the last of which comes next.
-    future: Vec<State>,
-    /// The lights as they were when the visitor's gesture began: its values are computed from them, and
-    /// not from those that it has passed.
-    grip: Option<Vec<Setting>>,
-}
-
-impl Desk {
-    /// Opens a scene.
-    pub(crate) fn new(scene: Example) -> Result<Self, Refusal> {
-        Ok(Self::with_rig(scene, Rig::new(scene.setup()?)?))
-    }
-
-    /// Opens a scene with other lights than its own.
-    pub(crate) fn with_rig(scene: Example, rig: Rig) -> Self {
-        let state = State::of(scene, rig.lights());
-        Self { past: vec![state.clone()], state, rig, future: Vec::new(), grip: None }
-    }
-
-    /// The state.
-    pub(crate) fn state(&self) -> &State {
-        &self.state
-    }
-
-    /// The scene and its lights.
-    pub(crate) fn rig(&self) -> &Rig {
-        &self.rig
-    }
-
-    /// The camera of the picture.
-    pub(crate) fn camera(&self) -> Camera {
-        self.rig.camera_of(&self.state)
-    }
-
-    /// The scene's own camera.
-    fn own_camera(&self) -> Camera {
-        self.rig.camera_at(self.state.seconds[1])
-    }
-
+#[wasm_bindgen]
+impl Stage {
     /// Changes the state.
     pub(crate) fn change(&mut self, act: impl FnOnce(&mut State)) -> Result<(), Refusal> {
         let mut next = self.state.clone();
@@ -72,7 +27,7 @@ impl Desk {
     }
 
     /// Sets a parameter of the state by its name.
-    pub(crate) fn set(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Refusal> {
+    pub(crate) fn put(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Refusal> {
         let mut next = self.state.clone();
         parameter::named(name)?.set(&mut next, value.into())?;
         self.adopt(next)
@@ -100,8 +55,9 @@ impl Desk {
         self.change_light(light, |light| *light = setting)
     }
 
-    /// Begins a gesture of the visitor, which lasts until the next one begins.
-    pub(crate) fn grip(&mut self) {
+    /// Begins a gesture, such as the drag of a slider. Until the next one begins, numbers and drags of a
+    /// light are computed from the light as it is now.
+    pub fn grip(&mut self) {
         self.grip = Some(self.state.lights.clone());
     }
 
@@ -128,32 +84,44 @@ impl Desk {
     /// The setting of a light as it was when the visitor's gesture began.
     pub(crate) fn held(&self, light: usize) -> Result<&Setting, Refusal> {
         let lights = self.grip.as_ref().unwrap_or(&self.state.lights);
-        lights.get(light).ok_or(Refusal::Number { value: light, count: lights.len() })
+        lights.get(light).ok_or_else(|| Refusal::light(light, lights.len()))
     }
 
-    /// Sets a number of a light, as a step of a gesture: see [`Setting::set_number`].
-    pub(crate) fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), Refusal> {
+    /// Sets a number of a light, as a step of a gesture: its `beam`, `field` or `zoom` angle in degrees;
+    /// `fit-beam` or `fit-field`, which keep the other angle; or its `intensity` in candela, or in lux for
+    /// a directional light. Angles conserve the flux.
+    #[wasm_bindgen(js_name = setNumber)]
+    pub fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);
-        self.within_gesture(|desk| {
-            desk.change_original(light, |setting, original| {
+        self.within_gesture(|stage| {
+            stage.change_original(light, |setting, original| {
                 setting.set_number(name, value, original, full_scale)
             })
         })
     }
 
-    /// Sets a choice of a light: see [`Setting::set_choice`].
-    pub(crate) fn set_choice(&mut self, light: usize, name: &str, value: &str) -> Result<(), Refusal> {
+    /// Sets a choice of a light: its `edge`, `color`, `fixture`, or the `reading` of its angle.
+    #[wasm_bindgen(js_name = setChoice)]
+    pub fn set_choice(&mut self, light: usize, name: &str, value: &str) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);
         self.change_original(light, |setting, original| setting.set_choice(name, value, original, full_scale))
     }
 
-    /// Zooms a light: see [`Setting::zoom`].
-    pub(crate) fn zoom_light(&mut self, light: usize, factor: f32) -> Result<(), Refusal> {
+    /// Multiplies the angles of a light by a factor and conserves its flux.
+    #[wasm_bindgen(js_name = zoomLight)]
+    pub fn zoom_light(&mut self, light: usize, factor: f32) -> Result<(), Refusal> {
         self.change_original(light, |setting, original| setting.zoom(factor, original))
     }
 
+    /// Switches a light on or off.
+    #[wasm_bindgen(js_name = setOn)]
+    pub fn set_on(&mut self, light: usize, on: bool) -> Result<(), Refusal> {
+        self.change_light(light, |setting| setting.is_on = on)
+    }
+
     /// Adds a copy of a light behind it.
-    pub(crate) fn copy_light(&mut self, light: usize) -> Result<(), Refusal> {
+    #[wasm_bindgen(js_name = copyLight)]
+    pub fn copy_light(&mut self, light: usize) -> Result<(), Refusal> {
         self.insert_light(light + 1, *self.setting(light)?)
     }
 
@@ -167,7 +135,8 @@ impl Desk {
     }
 
     /// Removes a light.
-    pub(crate) fn remove_light(&mut self, light: usize) -> Result<(), Refusal> {
+    #[wasm_bindgen(js_name = removeLight)]
+    pub fn remove_light(&mut self, light: usize) -> Result<(), Refusal> {
         self.setting(light)?;
         self.change(|state| {
             state.lights.remove(light);
@@ -177,24 +146,30 @@ impl Desk {
     /// The setting of a light.
     pub(crate) fn setting(&self, light: usize) -> Result<&Setting, Refusal> {
         let count = self.state.lights.len();
-        self.state.lights.get(light).ok_or(Refusal::Number { value: light, count })
+        self.state.lights.get(light).ok_or_else(|| Refusal::light(light, count))
     }
 
     /// Switches an effect on or off by its name.
-    pub(crate) fn switch(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
+    #[wasm_bindgen(js_name = setEffect)]
+    pub fn switch(&mut self, name: &str, on: bool) -> Result<(), Refusal> {
         let place = switch_of(name).ok_or_else(|| Refusal::name("effect to switch", name, switchable()))?;
         self.change(|state| state.switched[place] = Some(on))
     }
 
-    /// Opens a scene as it was composed, in the current number format.
-    pub(crate) fn open(&mut self, scene: Example) -> Result<(), Refusal> {
+    /// Opens a scene as it was composed, in the current number format. Opening the same scene again
+    /// resets it.
+    pub fn open(&mut self, scene: &str) -> Result<(), Refusal> {
+        let scene = address::scene_named(scene)?;
+        if self.load.is_some() {
+            self.take(Self::of(scene)?);
+        }
         let lights =
             if scene == self.state.scene { self.rig.lights() } else { scene.setup()?.fixtures.len() };
         self.adopt(self.state.followed_by(scene, lights))
     }
 
     /// Moves what plays by some seconds. Returns whether anything plays.
-    pub(crate) fn advance(&mut self, seconds: f32) -> bool {
+    pub fn advance(&mut self, seconds: f32) -> bool {
         let plays = self.plays();
         for (time, _) in self.state.seconds.iter_mut().zip(plays).filter(|(_, plays)| *plays) {
             *time += if seconds.is_finite() { seconds.max(0.0) } else { 0.0 };
@@ -209,26 +184,33 @@ impl Desk {
     }
 
     /// Turns the camera around its target, by angles in radians.
-    pub(crate) fn orbit(&mut self, yaw: f32, pitch: f32) {
+    pub fn orbit(&mut self, yaw: f32, pitch: f32) {
         let camera = self.own_camera();
         self.state.viewpoint.orbit(camera, yaw, pitch);
     }
 
     /// Moves the camera to `factor` times its distance. Returns whether it moved.
-    pub(crate) fn zoom(&mut self, factor: f32) -> bool {
+    pub fn zoom(&mut self, factor: f32) -> bool {
         let camera = self.own_camera();
         self.state.viewpoint.zoom(camera, factor)
     }
 
+    /// Takes the state of an address. Returns what was refused in words; the rest is taken.
+    pub fn recall(&mut self, address: &str) -> Result<String, Refusal> {
+        self.load = None;
+        let refused = self.take_address(address)?;
+        Ok(refused.iter().map(ToString::to_string).collect::<Vec<_>>().join(". "))
+    }
+
     /// Takes the state of an address. Returns what was refused; the rest is taken.
-    pub(crate) fn recall(&mut self, query: &str) -> Result<Vec<Refusal>, Refusal> {
+    pub(crate) fn take_address(&mut self, query: &str) -> Result<Vec<Refusal>, Refusal> {
         let (mut asked, mut refused) = address::parse(query, self.state.scene)?;
         let scene = asked.scene;
         let rig = Rig::new(scene.setup()?)?;
         let others = State { lights: Vec::new(), ..asked.clone() };
         for (light, setting) in asked.lights.iter_mut().enumerate() {
             if let Err(refusal) = rig.accept(&others, light, setting) {
-                refused.push(Refusal::Opened { light, reason: refusal.to_string() });
+                refused.push(Refusal(format!("light {} is as the scene has it: {refusal}", light + 1)));
                 *setting = Setting::of(setting.of);
             }
         }
@@ -240,13 +222,13 @@ impl Desk {
     }
 
     /// Forgets all states to return to.
-    pub(crate) fn begin(&mut self) {
+    pub fn begin(&mut self) {
         self.past = vec![self.state.clone()];
         self.future.clear();
     }
 
     /// Marks the state as one to return to. Returns whether it is a new one.
-    pub(crate) fn mark(&mut self) -> bool {
+    pub fn mark(&mut self) -> bool {
         let is_new = self.past.last().is_none_or(|last| !last.is_same_setting(&self.state));
         if is_new {
             self.future.clear();
@@ -263,8 +245,20 @@ impl Desk {
         [self.past.len() > 1 || is_changed, !self.future.is_empty()]
     }
 
+    /// Whether there is a state to undo.
+    #[wasm_bindgen(getter, js_name = canUndo)]
+    pub fn can_undo(&self) -> bool {
+        self.can_return()[0]
+    }
+
+    /// Whether there is a state to redo.
+    #[wasm_bindgen(getter, js_name = canRedo)]
+    pub fn can_redo(&self) -> bool {
+        self.can_return()[1]
+    }
+
     /// Returns to the marked state before this one, or does nothing if there is none.
-    pub(crate) fn undo(&mut self) -> Result<(), Refusal> {
+    pub fn undo(&mut self) -> Result<(), Refusal> {
         self.mark();
         if self.past.len() > 1 {
             self.future.extend(self.past.pop());
@@ -275,7 +269,7 @@ impl Desk {
 
     /// Returns to the last marked state, as if the changes since then had not been. Returns whether there
     /// were any.
-    pub(crate) fn cancel(&mut self) -> Result<bool, Refusal> {
+    pub fn cancel(&mut self) -> Result<bool, Refusal> {
         let marked = self.past.last().filter(|marked| !marked.is_same_setting(&self.state)).cloned();
         let is_changed = marked.is_some();
         self.return_to(marked)?;
@@ -283,7 +277,7 @@ impl Desk {
     }
 
     /// Returns to the state that was undone last, or does nothing if there is none.
-    pub(crate) fn redo(&mut self) -> Result<(), Refusal> {
+    pub fn redo(&mut self) -> Result<(), Refusal> {
         let next = self.future.pop();
         self.past.extend(next.clone());
         self.return_to(next)

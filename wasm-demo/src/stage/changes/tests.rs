@@ -1,4 +1,4 @@
-//! The desk: what is taken, what is refused, and the way back.
+//! The stage: what is taken, what is refused, and the way back.
 
 use super::*;
 use crate::{
@@ -14,64 +14,65 @@ use luminaire::{
     dynamic::{Effect, Effects},
 };
 use luminaire_fixtures::FIXTURES;
-use luminaire_render::Renderer;
+use luminaire_render::{Renderer, scenes::Example};
 
-fn desk(scene: Example) -> Desk {
-    Desk::new(scene).unwrap()
+fn stage(scene: Example) -> Stage {
+    Stage::of(scene).unwrap()
 }
 
-fn effects(desk: &Desk) -> Effects {
-    desk.rig().plan_of(desk.state()).unwrap().effects()
+fn effects(stage: &Stage) -> Effects {
+    stage.rig().plan_of(stage.state()).unwrap().effects()
 }
 
-fn light(desk: &Desk, light: usize) -> LightState {
-    desk.light_state(light).unwrap()
+fn light(stage: &Stage, light: usize) -> LightState {
+    stage.light_state(light).unwrap()
 }
 
-fn number(desk: &mut Desk, name: &str, value: f32) -> Result<(), Refusal> {
-    desk.set_number(0, name, value)
+fn number(stage: &mut Stage, name: &str, value: f32) -> Result<(), Refusal> {
+    stage.set_number(0, name, value)
 }
 
-fn choice(desk: &mut Desk, name: &str, value: &str) -> Result<(), Refusal> {
-    desk.set_choice(0, name, value)
+fn choice(stage: &mut Stage, name: &str, value: &str) -> Result<(), Refusal> {
+    stage.set_choice(0, name, value)
 }
 
 #[test]
 fn the_other_half_of_a_picture_has_a_format_that_holds_the_lights() {
-    let mut desk = Desk::new(Example::ThreePoint).unwrap();
-    let narrow = |desk: &mut Desk| desk.change_light(0, |light| light.design = Design::of(Mark::Field, 0.5));
-    desk.set("with", "fx16").unwrap();
-    assert!(narrow(&mut desk).unwrap_err().to_string().contains("16-bit fixed point cannot hold light 1"));
-    desk.set("with", Value::Nothing).unwrap();
-    narrow(&mut desk).unwrap();
-    assert!(desk.set("with", "fx16").is_err() && desk.state().other.is_none());
+    let mut stage = Stage::of(Example::ThreePoint).unwrap();
+    let narrow =
+        |stage: &mut Stage| stage.change_light(0, |light| light.design = Design::of(Mark::Field, 0.5));
+    stage.put("with", "fx16").unwrap();
+    assert!(narrow(&mut stage).unwrap_err().to_string().contains("16-bit fixed point cannot hold light 1"));
+    stage.put("with", Value::Nothing).unwrap();
+    narrow(&mut stage).unwrap();
+    assert!(stage.put("with", "fx16").is_err() && stage.state().other.is_none());
 }
 
 #[test]
 fn a_scene_opens_as_it_was_composed() {
     for &scene in Example::ALL {
-        let (setup, desk) = (scene.setup().unwrap(), desk(scene));
+        let (setup, stage) = (scene.setup().unwrap(), stage(scene));
         for seconds in [0.0, 1.3] {
-            assert_eq!(desk.rig().fixtures_at(seconds), setup.fixtures_at(seconds), "{scene:?}");
+            assert_eq!(stage.rig().fixtures_at(seconds), setup.fixtures_at(seconds), "{scene:?}");
         }
-        assert_eq!((desk.rig().scene(), desk.camera()), (&setup.scene, setup.camera), "{scene:?}");
+        assert_eq!((stage.rig().scene(), stage.camera()), (&setup.scene, setup.camera), "{scene:?}");
     }
 }
 
 #[test]
 fn a_light_that_is_switched_off_is_dark_and_keeps_its_number() {
     for &scene in Example::ALL {
-        let mut desk = desk(scene);
-        let lit = desk.rig().fixtures_at(1.0).unwrap();
+        let mut stage = stage(scene);
+        let lit = stage.rig().fixtures_at(1.0).unwrap();
         for light in 0..lit.len() {
-            desk.change_light(light, |setting| setting.is_on = false).unwrap();
-            let mut dark = desk.rig().fixtures_at(1.0).unwrap();
+            stage.change_light(light, |setting| setting.is_on = false).unwrap();
+            let mut dark = stage.rig().fixtures_at(1.0).unwrap();
             assert!(dark[light].light().is_dark(), "light {light} of {scene:?}");
             dark[light] = lit[light];
             assert_eq!(dark, lit, "light {light} of {scene:?}");
-            desk.change_light(light, |setting| setting.is_on = true).unwrap();
+            stage.change_light(light, |setting| setting.is_on = true).unwrap();
         }
-        let refusal = desk.change_light(lit.len(), |_| ()).unwrap_err().to_string();
+        let refusal = stage.change_light(lit.len(), |_| ()).unwrap_err().to_string();
         assert!(refusal.contains(&format!("light = {}", lit.len())), "{refusal}");
     }
 }
@@ -84,103 +85,104 @@ fn an_effect_is_left_out_and_put_back_in() {
         (Example::Show, Effect::Gobo),
         (Example::Show, Effect::Haze),
     ] {
-        let mut desk = desk(scene);
-        let look =
-            |desk: &Desk| (effects(desk), desk.rig().fixtures_at(2.0).unwrap(), desk.rig().scene().clone());
-        let before = look(&desk);
-        desk.switch(effect.name(), false).unwrap();
-        assert!(before.0.has(effect) && !effects(&desk).has(effect), "{scene:?}");
-        assert_eq!(effects(&desk).with(effect), before.0);
-        desk.switch(effect.name(), true).unwrap();
-        assert_eq!(look(&desk), before);
+        let mut stage = stage(scene);
+        let look = |stage: &Stage| {
+            (effects(stage), stage.rig().fixtures_at(2.0).unwrap(), stage.rig().scene().clone())
+        };
+        let before = look(&stage);
+        stage.switch(effect.name(), false).unwrap();
+        assert!(before.0.has(effect) && !effects(&stage).has(effect), "{scene:?}");
+        assert_eq!(effects(&stage).with(effect), before.0);
+        stage.switch(effect.name(), true).unwrap();
+        assert_eq!(look(&stage), before);
     }
-    let refusal = desk(Example::Show).switch("spot", false).unwrap_err().to_string();
+    let refusal = stage(Example::Show).switch("spot", false).unwrap_err().to_string();
     assert!(refusal.contains("\"spot\"") && refusal.contains("specular"), "{refusal}");
 }
 
 #[test]
 fn haze_dither_and_shadows_are_added_and_taken_away() {
-    let mut desk = desk(Example::Turntable);
+    let mut stage = stage(Example::Turntable);
     let look =
-        |desk: &Desk| (effects(desk), desk.rig().fixtures_at(1.0).unwrap(), desk.rig().scene().clone());
-    assert!(effects(&desk).has(Effect::Dither));
-    desk.switch("dither", false).unwrap();
-    let before = look(&desk);
+        |stage: &Stage| (effects(stage), stage.rig().fixtures_at(1.0).unwrap(), stage.rig().scene().clone());
+    assert!(effects(&stage).has(Effect::Dither));
+    stage.switch("dither", false).unwrap();
+    let before = look(&stage);
     for effect in [Effect::Haze, Effect::Dither, Effect::Shadow] {
         assert!(!before.0.has(effect));
-        desk.switch(effect.name(), true).unwrap();
-        assert!(effects(&desk).has(effect), "{effect:?}");
+        stage.switch(effect.name(), true).unwrap();
+        assert!(effects(&stage).has(effect), "{effect:?}");
     }
-    let sides = |desk: &Desk| -> Vec<_> {
-        let fixtures = desk.rig().fixtures_at(1.0).unwrap();
+    let sides = |stage: &Stage| -> Vec<_> {
+        let fixtures = stage.rig().fixtures_at(1.0).unwrap();
         fixtures.iter().map(|fixture| fixture.shadow().map(|(side, _)| side)).collect()
     };
-    assert!(desk.rig().scene().haze().is_some() && desk.rig().display(desk.state()).is_dithered());
-    assert_eq!(sides(&desk), [Some(512); 8]);
+    assert!(stage.rig().scene().haze().is_some() && stage.rig().display(stage.state()).is_dithered());
+    assert_eq!(sides(&stage), [Some(512); 8]);
     for effect in [Effect::Haze, Effect::Dither, Effect::Shadow] {
-        desk.switch(effect.name(), false).unwrap();
+        stage.switch(effect.name(), false).unwrap();
     }
-    assert_eq!(look(&desk), before);
+    assert_eq!(look(&stage), before);
     for (side, is_taken) in [(64, true), (5, false)] {
         let rig = job::rig(Example::Turntable, Some((8, Some(side)))).unwrap();
-        let mut desk = Desk::with_rig(Example::Turntable, rig);
-        assert_eq!(desk.switch("shadow", true).is_ok(), is_taken);
-        assert_eq!(sides(&desk), [Some(side).filter(|_| is_taken); 8]);
+        let mut stage = Stage::with_rig(Example::Turntable, rig);
+        assert_eq!(stage.switch("shadow", true).is_ok(), is_taken);
+        assert_eq!(sides(&stage), [Some(side).filter(|_| is_taken); 8]);
     }
 }
 
 #[test]
 fn the_angles_follow_one_another() {
-    let mut desk = desk(Example::BareSpot);
-    number(&mut desk, "field", 15.0).unwrap();
-    let state = light(&desk, 0);
+    let mut stage = stage(Example::BareSpot);
+    number(&mut stage, "field", 15.0).unwrap();
+    let state = light(&stage, 0);
     assert!((state.beam - 9.81).abs() < 0.005 && (state.outer - 18.15).abs() < 0.005);
-    number(&mut desk, "beam", state.beam).unwrap();
-    assert!((light(&desk, 0).field - 15.0).abs() < 1e-3);
+    number(&mut stage, "beam", state.beam).unwrap();
+    assert!((light(&stage, 0).field - 15.0).abs() < 1e-3);
     // Another edge keeps the angle that was set last.
-    choice(&mut desk, "edge", "hard").unwrap();
-    assert!((light(&desk, 0).beam - state.beam).abs() < 1e-3);
-    choice(&mut desk, "edge", "own").unwrap();
-    assert!((light(&desk, 0).field - 15.0).abs() < 1e-3);
+    choice(&mut stage, "edge", "hard").unwrap();
+    assert!((light(&stage, 0).beam - state.beam).abs() < 1e-3);
+    choice(&mut stage, "edge", "own").unwrap();
+    assert!((light(&stage, 0).field - 15.0).abs() < 1e-3);
 }
 
 #[test]
 fn both_angles_are_given_and_stay_as_they_were_given() {
-    let mut desk = desk(Example::BareSpot);
-    number(&mut desk, "field", 20.0).unwrap();
-    number(&mut desk, "fit-beam", 7.0).unwrap();
-    number(&mut desk, "fit-field", 15.0).unwrap();
-    let angles = |desk: &Desk| (light(desk, 0).beam, light(desk, 0).field, light(desk, 0).edge);
+    let mut stage = stage(Example::BareSpot);
+    number(&mut stage, "field", 20.0).unwrap();
+    number(&mut stage, "fit-beam", 7.0).unwrap();
+    number(&mut stage, "fit-field", 15.0).unwrap();
+    let angles = |stage: &Stage| (light(stage, 0).beam, light(stage, 0).field, light(stage, 0).edge);
     let near = |(beam, field, edge): (f32, f32, String), expected: (f32, f32)| {
         assert!((beam - expected.0).abs() < 1e-3 && (field - expected.1).abs() < 1e-3, "{beam} {field}");
         assert_eq!(edge, "fitted");
     };
-    near(angles(&desk), (7.0, 15.0));
-    number(&mut desk, "beam", 10.0).unwrap();
-    near(angles(&desk), (10.0, 15.0));
-    let [_, _, least, most] = light(&desk, 0).reach[..] else { panic!("nothing is reached") };
+    near(angles(&stage), (7.0, 15.0));
+    number(&mut stage, "beam", 10.0).unwrap();
+    near(angles(&stage), (10.0, 15.0));
+    let [_, _, least, most] = light(&stage, 0).reach[..] else { panic!("nothing is reached") };
     assert!((least - 10.0).abs() < 1e-3 && (23.0..24.0).contains(&most), "{least} to {most}");
-    number(&mut desk, "field", 40.0).unwrap();
-    assert!(light(&desk, 0).beam > 17.0, "the beam does not follow");
+    number(&mut stage, "field", 40.0).unwrap();
+    assert!(light(&stage, 0).beam > 17.0, "the beam does not follow");
     // Another edge has one angle.
-    choice(&mut desk, "edge", "smooth").unwrap();
-    assert!((light(&desk, 0).field - 40.0).abs() < 1e-3 && light(&desk, 0).edge == "smooth");
-    choice(&mut desk, "edge", "fitted").unwrap();
-    let state = light(&desk, 0);
-    number(&mut desk, "fit-field", state.field).unwrap();
-    near(angles(&desk), (state.beam, state.field));
+    choice(&mut stage, "edge", "smooth").unwrap();
+    assert!((light(&stage, 0).field - 40.0).abs() < 1e-3 && light(&stage, 0).edge == "smooth");
+    choice(&mut stage, "edge", "fitted").unwrap();
+    let state = light(&stage, 0);
+    number(&mut stage, "fit-field", state.field).unwrap();
+    near(angles(&stage), (state.beam, state.field));
 }
 
 /// The light at the centre rises as the flux is gathered in a narrower cone: by the ratio of the
 /// solid angles.
 #[test]
 fn a_zoom_conserves_the_flux() {
-    let mut desk = desk(Example::BareSpot);
-    choice(&mut desk, "edge", "soft").unwrap();
-    number(&mut desk, "field", 10.0).unwrap();
-    let wide = light(&desk, 0);
-    number(&mut desk, "field", 5.0).unwrap();
-    let narrow = light(&desk, 0);
+    let mut stage = stage(Example::BareSpot);
+    choice(&mut stage, "edge", "soft").unwrap();
+    number(&mut stage, "field", 10.0).unwrap();
+    let wide = light(&stage, 0);
+    number(&mut stage, "field", 5.0).unwrap();
+    let narrow = light(&stage, 0);
     let ratio = |[narrow, wide]: [f32; 2]| {
         let versine = |field: f32| 1.0 - (f64::from(field).to_radians() / 2.0).cos();
         versine(wide) / versine(narrow)
@@ -195,104 +197,104 @@ fn a_zoom_conserves_the_flux() {
         (far * wide.throw.unwrap().powi(2) / wide.intensity - 1.0).abs() < 1e-3,
         "not the inverse square"
     );
-    desk.zoom_light(0, 2.0).unwrap();
-    assert!((light(&desk, 0).intensity / wide.intensity - 1.0).abs() < 1e-3);
+    stage.zoom_light(0, 2.0).unwrap();
+    assert!((light(&stage, 0).intensity / wide.intensity - 1.0).abs() < 1e-3);
     // Another edge gives another intensity, and the same flux.
     for edge in ["hard", "step", "fitted", "power", "own"] {
-        choice(&mut desk, "edge", edge).unwrap();
-        let lumens = light(&desk, 0).lumens.unwrap();
+        choice(&mut stage, "edge", edge).unwrap();
+        let lumens = light(&stage, 0).lumens.unwrap();
         assert!((lumens / wide.lumens.unwrap() - 1.0).abs() < 1e-3, "{edge}: {lumens} lm");
     }
 }
 
 #[test]
 fn a_fixture_brings_its_lumens() {
-    let mut desk = desk(Example::ThreePoint);
+    let mut stage = stage(Example::ThreePoint);
     let bright = FIXTURES.iter().filter(|fixture| fixture.lumens.is_some());
     let mut count = 0;
     for fixture in bright {
-        choice(&mut desk, "fixture", fixture.name).unwrap();
+        choice(&mut stage, "fixture", fixture.name).unwrap();
         for factor in [0.5, 3.0, 0.9] {
-            let lumens = light(&desk, 0).lumens.unwrap();
+            let lumens = light(&stage, 0).lumens.unwrap();
             assert!((lumens / fixture.lumens.unwrap() - 1.0).abs() < 1e-3, "{}: {lumens} lm", fixture.name);
-            desk.zoom_light(0, factor).unwrap();
+            stage.zoom_light(0, factor).unwrap();
         }
         count += 1;
     }
     assert!(count > 20, "{count} fixtures have a flux");
-    number(&mut desk, "intensity", 5000.0).unwrap();
-    assert!((light(&desk, 0).intensity - 5000.0).abs() < 0.01);
+    number(&mut stage, "intensity", 5000.0).unwrap();
+    assert!((light(&stage, 0).intensity - 5000.0).abs() < 0.01);
     // The exposure that shows the pool as full scale.
-    desk.expose_for(0).unwrap();
-    let shown = light(&desk, 0).lux.unwrap() * desk.state().exposure.exp2() / 1000.0;
+    stage.expose_for(0).unwrap();
+    let shown = light(&stage, 0).lux.unwrap() * stage.state().exposure.exp2() / 1000.0;
     assert!((0.9..1.1).contains(&shown), "{shown} of full scale");
 }
 
 #[test]
 fn a_refused_value_changes_nothing() {
-    let mut desk = desk(Example::BareSpot);
-    number(&mut desk, "field", 15.0).unwrap();
-    let before = desk.state().clone();
+    let mut stage = stage(Example::BareSpot);
+    number(&mut stage, "field", 15.0).unwrap();
+    let before = stage.state().clone();
     let refused = |outcome: Result<(), Refusal>, words: &str| {
         let message = outcome.unwrap_err().to_string();
         assert!(message.contains(words), "{message}");
     };
     for degrees in [0.0, -10.0, 400.0, 150.0, f32::NAN, f32::INFINITY] {
-        refused(number(&mut desk, "field", degrees), "field angle");
-        refused(number(&mut desk, "beam", degrees), "beam angle");
+        refused(number(&mut stage, "field", degrees), "field angle");
+        refused(number(&mut stage, "beam", degrees), "beam angle");
     }
-    refused(number(&mut desk, "intensity", -1.0), "intensity");
-    refused(number(&mut desk, "intensity", f32::NAN), "intensity");
-    refused(number(&mut desk, "zoom", 20.0), "fixture");
-    refused(number(&mut desk, "length", 1.0), "number of a light");
-    refused(choice(&mut desk, "fixture", "Nobody's lamp"), "fixture = \"Nobody's lamp\"");
-    refused(choice(&mut desk, "edge", ""), "edge");
-    refused(choice(&mut desk, "reading", "outer"), "beam or field");
+    refused(number(&mut stage, "intensity", -1.0), "intensity");
+    refused(number(&mut stage, "intensity", f32::NAN), "intensity");
+    refused(number(&mut stage, "zoom", 20.0), "fixture");
+    refused(number(&mut stage, "length", 1.0), "number of a light");
+    refused(choice(&mut stage, "fixture", "Nobody's lamp"), "fixture = \"Nobody's lamp\"");
+    refused(choice(&mut stage, "edge", ""), "edge");
+    refused(choice(&mut stage, "reading", "outer"), "beam or field");
     for color in ["", "#fff", "ffffff", "#gggggg", "#ffffff0", "#ééé", "#+1+1+1"] {
-        refused(choice(&mut desk, "color", color), "color");
+        refused(choice(&mut stage, "color", color), "color");
     }
-    refused(desk.set("exposure", 7.0), "exposure");
-    refused(desk.set("exposure", f32::NAN), "exposure");
-    let position = desk.rig().fixtures_at(0.0).unwrap();
+    refused(stage.put("exposure", 7.0), "exposure");
+    refused(stage.put("exposure", f32::NAN), "exposure");
+    let position = stage.rig().fixtures_at(0.0).unwrap();
     let luminaire::dynamic::AnyLight::Spot(spot) = position[0].light() else { panic!("no spot") };
     let position = spot.position();
-    refused(desk.change_light(0, |setting| setting.target = Some(position)), "axis");
-    assert_eq!(desk.state(), &before);
+    refused(stage.change_light(0, |setting| setting.target = Some(position)), "axis");
+    assert_eq!(stage.state(), &before);
 }
 
 #[test]
 fn a_format_that_cannot_hold_a_light_is_refused() {
-    let mut desk = desk(Example::ThreePoint);
-    number(&mut desk, "beam", 1.0).unwrap();
-    let refusal = desk.set("format", "fx16").unwrap_err().to_string();
+    let mut stage = stage(Example::ThreePoint);
+    number(&mut stage, "beam", 1.0).unwrap();
+    let refusal = stage.put("format", "fx16").unwrap_err().to_string();
     assert!(
         refusal.contains("16-bit") && refusal.contains("light 1") && refusal.contains("outer angle"),
         "{refusal}"
     );
-    assert_eq!(desk.state().format, Format::F32);
-    number(&mut desk, "beam", 20.0).unwrap();
-    desk.set("format", "fx16").unwrap();
-    assert!(number(&mut desk, "beam", 1.0).is_err());
+    assert_eq!(stage.state().format, Format::F32);
+    number(&mut stage, "beam", 20.0).unwrap();
+    stage.put("format", "fx16").unwrap();
+    assert!(number(&mut stage, "beam", 1.0).is_err());
 }
 
 /// Sets both ends of every dial of a light, from the light as it is or from the ends of its dials. Returns
 /// the number of values.
-fn turn_dials(desk: &mut Desk, light: usize, starts: &[Option<usize>]) -> usize {
-    let (opened, mut count) = (desk.state().clone(), 0);
+fn turn_dials(stage: &mut Stage, light: usize, starts: &[Option<usize>]) -> usize {
+    let (opened, mut count) = (stage.state().clone(), 0);
     for first in starts {
-        let dials = |desk: &Desk| {
-            let DialEnds { beam, field, zoom, intensity } = desk.dial_ends(light).unwrap();
+        let dials = |stage: &Stage| {
+            let DialEnds { beam, field, zoom, intensity } = stage.dial_ends(light).unwrap();
             [("beam", beam), ("field", field), ("zoom", zoom), ("intensity", intensity)]
         };
-        for (name, ends) in dials(desk) {
-            desk.adopt(opened.clone()).unwrap();
+        for (name, ends) in dials(stage) {
+            stage.adopt(opened.clone()).unwrap();
             if let Some(end) = first.and_then(|end| ends.get(end)) {
-                desk.set_number(light, name, *end).unwrap();
+                stage.set_number(light, name, *end).unwrap();
             }
-            desk.grip();
-            for (name, ends) in dials(desk) {
+            stage.grip();
+            for (name, ends) in dials(stage) {
                 for end in ends {
-                    let outcome = desk.set_number(light, name, end);
+                    let outcome = stage.set_number(light, name, end);
                     assert_eq!(outcome, Ok(()), "{:?}, light {light}: {name} = {end}", opened.scene);
                     count += 1;
                 }
@@ -307,18 +309,18 @@ fn dials_accept_both_ends() {
     let mut count = 0;
     for &scene in Example::ALL {
         for format in Format::ALL {
-            let mut desk = desk(scene);
-            desk.set("format", format.name()).unwrap();
+            let mut stage = stage(scene);
+            stage.put("format", format.name()).unwrap();
             let mut names = Vec::new();
-            for light in 0..desk.state().lights.len() {
-                let name = desk.light_state(light).unwrap().name;
+            for light in 0..stage.state().lights.len() {
+                let name = stage.light_state(light).unwrap().name;
                 if !names.contains(&name) {
-                    count += turn_dials(&mut desk, light, &[None]);
+                    count += turn_dials(&mut stage, light, &[None]);
                     names.push(name);
                 }
             }
             for stops in EXPOSURES {
-                desk.set("exposure", stops).unwrap();
+                stage.put("exposure", stops).unwrap();
             }
         }
     }
@@ -328,11 +330,11 @@ fn dials_accept_both_ends() {
             .into_iter()
             .chain(["ARRI L7-C", FIXTURES[0].name, FIXTURES[40].name].map(|name| ("fixture", name)))
         {
-            let mut desk = desk(Example::ThreePoint);
-            desk.set("format", format.name()).unwrap();
+            let mut stage = stage(Example::ThreePoint);
+            stage.put("format", format.name()).unwrap();
             // The 16-bit format does not hold every fixture.
-            if choice(&mut desk, name, value).is_ok() {
-                count += turn_dials(&mut desk, 0, &[None, Some(0), Some(1)]);
+            if choice(&mut stage, name, value).is_ok() {
+                count += turn_dials(&mut stage, 0, &[None, Some(0), Some(1)]);
             }
         }
     }
@@ -342,63 +344,63 @@ fn dials_accept_both_ends() {
 /// Each value of a gesture is computed from the light as it was when the gesture began.
 #[test]
 fn gestures_end_where_they_began() {
-    let mut desk = desk(Example::BareSpot);
-    number(&mut desk, "field", 22.0).unwrap();
-    number(&mut desk, "fit-beam", 12.0).unwrap();
-    let before = light(&desk, 0);
-    let near = |desk: &Desk, beam: f32, field: f32| {
-        let now = light(desk, 0);
+    let mut stage = stage(Example::BareSpot);
+    number(&mut stage, "field", 22.0).unwrap();
+    number(&mut stage, "fit-beam", 12.0).unwrap();
+    let before = light(&stage, 0);
+    let near = |stage: &Stage, beam: f32, field: f32| {
+        let now = light(stage, 0);
         assert!((now.beam / beam - 1.0).abs() < 1e-4 && (now.field / field - 1.0).abs() < 1e-4, "{now:?}");
         let flux = now.lumens.unwrap() / before.lumens.unwrap();
         assert!((flux - 1.0).abs() < 1e-3, "{flux} of the flux");
     };
     for name in ["beam", "fit-beam"] {
-        let [narrowest, widest] = desk.dial_ends(0).unwrap().beam[..] else { panic!("no dial") };
-        desk.grip();
+        let [narrowest, widest] = stage.dial_ends(0).unwrap().beam[..] else { panic!("no dial") };
+        stage.grip();
         for value in [5.0, narrowest, widest, 2.0, 12.0] {
-            number(&mut desk, name, value).unwrap();
+            number(&mut stage, name, value).unwrap();
         }
-        near(&desk, 12.0, 22.0);
-        assert!(number(&mut desk, name, 0.0).is_err());
-        near(&desk, 12.0, 22.0);
+        near(&stage, 12.0, 22.0);
+        assert!(number(&mut stage, name, 0.0).is_err());
+        near(&stage, 12.0, 22.0);
     }
     // The next gesture begins with the light as it is then.
-    desk.grip();
-    number(&mut desk, "fit-beam", 5.0).unwrap();
-    let field = light(&desk, 0).field;
+    stage.grip();
+    number(&mut stage, "fit-beam", 5.0).unwrap();
+    let field = light(&stage, 0).field;
     assert!(field < 22.0);
-    desk.grip();
-    number(&mut desk, "fit-beam", 4.9).unwrap();
-    number(&mut desk, "fit-beam", 5.0).unwrap();
-    near(&desk, 5.0, field);
+    stage.grip();
+    number(&mut stage, "fit-beam", 4.9).unwrap();
+    number(&mut stage, "fit-beam", 5.0).unwrap();
+    near(&stage, 5.0, field);
     // So does what is no step of it.
-    choice(&mut desk, "color", "#ff0000").unwrap();
-    number(&mut desk, "intensity", 5000.0).unwrap();
-    assert_eq!(light(&desk, 0).color, "#ff0000");
-    desk.remove_light(0).unwrap();
-    assert!(number(&mut desk, "beam", 5.0).is_err());
+    choice(&mut stage, "color", "#ff0000").unwrap();
+    number(&mut stage, "intensity", 5000.0).unwrap();
+    assert_eq!(light(&stage, 0).color, "#ff0000");
+    stage.remove_light(0).unwrap();
+    assert!(number(&mut stage, "beam", 5.0).is_err());
 }
 
 #[test]
 fn a_cancelled_gesture_leaves_nothing() {
-    let mut desk = desk(Example::Show);
-    desk.mark();
-    desk.grip();
-    let before = desk.state().clone();
-    desk.drag_light(0, [0.1, 0.2], 1.5, false).unwrap();
-    desk.orbit(0.3, 0.1);
-    desk.advance(1.0);
-    assert!(desk.cancel().unwrap() && desk.state().is_same_setting(&before));
-    assert_eq!((desk.state().seconds, desk.can_return()), ([1.0, 0.0], [false, false]));
-    assert!(!desk.cancel().unwrap());
+    let mut stage = stage(Example::Show);
+    stage.mark();
+    stage.grip();
+    let before = stage.state().clone();
+    stage.drag_light(0, 0.1, 0.2, 1.5, false).unwrap();
+    stage.orbit(0.3, 0.1);
+    stage.advance(1.0);
+    assert!(stage.cancel().unwrap() && stage.state().is_same_setting(&before));
+    assert_eq!((stage.state().seconds, stage.can_return()), ([1.0, 0.0], [false, false]));
+    assert!(!stage.cancel().unwrap());
 }
 
 #[test]
 fn every_fixture_is_a_light() {
-    let mut desk = desk(Example::BareSpot);
+    let mut stage = stage(Example::BareSpot);
     for fixture in FIXTURES {
-        choice(&mut desk, "fixture", fixture.name).unwrap();
-        let state = light(&desk, 0);
+        choice(&mut stage, "fixture", fixture.name).unwrap();
+        let state = light(&stage, 0);
         assert_eq!(state.fixture, fixture.name);
         assert!(
             (state.field - fixture::middle(fixture)).abs() < 1e-3 * fixture::middle(fixture),
@@ -408,45 +410,45 @@ fn every_fixture_is_a_light() {
         assert_eq!(state.zoom, Some(fixture::middle(fixture)));
     }
     let zoom = fixture::find("ARRI L7-C").unwrap();
-    choice(&mut desk, "fixture", zoom.name).unwrap();
-    choice(&mut desk, "reading", "beam").unwrap();
-    assert!((light(&desk, 0).beam - fixture::middle(zoom)).abs() < 1e-3);
-    number(&mut desk, "zoom", zoom.widest).unwrap();
-    assert!((light(&desk, 0).beam - zoom.widest).abs() < 1e-3);
-    let message = number(&mut desk, "zoom", zoom.widest + 1.0).unwrap_err().to_string();
+    choice(&mut stage, "fixture", zoom.name).unwrap();
+    choice(&mut stage, "reading", "beam").unwrap();
+    assert!((light(&stage, 0).beam - fixture::middle(zoom)).abs() < 1e-3);
+    number(&mut stage, "zoom", zoom.widest).unwrap();
+    assert!((light(&stage, 0).beam - zoom.widest).abs() < 1e-3);
+    let message = number(&mut stage, "zoom", zoom.widest + 1.0).unwrap_err().to_string();
     assert!(message.contains("expected 15 to 50"), "{message}");
-    number(&mut desk, "field", 20.0).unwrap();
-    assert_eq!(light(&desk, 0).fixture, "");
+    number(&mut stage, "field", 20.0).unwrap();
+    assert_eq!(light(&stage, 0).fixture, "");
 }
 
 #[test]
 fn a_color_comes_back() {
-    let mut desk = desk(Example::Gallery);
-    for place in 0..desk.state().lights.len() {
+    let mut stage = stage(Example::Gallery);
+    for place in 0..stage.state().lights.len() {
         for color in ["#000000", "#ffffff", "#ffd9b3", "#010a7f"] {
-            desk.set_choice(place, "color", color).unwrap();
-            assert_eq!(light(&desk, place).color, color);
+            stage.set_choice(place, "color", color).unwrap();
+            assert_eq!(light(&stage, place).color, color);
         }
     }
 }
 
 #[test]
 fn exposure_multiplies_all_light() {
-    let mut desk = desk(Example::ThreePoint);
-    let intensity = |desk: &Desk| desk.rig().fixtures_at(0.0).unwrap()[0].light().intensity();
-    let (before, ambient) = (intensity(&desk), desk.rig().scene().ambient());
-    desk.set("exposure", 2.0).unwrap();
-    assert_eq!((intensity(&desk), desk.rig().scene().ambient().red), (4.0 * before, 4.0 * ambient.red));
-    // The desk shows the light's own intensity, in candela.
-    assert_eq!(light(&desk, 0).intensity, 1000.0 * before);
+    let mut stage = stage(Example::ThreePoint);
+    let intensity = |stage: &Stage| stage.rig().fixtures_at(0.0).unwrap()[0].light().intensity();
+    let (before, ambient) = (intensity(&stage), stage.rig().scene().ambient());
+    stage.put("exposure", 2.0).unwrap();
+    assert_eq!((intensity(&stage), stage.rig().scene().ambient().red), (4.0 * before, 4.0 * ambient.red));
+    // The stage shows the light's own intensity, in candela.
+    assert_eq!(light(&stage, 0).intensity, 1000.0 * before);
 }
 
 #[test]
 fn a_light_with_a_target_aims_at_it_and_stands_still() {
-    let mut desk = desk(Example::Show);
+    let mut stage = stage(Example::Show);
     let target = Vec3::new(1.0, 0.0, 2.0);
-    desk.change_light(0, |setting| setting.target = Some(target)).unwrap();
-    let axis = |seconds| match desk.rig().fixtures_at(seconds).unwrap()[0].light() {
+    stage.change_light(0, |setting| setting.target = Some(target)).unwrap();
+    let axis = |seconds| match stage.rig().fixtures_at(seconds).unwrap()[0].light() {
         luminaire::dynamic::AnyLight::Spot(spot) => (spot.axis(), spot.position()),
         _ => panic!("no spot"),
     };
@@ -458,28 +460,28 @@ fn a_light_with_a_target_aims_at_it_and_stands_still() {
 
 #[test]
 fn lights_are_copied_and_removed() {
-    let mut desk = desk(Example::ThreePoint);
-    desk.copy_light(1).unwrap();
-    let fixtures = desk.rig().fixtures_at(0.0).unwrap();
+    let mut stage = stage(Example::ThreePoint);
+    stage.copy_light(1).unwrap();
+    let fixtures = stage.rig().fixtures_at(0.0).unwrap();
     assert!(fixtures.len() == 4 && fixtures[1] == fixtures[2]);
-    desk.remove_light(0).unwrap();
-    assert_eq!(desk.rig().fixtures_at(0.0).unwrap(), &fixtures[1..]);
-    while desk.remove_light(0).is_ok() {}
-    assert!(desk.state().lights.is_empty());
-    let mut desk = Desk::new(Example::Grid).unwrap();
-    while desk.copy_light(0).is_ok() {}
-    let refusal = desk.copy_light(0).unwrap_err().to_string();
-    assert!(desk.state().lights.len() == LIGHTS && refusal.contains("expected 0 to 80"), "{refusal}");
-    assert_eq!(desk.add_light().unwrap_err().to_string(), refusal);
+    stage.remove_light(0).unwrap();
+    assert_eq!(stage.rig().fixtures_at(0.0).unwrap(), &fixtures[1..]);
+    while stage.remove_light(0).is_ok() {}
+    assert!(stage.state().lights.is_empty());
+    let mut stage = Stage::of(Example::Grid).unwrap();
+    while stage.copy_light(0).is_ok() {}
+    let refusal = stage.copy_light(0).unwrap_err().to_string();
+    assert!(stage.state().lights.len() == LIGHTS && refusal.contains("expected 0 to 80"), "{refusal}");
+    assert_eq!(stage.add_light().unwrap_err().to_string(), refusal);
 }
 
 /// The picture of a state, at a sixth of the scene's size, as the page draws it.
-fn picture(desk: &Desk) -> Vec<u8> {
-    let (width, height) = desk.state().scene.size();
-    let fixtures = desk.rig().fixtures_at(0.0).unwrap();
+fn picture(stage: &Stage) -> Vec<u8> {
+    let (width, height) = stage.state().scene.size();
+    let fixtures = stage.rig().fixtures_at(0.0).unwrap();
     let mut renderer = Renderer::<f32>::new(width.min(160), height.min(160) * 9 / 16).unwrap();
-    renderer.draw_geometry(desk.rig().scene(), &desk.camera());
-    renderer.draw_shadows(desk.rig().scene(), &fixtures).unwrap();
+    renderer.draw_geometry(stage.rig().scene(), &stage.camera());
+    renderer.draw_shadows(stage.rig().scene(), &fixtures).unwrap();
     renderer.draw_light(&fixtures).unwrap();
     renderer.encode().to_vec()
 }
@@ -487,28 +489,28 @@ fn picture(desk: &Desk) -> Vec<u8> {
 #[test]
 fn an_added_light_is_seen_at_once() {
     for &scene in Example::ALL {
-        let mut desk = desk(scene);
-        let (count, mut places) = (desk.rig().lights(), Vec::new());
+        let mut stage = stage(scene);
+        let (count, mut places) = (stage.rig().lights(), Vec::new());
         for added in count..count + 4 {
-            desk.orbit(0.2, 0.0);
+            stage.orbit(0.2, 0.0);
             if added == count + 1 {
-                desk.set("exposure", -3.0).unwrap();
+                stage.put("exposure", -3.0).unwrap();
             }
-            let before = picture(&desk);
-            desk.add_light().unwrap();
-            let [place, aim] = desk.places(1.5).unwrap()[added];
+            let before = picture(&stage);
+            stage.add_light().unwrap();
+            let [place, aim] = stage.places(1.5).unwrap()[added];
             let [[x, y], [across, down]] = [place.unwrap(), aim.unwrap()];
             assert!((0.0..1.0).contains(&x) && (0.0..0.5).contains(&y), "{scene:?}: at {x}, {y}");
             assert!(
                 [across, down].iter().all(|share| (0.0..1.0).contains(share)),
                 "{scene:?}: to {across}, {down}"
             );
-            let state = light(&desk, added);
-            let lux = state.lux.unwrap() * desk.state().exposure.exp2();
+            let state = light(&stage, added);
+            let lux = state.lux.unwrap() * stage.state().exposure.exp2();
             assert!(state.on && state.is_spot && lux > 0.99 * full_scale(scene), "{scene:?}: {state:?}");
             assert!(!places.contains(&state.position), "{scene:?}: two lights at {:?}", state.position);
             places.push(state.position);
-            let after = picture(&desk);
+            let after = picture(&stage);
             let pixels = before.chunks_exact(4).zip(after.chunks_exact(4));
             let is_seen = |(before, after): (&[u8], &[u8])| {
                 before.iter().zip(after).any(|(before, after)| before.abs_diff(*after) >= 24)
@@ -516,49 +518,49 @@ fn an_added_light_is_seen_at_once() {
             let share = pixels.filter(|pair| is_seen(*pair)).count() as f32 / (before.len() / 4) as f32;
             assert!(share > 0.02, "{scene:?}: light {added} changes {share} of the picture");
         }
-        let fixtures = desk.rig().fixtures_at(0.0).unwrap();
+        let fixtures = stage.rig().fixtures_at(0.0).unwrap();
         assert_ne!(fixtures[count], fixtures[count + 1], "{scene:?}");
-        let address = address::write(desk.state(), count);
-        assert_eq!(address::parse(&address, scene), Ok((desk.state().clone(), Vec::new())));
-        desk.put_back(count).unwrap();
+        let address = address::write(stage.state(), count);
+        assert_eq!(address::parse(&address, scene), Ok((stage.state().clone(), Vec::new())));
+        stage.put_back(count).unwrap();
         for format in Format::ALL {
-            desk.set("format", format.name()).unwrap();
+            stage.put("format", format.name()).unwrap();
         }
-        desk.begin();
-        desk.add_light().unwrap();
-        desk.undo().unwrap();
-        assert_eq!(desk.state().lights.len(), count + 4, "{scene:?}");
+        stage.begin();
+        stage.add_light().unwrap();
+        stage.undo().unwrap();
+        assert_eq!(stage.state().lights.len(), count + 4, "{scene:?}");
     }
 }
 
 #[test]
 fn what_was_done_is_undone_and_redone() {
-    let mut desk = desk(Example::Show);
-    assert_eq!(desk.can_return(), [false, false]);
-    let opened = desk.state().clone();
-    desk.switch("haze", false).unwrap();
-    assert_eq!(desk.can_return(), [true, false]);
-    desk.mark();
-    assert!(!desk.mark(), "nothing has changed");
-    desk.open(Example::Grid).unwrap();
-    desk.advance(3.0);
-    let grid = desk.state().clone();
-    desk.undo().unwrap();
-    assert_eq!((desk.state().scene, desk.can_return()), (Example::Show, [true, true]));
-    desk.advance(1.0);
-    desk.undo().unwrap();
+    let mut stage = stage(Example::Show);
+    assert_eq!(stage.can_return(), [false, false]);
+    let opened = stage.state().clone();
+    stage.switch("haze", false).unwrap();
+    assert_eq!(stage.can_return(), [true, false]);
+    stage.mark();
+    assert!(!stage.mark(), "nothing has changed");
+    stage.open(Example::Grid.name()).unwrap();
+    stage.advance(3.0);
+    let grid = stage.state().clone();
+    stage.undo().unwrap();
+    assert_eq!((stage.state().scene, stage.can_return()), (Example::Show, [true, true]));
+    stage.advance(1.0);
+    stage.undo().unwrap();
     // In the same scene the time goes on.
-    assert_eq!(desk.state().seconds, [1.0, 0.0]);
-    assert!(desk.state().is_same_setting(&opened) && desk.can_return() == [false, true]);
-    desk.undo().unwrap();
-    assert!(desk.state().is_same_setting(&opened));
-    desk.redo().unwrap();
-    desk.redo().unwrap();
-    assert!(desk.state().is_same_setting(&grid) && desk.can_return() == [true, false]);
-    desk.undo().unwrap();
-    desk.set("exposure", 1.0).unwrap();
-    desk.mark();
-    assert_eq!(desk.can_return(), [true, false], "a new change ends what can be redone");
+    assert_eq!(stage.state().seconds, [1.0, 0.0]);
+    assert!(stage.state().is_same_setting(&opened) && stage.can_return() == [false, true]);
+    stage.undo().unwrap();
+    assert!(stage.state().is_same_setting(&opened));
+    stage.redo().unwrap();
+    stage.redo().unwrap();
+    assert!(stage.state().is_same_setting(&grid) && stage.can_return() == [true, false]);
+    stage.undo().unwrap();
+    stage.put("exposure", 1.0).unwrap();
+    stage.mark();
+    assert_eq!(stage.can_return(), [true, false], "a new change ends what can be redone");
 }
 
 #[test]
@@ -568,23 +570,24 @@ fn only_what_can_move_plays() {
         (Example::Grid, [true, false]),
         (Example::Turntable, [true, true]),
     ] {
-        let mut desk = desk(scene);
-        desk.set("play", "both").unwrap();
-        assert_eq!(desk.plays(), plays, "{scene:?}");
-        assert_eq!(desk.advance(0.5), plays.contains(&true));
-        assert_eq!(desk.state().seconds, plays.map(|plays| if plays { 0.5 } else { 0.0 }));
-        desk.advance(f32::NAN);
-        desk.advance(-1.0);
-        assert_eq!(desk.state().seconds, plays.map(|plays| if plays { 0.5 } else { 0.0 }));
+        let mut stage = stage(scene);
+        stage.put("play", "both").unwrap();
+        assert_eq!(stage.plays(), plays, "{scene:?}");
+        assert_eq!(stage.advance(0.5), plays.contains(&true));
+        assert_eq!(stage.state().seconds, plays.map(|plays| if plays { 0.5 } else { 0.0 }));
+        stage.advance(f32::NAN);
+        stage.advance(-1.0);
+        assert_eq!(stage.state().seconds, plays.map(|plays| if plays { 0.5 } else { 0.0 }));
     }
 }
 
 #[test]
 fn another_scene_keeps_the_format_and_what_plays() {
-    let mut desk = desk(Example::Show);
-    desk.change(|state| (state.format, state.plays, state.exposure) = (Format::Fx32, [false, true], 1.0))
+    let mut stage = stage(Example::Show);
+    stage
+        .change(|state| (state.format, state.plays, state.exposure) = (Format::Fx32, [false, true], 1.0))
         .unwrap();
-    desk.open(Example::Pocket).unwrap();
-    let state = desk.state();
+    stage.open(Example::Pocket.name()).unwrap();
+    let state = stage.state();
     assert_eq!((state.format, state.plays, state.exposure), (Format::Fx32, [false, true], 0.0));
 }
