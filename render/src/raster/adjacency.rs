@@ -163,12 +163,6 @@ mod tests {
     }
 
     #[test]
-    fn a_box_has_twelve_creases() {
-        let edges = edges(&Mesh::cuboid(1.0, 2.0, 3.0));
-        assert!(edges.len() == 12 && edges.iter().all(|edge| edge.is_crease), "{edges:?}");
-    }
-
-    #[test]
     fn closed_meshes_have_no_border() {
         for mesh in [sphere(0.5), torus(0.5, 0.2), cone(0.5, 1.0), capsule(0.2, 0.5), vase()] {
             let edges = edges(&mesh.moved(luminaire::Vec3::new(0.3, 0.1, 7.0)));

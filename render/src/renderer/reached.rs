@@ -64,21 +64,4 @@ mod tests {
         assert!(reached.lights(1).eq([0, 63, 126]));
         assert_eq!(reached.lights(0).count(), 0);
     }
-
-    #[test]
-    fn what_is_forgotten_reaches_nothing() {
-        let mut reached = Reached::default();
-        reached.make_room(1, 3);
-        (0..3).for_each(|light| assert!(reached.update(0, light, true)));
-        reached.forget();
-        assert_eq!(reached.lights(0).count(), 0);
-    }
-
-    #[test]
-    fn a_light_that_leaves_a_place_changes_it_once() {
-        let mut reached = Reached::default();
-        reached.make_room(1, 1);
-        let changes = [false, true, false, false].map(|reaches| reached.update(0, 0, reaches));
-        assert_eq!(changes, [false, true, true, false]);
-    }
 }

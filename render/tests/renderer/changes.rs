@@ -1,7 +1,7 @@
 //! Each pass is repeated only if its input has changed, and a refusal leaves the picture as it was.
 
 use luminaire::{Angle, Cone, Fx16, Rgb, SpotLight, Vec3, falloff::SoftOrHard};
-use luminaire_render::{Material, Mesh, Renderer, SizeError, scenes::stage};
+use luminaire_render::{Material, Mesh, Renderer, scenes::stage};
 
 fn lit() -> Renderer<Fx16> {
     let mut renderer = Renderer::new(96, 54).unwrap();
@@ -71,16 +71,6 @@ fn a_refused_light_leaves_the_picture() {
     assert_eq!(renderer.encode(), before.0);
     assert!(renderer.draw_light(&lights).unwrap());
     assert_ne!(renderer.encode(), before.0);
-}
-
-#[test]
-fn sizes_that_cannot_be_are_refused() {
-    let refused = |width, height| Renderer::<f32>::new(width, height).map(|_| ()).unwrap_err();
-    assert_eq!(refused(0, 10), SizeError::Width(0));
-    assert_eq!(refused(8193, 10), SizeError::Width(8193));
-    assert_eq!(refused(10, 0), SizeError::Height(0));
-    assert_eq!(refused(10, usize::MAX), SizeError::Height(usize::MAX));
-    assert!(refused(10, 8193).to_string().contains("expected 1 to 8192"));
 }
 
 #[test]

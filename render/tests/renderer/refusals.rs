@@ -44,6 +44,7 @@ fn what_no_scene_can_have_is_refused_by_name() {
 fn what_no_renderer_can_have_is_refused_by_name() {
     let refused = |width, height| Renderer::<f32>::new(width, height).map(drop).unwrap_err().to_string();
     assert_eq!(refused(0, 10), "width = 0: expected 1 to 8192 pixels");
+    assert_eq!(refused(8193, 10), "width = 8193: expected 1 to 8192 pixels");
     assert_eq!(refused(10, usize::MAX), format!("height = {}: expected 1 to 8192 pixels", usize::MAX));
     let mut renderer = Renderer::<Fx16>::new(16, 16).expect("a sound size");
     let far = PointLight::new(Vec3::new(0.0, 40_000.0, 0.0)).expect("a sound light");

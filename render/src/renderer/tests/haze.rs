@@ -6,7 +6,7 @@
 use super::*;
 use crate::{
     light::{air::TileAir, rig::Rig},
-    scenes::{Example, gobos, solids::sphere},
+    scenes::Example,
 };
 use core::f32::consts::TAU;
 use luminaire::{
@@ -17,19 +17,6 @@ use std::{println, vec, vec::Vec};
 
 /// Largest error in linear codes: 1/255 of full scale, clipped at 1.
 const BOUND: f32 = 0.5;
-
-const STAR: [u8; 64 * 64] = gobos::star();
-
-/// Stripes as narrow as a gobo can have them.
-const STRIPES: [u8; 64 * 64] = {
-    let mut stripes = [0; 64 * 64];
-    let mut i = 0;
-    while i < stripes.len() {
-        stripes[i] = if i % 2 == 0 { u8::MAX } else { 0 };
-        i += 1;
-    }
-    stripes
-};
 
 /// Returns the light of all beams in the air but those that are seen by shafts, interpolated and with
 /// a ray through every pixel, and the numbers of rays of both.
@@ -81,10 +68,6 @@ fn error(renderer: &mut Renderer<f32>, fixtures: &[Fixture]) -> (f32, [f32; 2]) 
         }
     }
     (worst, [few_rays, each_rays].map(|rays| rays as f32 / pixels))
-}
-
-fn is_full() -> bool {
-    std::env::var_os("LUMINAIRE_FULL").is_some()
 }
 
 /// Every hazy example from several cameras, at several times, with and without shadow maps.
@@ -207,12 +190,11 @@ struct Search {
 
 impl Search {
     fn new(seed: u64) -> Self {
-        let cuboid = Mesh::cuboid(0.4, 1.2, 0.4).moved(Vec3::new(1.4, 0.6, 0.5));
-        let floor = Mesh::cuboid(30.0, 0.2, 30.0).moved(Vec3::new(0.0, -0.1, 0.0));
-        let wall = Mesh::cuboid(8.0, 4.0, 0.2).moved(Vec3::new(0.0, 2.0, -3.0));
-        let mut scene = scene([floor, wall, cuboid, sphere(0.6).moved(Vec3::new(-0.5, 0.6, 0.0))]);
-        scene.set_haze(Some(Haze::new(0.05).unwrap()));
-        Self { scene, renderer: Renderer::new(76, 44).unwrap(), random: fastrand::Rng::with_seed(seed) }
+        Self {
+            scene: hazy(Haze::new(0.05).unwrap()),
+            renderer: Renderer::new(76, 44).unwrap(),
+            random: fastrand::Rng::with_seed(seed),
+        }
     }
 
     /// Returns the error of a case; zero for genes without a case.

@@ -6,7 +6,7 @@
 use super::*;
 use crate::{
     light::{air::TileAir, rig::Rig},
-    scenes::{Example, gobos, solids::sphere},
+    scenes::{Example, gobos},
 };
 use core::f32::consts::TAU;
 use glam::DVec3;
@@ -19,19 +19,7 @@ use luminaire::{
 };
 use std::{println, vec};
 
-const STAR: [u8; 64 * 64] = gobos::star();
 const BREAKUP: [u8; 64 * 64] = gobos::breakup();
-
-/// Stripes as narrow as a gobo can have them.
-const STRIPES: [u8; 64 * 64] = {
-    let mut stripes = [0; 64 * 64];
-    let mut i = 0;
-    while i < stripes.len() {
-        stripes[i] = if i % 2 == 0 { u8::MAX } else { 0 };
-        i += 1;
-    }
-    stripes
-};
 
 /// A bar, whose edges have the whole slope of a gobo of few texels.
 const BAR: [u8; 5 * 5] =
@@ -206,10 +194,6 @@ fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Erro
     errors
 }
 
-fn is_full() -> bool {
-    std::env::var_os("LUMINAIRE_FULL").is_some()
-}
-
 /// The two gobos of the show from several cameras. Their samples err by codes.
 #[test]
 fn shafts_of_the_show_err_by_at_most_a_quarter_of_a_code() {
@@ -266,19 +250,12 @@ fn case(genes: &Genes) -> Option<(Camera, Fixture)> {
 #[test]
 fn shafts_err_by_at_most_a_code_in_a_search() {
     let (climbs, begin, steps) = if is_full() { (8, 200, 400) } else { (4, 30, 30) };
-    let cuboid = Mesh::cuboid(0.4, 1.2, 0.4).moved(Vec3::new(1.4, 0.6, 0.5));
-    let floor = Mesh::cuboid(30.0, 0.2, 30.0).moved(Vec3::new(0.0, -0.1, 0.0));
-    let wall = Mesh::cuboid(8.0, 4.0, 0.2).moved(Vec3::new(0.0, 2.0, -3.0));
-    let mut scene = scene([floor, wall, cuboid, sphere(0.6).moved(Vec3::new(-0.5, 0.6, 0.0))]);
     let mut renderer = Renderer::<f32>::new(40, 24).unwrap();
     let mut all = NONE;
     for seed in 0..climbs {
         let haze = Haze::new(0.05).unwrap();
-        scene.set_haze(Some(if seed < climbs / 4 * 3 {
-            haze
-        } else {
-            haze.with_source_radius(1.2).unwrap()
-        }));
+        let is_small = seed < climbs / 4 * 3;
+        let scene = hazy(if is_small { haze } else { haze.with_source_radius(1.2).unwrap() });
         let mut random = fastrand::Rng::with_seed(seed);
         let mut best = (f32::MIN, [0.0; 16]);
         let mut reach = 0.1;

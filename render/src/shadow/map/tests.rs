@@ -147,15 +147,6 @@ fn shadows_on_the_stage_are_those_of_rays_in_fx16() {
 }
 
 #[test]
-fn a_finer_map_has_finer_edges() {
-    let spot = stage::lights().unwrap()[1];
-    let of =
-        |side| assert_is_that_of_rays::<f32>(&stage::scene().unwrap(), &stage::camera(), &spot, 0.0, side)[2];
-    let (coarse, fine) = (of(512), of(2048));
-    assert!(2 * fine < coarse, "{fine} of {coarse}");
-}
-
-#[test]
 fn wide_and_narrow_cones_have_the_shadows_of_rays() {
     let things = || {
         [

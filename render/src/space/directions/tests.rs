@@ -1,11 +1,7 @@
-//! Tests of the bounding spheres of directions, and of the margin.
-//!
-//! The spheres must enclose the directions. No highlight may extend beyond its lobe by more than
-//! [`MARGIN`] in any format.
+//! Test of the margin: no highlight may extend beyond its lobe by more than [`MARGIN`] in any format.
 
 use super::*;
 use crate::{Format, Highlight, Material, light::Finish};
-use alloc::vec::Vec;
 use fastrand::Rng;
 use luminaire::{
     Fx16, Fx32, PointLight, Rgb,
@@ -29,40 +25,6 @@ fn direction(rng: &mut Rng) -> Vec3 {
             return vector.normalize();
         }
     }
-}
-
-/// Returns the distance of a direction from the centre of its sphere, relative to the radius.
-fn part(sphere: &Directions, direction: Vec3) -> f32 {
-    sphere.center.distance(direction) / (sphere.radius + 1e-6)
-}
-
-#[test]
-fn spheres_hold_what_they_enclose() {
-    let mut rng = Rng::with_seed(1);
-    let (mut towards, mut mirrored, mut along) = (0.0_f32, 0.0_f32, f32::INFINITY);
-    for _ in 0..20_000 {
-        let (center, place) = (8.0 * vector(&mut rng), 8.0 * vector(&mut rng));
-        let radius = 0.5 * center.distance(place) * share(&mut rng).abs();
-        let reach = |around: Vec3| [center - radius * around, center + radius * around];
-        let corners: Vec<_> = [Vec3::X, Vec3::Y, Vec3::Z].into_iter().flat_map(reach).collect();
-        let Some(to_place) = Directions::towards(place, &Bounds::of(corners.into_iter())) else { continue };
-        let towards_place = (place - (center + radius * direction(&mut rng))).normalize();
-        towards = towards.max(part(&to_place, towards_place));
-
-        let spread = 0.3 * share(&mut rng).abs();
-        let (facing, normal) = (direction(&mut rng), direction(&mut rng));
-        let normal = (facing + spread * normal).normalize();
-        let normals = Directions::between(facing.min(normal), facing.max(normal));
-        let image = 2.0 * towards_place.dot(normal) * normal - towards_place;
-        mirrored = mirrored.max(part(&to_place.mirrored(&normals), image));
-        let way = vector(&mut rng);
-        along = along.min((normals.most_along(way) - normal.dot(way)) / way.length());
-    }
-    // For a narrow sphere the chord is about the sine of the angle, but the radius allows for the
-    // widest sphere.
-    assert!((0.7..1.0).contains(&towards), "{towards}");
-    assert!((0.7..1.0).contains(&mirrored), "{mirrored}");
-    assert!((-1e-6..1e-3).contains(&along), "{along}");
 }
 
 /// Returns the largest chord by which the light of a highlight extends beyond its lobe.
