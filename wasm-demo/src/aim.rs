@@ -3,7 +3,8 @@
 //! Places of the picture are shares of its width and of its height, from the left and from the top.
 
 use crate::{
-    light::{LightState, lumens_of, position_of},
+    design::{beams, fields},
+    light::{LightState, hex_of, lumens_of, position_of},
     photometry::full_scale,
     refusal::Refusal,
     setting::Setting,
@@ -73,8 +74,9 @@ impl Stage {
             Ok(LightState {
                 name: self.rig().original(setting.of)?.name.to_owned(),
                 on: setting.is_on,
+                color: hex_of(fixture.light().color()),
                 position: coordinates(position_of(fixture.light())),
-                ..LightState::colored(fixture.light())
+                ..LightState::default()
             })
         });
         listed.collect()
@@ -95,14 +97,7 @@ impl Stage {
         let now = self.lit(light)?;
         let surfaces = Surfaces::of(self.rig().scene());
         let candela = full_scale * on.intensity();
-        let (mut throw, mut aim, mut lux) = (None, Vec::new(), None);
-        if let AnyLight::Spot(spot) = now {
-            throw = surfaces.first(spot.position(), spot.axis());
-            let point = plus(spot.position(), throw.unwrap_or(FARTHEST), spot.axis());
-            lux = throw.map(|throw| candela * spot.attenuation().exact(throw.into()) as f32);
-            aim = coordinates(setting.target.or(Some(point)));
-        }
-        Ok(LightState {
+        let mut state = LightState {
             name: original.name.to_owned(),
             on: setting.is_on,
             fixture: setting.fixture.map(|fixture| fixture.name.to_owned()).unwrap_or_default(),
@@ -113,14 +108,26 @@ impl Stage {
             intensity: candela,
             unit: if matches!(on, AnyLight::Directional(_)) { "lx" } else { "cd" }.to_owned(),
             lumens: lumens_of(on, candela),
-            throw,
-            lux,
+            color: hex_of(on.color()),
             position: coordinates(position_of(&now)),
-            aim,
             sweeps: original.sweeps() && setting.target.is_none(),
             moved: setting.position.is_some() || setting.target.is_some(),
-            ..LightState::of(on)
-        })
+            ..LightState::default()
+        };
+        if let AnyLight::Spot(spot) = on {
+            let [beam, field, outer] = [spot.cone().beam(), spot.cone().field(), spot.cone().outer()]
+                .map(|angle| angle.to_degrees());
+            let reach = beams(field).zip(fields(beam));
+            state.reach = reach.map_or(Vec::new(), |(beams, fields)| [beams, fields].concat());
+            (state.is_spot, state.beam, state.field, state.outer) = (true, beam, field, outer);
+        }
+        if let AnyLight::Spot(spot) = now {
+            state.throw = surfaces.first(spot.position(), spot.axis());
+            let point = plus(spot.position(), state.throw.unwrap_or(FARTHEST), spot.axis());
+            state.lux = state.throw.map(|throw| candela * spot.attenuation().exact(throw.into()) as f32);
+            state.aim = coordinates(setting.target.or(Some(point)));
+        }
+        Ok(state)
     }
 
     /// Returns where each light and the point that it aims at are in a picture whose width is

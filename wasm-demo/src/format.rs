@@ -217,12 +217,4 @@ mod tests {
             }
         }
     }
-
-    #[test]
-    fn a_cone_under_the_narrowest_is_refused() {
-        let narrowest = Format::Fx16.narrowest(SoftOrHard::Hard).to_degrees();
-        let cone = Cone::from_outer(SoftOrHard::Hard, Angle::degrees(narrowest * 0.99)).unwrap();
-        assert!(Format::Fx16.intensities(&cone, &[0.0]).is_err());
-        assert!(Format::F32.intensities(&cone, &[0.0]).is_ok());
-    }
 }

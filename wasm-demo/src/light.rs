@@ -1,7 +1,6 @@
 //! A light for the page: plain values, as the kernel computed them.
 
-use crate::design::{beams, fields};
-use luminaire::{Cone, Rgb, Vec3, display::encode_srgb, dynamic::AnyLight, falloff::AnyFalloff};
+use luminaire::{Rgb, Vec3, display::encode_srgb, dynamic::AnyLight};
 use wasm_bindgen::prelude::*;
 
 /// State of a light for the page, with the values that the kernel computed and not those that the
@@ -73,35 +72,6 @@ pub struct DialEnds {
     pub intensity: Vec<f32>,
 }
 
-impl LightState {
-    /// The state of a light.
-    pub(crate) fn of(light: &AnyLight) -> Self {
-        match light {
-            AnyLight::Spot(spot) => Self::colored(light).with_cone(spot.cone()),
-            _ => Self::colored(light),
-        }
-    }
-
-    /// The colour of a light.
-    pub(crate) fn colored(light: &AnyLight) -> Self {
-        Self { color: hex_of(light.color()), ..Self::default() }
-    }
-
-    fn with_cone(self, cone: Cone<AnyFalloff>) -> Self {
-        Self {
-            is_spot: true,
-            beam: cone.beam().to_degrees(),
-            field: cone.field().to_degrees(),
-            outer: cone.outer().to_degrees(),
-            reach: match (beams(cone.field().to_degrees()), fields(cone.beam().to_degrees())) {
-                (Some(beams), Some(fields)) => [beams, fields].concat(),
-                _ => Vec::new(),
-            },
-            ..self
-        }
-    }
-}
-
 /// The position of a light; `None` for a directional light.
 pub(crate) fn position_of(light: &AnyLight) -> Option<Vec3<f32>> {
     match light {
@@ -121,7 +91,7 @@ pub(crate) fn lumens_of(light: &AnyLight, candela: f32) -> Option<f32> {
 }
 
 /// A colour as `#rrggbb` in sRGB.
-fn hex_of(color: Rgb<f32>) -> String {
+pub(crate) fn hex_of(color: Rgb<f32>) -> String {
     let Rgb { red, green, blue } = color.map(encode_srgb);
     format!("#{red:02x}{green:02x}{blue:02x}")
 }

@@ -154,62 +154,26 @@ fn scale_of_costs(counts: &[u16]) -> Scale {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::format::{Draw, Format};
-    use luminaire_render::{Stripes, scenes::Example};
-
-    /// The last block of a row is not a whole one.
-    const SIZE: (usize, usize) = (90, 54);
-
-    fn renderer() -> Box<dyn Draw> {
-        Format::F32.renderer((SIZE.0 as u32, SIZE.1 as u32), Stripes::ALL).unwrap()
-    }
-
-    fn counts(count: impl Fn(usize, usize) -> u16) -> Vec<u16> {
-        (0..SIZE.1)
-            .flat_map(|y| (0..SIZE.0).step_by(LANES).map(|x| count(x, y)).collect::<Vec<_>>())
-            .collect()
-    }
 
     #[test]
-    fn the_map_has_the_colour_of_each_count() {
-        let setup = Example::Grid.setup().unwrap();
-        let mut renderer = renderer();
-        renderer.draw_geometry(&setup.scene, &setup.camera);
-        renderer.draw_light(&setup.fixtures_at(0.0).unwrap()).unwrap();
+    fn each_block_has_the_colour_of_its_count() {
         let mut map = Map::new();
-        let lights = counts(|x, y| renderer.lights_evaluated(x, y).unwrap());
-        assert!(map.draw(Subject::Nothing, &lights, SIZE.0).is_none());
-        let pixels = map.draw(Subject::Lights, &lights, SIZE.0).unwrap().to_vec();
-        assert_eq!(pixels.len(), 4 * SIZE.0 * SIZE.1);
-        let mut counts = Vec::new();
-        for (place, pixel) in pixels.chunks(4).enumerate() {
-            let count = renderer.lights_evaluated(place % SIZE.0, place / SIZE.0).unwrap();
-            let colour = map.palette.colour(map.scale(), count.into());
-            assert_eq!(*pixel, [colour[0], colour[1], colour[2], COVER], "{count} lights");
-            counts.push(count);
-        }
-        let (least, most) = (counts.iter().min().unwrap(), counts.iter().max().unwrap());
-        assert!(least < most && f64::from(*most) <= map.end(), "from {least} to {most} lights");
-    }
-
-    #[test]
-    fn the_map_of_tiles_tells_what_was_lit_again() {
-        let setup = Example::Grid.setup().unwrap();
-        let mut renderer = renderer();
-        let mut map = Map::new();
+        // Two rows of two blocks, the second of which has 8 pixels.
+        let (counts, width) = ([0, 5, 64, 2], LANES + 8);
+        assert!(map.draw(Subject::Nothing, &counts, width).is_none());
         let [relit, kept] = map.tile_colours();
-        renderer.draw_geometry(&setup.scene, &setup.camera);
-        let mut share = |seconds| {
-            assert!(renderer.draw_light(&setup.fixtures_at(seconds).unwrap()).unwrap());
-            let relit_blocks = counts(|x, y| renderer.is_relit(x, y).unwrap().into());
-            let pixels = map.draw(Subject::Tiles, &relit_blocks, SIZE.0).unwrap();
-            let count = |colour: [u8; 3]| pixels.chunks(4).filter(|pixel| pixel[..3] == colour).count();
-            assert_eq!(count(relit) + count(kept), SIZE.0 * SIZE.1);
-            count(relit) as f64 / (SIZE.0 * SIZE.1) as f64
-        };
-        assert_eq!(share(0.0), 1.0);
-        let some = share(0.3);
-        assert!(some > 0.0 && some < 0.5, "a share of {some} is lit again for two lights of 64");
+        for subject in [Subject::Lights, Subject::Tiles] {
+            let pixels = map.draw(subject, &counts, width).unwrap().to_vec();
+            assert_eq!(pixels.len(), 4 * 2 * width);
+            for (place, pixel) in pixels.chunks(4).enumerate() {
+                let count = counts[2 * (place / width) + place % width / LANES];
+                let ([red, green, blue], cover) = match subject {
+                    Subject::Tiles => (if count > 0 { relit } else { kept }, TILE_COVER),
+                    _ => (map.palette.colour(Scale::to(64.0), count.into()), COVER),
+                };
+                assert_eq!(*pixel, [red, green, blue, cover], "{subject:?}: {count} lights");
+            }
+        }
     }
 
     #[test]

@@ -9,10 +9,7 @@ use crate::{
     light::{DialEnds, LightState},
     state::EXPOSURES,
 };
-use luminaire::{
-    Vec3,
-    dynamic::{Effect, Effects},
-};
+use luminaire::dynamic::{Effect, Effects};
 use luminaire_fixtures::FIXTURES;
 use luminaire_render::{Renderer, scenes::Example};
 
@@ -441,21 +438,6 @@ fn exposure_multiplies_all_light() {
     assert_eq!((intensity(&stage), stage.rig().scene().ambient().red), (4.0 * before, 4.0 * ambient.red));
     // The stage shows the light's own intensity, in candela.
     assert_eq!(light(&stage, 0).intensity, 1000.0 * before);
-}
-
-#[test]
-fn a_light_with_a_target_aims_at_it_and_stands_still() {
-    let mut stage = stage(Example::Show);
-    let target = Vec3::new(1.0, 0.0, 2.0);
-    stage.change_light(0, |setting| setting.target = Some(target)).unwrap();
-    let axis = |seconds| match stage.rig().fixtures_at(seconds).unwrap()[0].light() {
-        luminaire::dynamic::AnyLight::Spot(spot) => (spot.axis(), spot.position()),
-        _ => panic!("no spot"),
-    };
-    let (still, position) = axis(0.0);
-    assert_eq!(axis(2.0), (still, position));
-    let way = target.zip(position, |to, from| to - from);
-    assert!((still.dot(way) - way.dot(way).sqrt()).abs() < 1e-4);
 }
 
 #[test]
