@@ -3,10 +3,10 @@
 mod support;
 
 use fastrand::Rng;
-use luminaire::attenuation::{CutAt, FilamentRange, InverseSquare, Polynomial, SmoothRange};
+use luminaire::attenuation::{FilamentRange, InverseSquare, SmoothRange};
 use luminaire::codegen::as_source;
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{Cubic, Falloff, Formula, InvertedRealPower, Table};
+use luminaire::falloff::{Cubic, Falloff, Formula, Table};
 use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::{Language, c_header, check_text, export};
 use luminaire_oracle::{DVec3, versine_between};
@@ -139,14 +139,10 @@ type Written = (String, [bool; 2]);
 
 /// Returns lights as Rust, and whether the constants in the file are the compiled lights.
 fn written() -> Result<Vec<Written>, Box<dyn std::error::Error>> {
-    static SAMPLES: [u16; 3] = [65_535, 40_000, 0];
     let angle = Angle::degrees(40.0);
     let (position, axis) = ([1.0, 2.0, 3.0], [0.0, -1.0, 0.5]);
     let cubic = SpotLight::new(position, axis, Cone::from_outer(Cubic::with_slopes(1.25, 3.5)?, angle)?)?
         .with_attenuation(FilamentRange::new(InverseSquare, Some(9.0))?);
-    let table = SpotLight::new(position, axis, Cone::from_outer(Table::of(&SAMPLES), angle)?)?;
-    let real = SpotLight::new(position, axis, Cone::from_outer(InvertedRealPower::new(1.5)?, angle)?)?
-        .with_attenuation(CutAt::new(Polynomial::new(1.0, 0.5, 0.25)?, Some(7.0))?);
     let point = PointLight::new(position)?.with_attenuation(SmoothRange::new(5.0)?);
     let sun = DirectionalLight::new(axis)?;
     let is =
@@ -156,16 +152,6 @@ fn written() -> Result<Vec<Written>, Box<dyn std::error::Error>> {
             export(cubic, "cubic", Language::RustFixed16)?,
             as_source(&cubic.compile::<Fx16>()?).to_string(),
             lights::cubic::LIGHT == cubic.compile::<Fx16>()?,
-        ),
-        is(
-            export(table, "table", Language::RustFloat)?,
-            as_source(&table.compile::<f32>()?).to_string(),
-            lights::table::LIGHT == table.compile::<f32>()?,
-        ),
-        is(
-            export(real, "real", Language::RustFixed16)?,
-            as_source(&real.compile::<Fx16>()?).to_string(),
-            lights::real::LIGHT == real.compile::<Fx16>()?,
         ),
         is(
             export(point, "point", Language::RustFixed32)?,
