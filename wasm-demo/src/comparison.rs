@@ -9,7 +9,7 @@ use crate::{
     form::Form,
     panic,
     refusal::Refusal,
-    side::{FormState, Side, SideState},
+    side::{self, Side, SideState},
     wall::{NARROWEST, WIDEST, Wall},
 };
 use wasm_bindgen::{Clamped, prelude::*};
@@ -162,7 +162,7 @@ impl Comparison {
     /// The end of the scale of the errors, in displayed codes.
     #[wasm_bindgen(getter)]
     pub fn scale(&self) -> f64 {
-        self.scale_in_force().end()
+        self.scale_in_force().end
     }
 
     /// Returns by what factor the scale magnifies the errors.
@@ -195,8 +195,9 @@ impl Comparison {
     }
 
     /// The forms to choose from.
-    pub fn forms() -> Vec<FormState> {
-        Form::ALL.map(FormState::from).into()
+    #[wasm_bindgen(unchecked_return_type = "FormState[]")]
+    pub fn forms() -> Vec<JsValue> {
+        Form::ALL.map(side::form).into()
     }
 }
 

@@ -50,7 +50,7 @@ impl Divided {
             largest,
             place: differences.iter().position(|&difference| difference == largest).unwrap_or_default(),
             differing: differences.iter().filter(|&&difference| difference > 0).count(),
-            end: scale.end(),
+            end: scale.end,
             pixels: differences.iter().flat_map(|&difference| colours[usize::from(difference)]).collect(),
         })
     }

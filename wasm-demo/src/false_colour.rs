@@ -26,7 +26,8 @@ pub(crate) struct Palette([[u8; 3]; COLOURS]);
 /// A scale of errors, from zero to the end of the palette.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Scale {
-    end: f64,
+    /// This value and all larger ones have the last colour.
+    pub(crate) end: f64,
 }
 
 impl Palette {
@@ -63,11 +64,6 @@ impl Scale {
     /// Returns the scale that ends at `codes`, if it is one of [`ENDS`].
     pub(crate) fn ending_at(codes: f64) -> Option<Self> {
         ENDS.contains(&codes).then_some(Self { end: codes })
-    }
-
-    /// Returns the end of the scale. This value and all larger ones have the last colour.
-    pub(crate) fn end(self) -> f64 {
-        self.end
     }
 
     /// Returns the magnification of the errors: the range of the display divided by the range of
@@ -172,7 +168,7 @@ mod tests {
             (101.0, 255.0),
             (255.0, 255.0),
         ] {
-            assert_eq!(Scale::holding(largest).end(), end, "{largest}");
+            assert_eq!(Scale::holding(largest).end, end, "{largest}");
         }
         assert_eq!(Scale::ending_at(50.0).unwrap().gain(), 5.1);
         assert_eq!([0.0, 3.0, -1.0, f64::NAN, 1e9].map(Scale::ending_at), [None; 5]);

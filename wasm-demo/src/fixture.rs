@@ -1,36 +1,16 @@
 //! Stage fixtures for the page and for addresses.
 
+use crate::plain::plain;
 use luminaire_fixtures::{FIXTURES, Fixture};
-use wasm_bindgen::prelude::*;
 
-/// A stage fixture, as [`luminaire_fixtures`] has it.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, Debug)]
-pub struct FixtureState {
-    /// Maker and fixture, and the lens or mode if the fixture has several.
-    pub name: String,
-    /// The kind of fixture in one word.
-    pub kind: String,
-    /// The Open Fixture Library's categories.
-    pub categories: String,
-    /// The smallest published full angle, in degrees.
-    pub narrow: f32,
-    /// The largest published full angle, in degrees.
-    pub wide: f32,
-    /// Luminous flux in lumens, if it is published.
-    pub lumens: Option<f32>,
-}
-
-impl From<&Fixture> for FixtureState {
-    fn from(fixture: &Fixture) -> Self {
-        Self {
-            name: fixture.name.to_owned(),
-            kind: fixture.kind.name().to_owned(),
-            categories: fixture.categories.to_owned(),
-            narrow: fixture.narrowest,
-            wide: fixture.widest,
-            lumens: fixture.lumens,
-        }
+plain! {
+    /// A stage fixture: see [`Fixture`].
+    fn state(fixture: &Fixture) -> FixtureState {
+        "name": "string" = fixture.name,
+        "kind": "string" = fixture.kind.name(),
+        "narrow": "number" = fixture.narrowest,
+        "wide": "number" = fixture.widest,
+        "lumens": "number | undefined" = fixture.lumens,
     }
 }
 

@@ -6,15 +6,15 @@ use crate::{
     wall::Wall,
 };
 use luminaire::{
-    Error, Fx16, Fx32, Scalar, SpotLight, Vec3, attenuation::NoAttenuation, error::Expected, falloff::Soft,
+    Error, Fx16, Fx32, Scalar, SpotLight, attenuation::NoAttenuation, error::Expected, falloff::Soft,
     light::CompiledSpotLight,
 };
 use luminaire_kernels::{
-    CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Stage,
+    CosineFalloff, DoubleFalloff, Gltf, Kernel, Libm, OurPoint, Powf, Row, Stage, Value,
     scene::{Population, Site},
     truth::{Point, widened},
 };
-use luminaire_oracle::{self as oracle, DVec3};
+use luminaire_oracle as oracle;
 
 /// A number format of `luminaire`, or a formula that a user might choose instead of it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -119,14 +119,14 @@ impl Form {
             Self::Fx16 => Picture::of(OurPoint::new(compiled::<Fx16>(spot)?), sites),
             Self::Cosine => {
                 let falloff = CosineFalloff::<Soft>::new(spot.cone().compile::<f32>()?);
-                Picture::of(FromCosine::new(wall, falloff), sites)
+                Picture::of(from_cosine(wall, falloff), sites)
             }
-            Self::Powf => Picture::of(FromCosine::new(wall, Powf::<Libm>::new(exponent(wall))), sites),
+            Self::Powf => Picture::of(from_cosine(wall, Powf::<Libm>::new(exponent(wall))), sites),
             Self::Gltf => {
                 let cosine = (1.0 - f64::from(outer)) as f32;
-                Picture::of(FromCosine::new(wall, Gltf::new(cosine)), sites)
+                Picture::of(from_cosine(wall, Gltf::new(cosine)), sites)
             }
-            Self::F64 => Picture::of(FromVersine::new(wall, DoubleFalloff::<Soft>::new(outer)), sites),
+            Self::F64 => Picture::of(from_versine(wall, DoubleFalloff::<Soft>::new(outer)), sites),
         })
     }
 }
@@ -167,85 +167,63 @@ fn exponent(wall: &Wall) -> f32 {
     -std::f32::consts::LN_10 / (-wall.spot().cone().field().versine()).ln_1p()
 }
 
-/// Evaluates a cosine falloff at a point as it is usually written, with one inner product in f32.
-#[derive(Clone, Copy, Debug)]
-struct FromCosine<F> {
-    position: Vec3<f32>,
-    axis: Vec3<f32>,
-    falloff: F,
-}
+/// A function of a site as a kernel.
+#[derive(Clone, Copy)]
+struct OfSite<F>(F);
 
-impl<F> FromCosine<F> {
-    fn new(wall: &Wall, falloff: F) -> Self {
-        Self { position: wall.spot().position(), axis: wall.spot().axis(), falloff }
-    }
-}
-
-impl<F: Kernel<Input = f32, Output = f32>> Kernel for FromCosine<F> {
+impl<O: Value, F: Fn(&Site) -> O + Copy> Kernel for OfSite<F> {
     type Place = Site;
     type Input = Site;
-    type Output = f32;
+    type Output = O;
 
     fn input(&self, site: &Site) -> Site {
         *site
     }
 
     #[inline(always)]
-    fn evaluate(&self, site: &Site) -> f32 {
-        let way = site.point.zip(self.position, |point, light| point - light);
+    fn evaluate(&self, site: &Site) -> O {
+        (self.0)(site)
+    }
+
+    #[inline(always)]
+    fn touch(site: &Site) -> u32 {
+        site.point.x.to_bits()
+    }
+}
+
+/// Evaluates a cosine falloff at a point as it is usually written, with one inner product in f32.
+fn from_cosine<K: Kernel<Input = f32, Output = f32>>(
+    wall: &Wall,
+    falloff: K,
+) -> OfSite<impl Fn(&Site) -> f32 + Copy + use<K>> {
+    let (position, axis) = (wall.spot().position(), wall.spot().axis());
+    OfSite(move |site: &Site| {
+        let way = site.point.zip(position, |point, light| point - light);
         let facing = -way.dot(site.normal);
         if facing <= 0.0 {
             return 0.0;
         }
         let reciprocal = 1.0 / way.dot(way).sqrt();
-        self.falloff.evaluate(&(way.dot(self.axis) * reciprocal)) * (facing * reciprocal)
-    }
-
-    #[inline(always)]
-    fn touch(site: &Site) -> u32 {
-        site.point.x.to_bits()
-    }
+        falloff.evaluate(&(way.dot(axis) * reciprocal)) * (facing * reciprocal)
+    })
 }
 
 /// Evaluates a versine falloff at a point in f64.
-#[derive(Clone, Copy, Debug)]
-struct FromVersine<F> {
-    position: DVec3,
-    axis: DVec3,
-    falloff: F,
-}
-
-impl<F> FromVersine<F> {
-    fn new(wall: &Wall, falloff: F) -> Self {
-        Self { position: widened(wall.spot().position()), axis: wall.axis().normalize(), falloff }
-    }
-}
-
-impl<F: Kernel<Input = f64, Output = f64>> Kernel for FromVersine<F> {
-    type Place = Site;
-    type Input = Site;
-    type Output = f64;
-
-    fn input(&self, site: &Site) -> Site {
-        *site
-    }
-
-    #[inline(always)]
-    fn evaluate(&self, site: &Site) -> f64 {
-        let way = widened(site.point) - self.position;
+fn from_versine<K: Kernel<Input = f64, Output = f64>>(
+    wall: &Wall,
+    falloff: K,
+) -> OfSite<impl Fn(&Site) -> f64 + Copy + use<K>> {
+    let (position, axis) = (widened(wall.spot().position()), wall.axis().normalize());
+    OfSite(move |site: &Site| {
+        let way = widened(site.point) - position;
         let facing = -way.dot(widened(site.normal));
         if facing <= 0.0 {
             return 0.0;
         }
         let reciprocal = 1.0 / way.length();
-        let difference = way * reciprocal - self.axis;
-        self.falloff.evaluate(&(0.5 * difference.length_squared())) * (facing * reciprocal)
-    }
-
-    #[inline(always)]
-    fn touch(site: &Site) -> u32 {
-        site.point.x.to_bits()
-    }
+        let difference = way * reciprocal - axis;
+        falloff.evaluate(&(0.5 * difference.length_squared())) * (facing * reciprocal)
+    })
 }
 
 #[cfg(test)]

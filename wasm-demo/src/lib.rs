@@ -76,6 +76,7 @@ mod parameter;
 mod photometry;
 #[cfg(feature = "comparison")]
 mod picture;
+mod plain;
 mod refusal;
 #[cfg(feature = "state")]
 mod rig;
@@ -104,19 +105,14 @@ pub use comparison::Comparison;
 pub use composite::Composite;
 #[cfg(feature = "stage")]
 pub use divided::Divided;
+#[cfg(feature = "state")]
+pub use light::{DialEnds, LightState};
 #[cfg(feature = "comparison")]
-pub use museum::{ExhibitState, Museum, PictureState};
+pub use museum::Museum;
 pub use refusal::Refusal;
 #[cfg(feature = "comparison")]
-pub use side::{FormState, SideState};
+pub use side::SideState;
 #[cfg(feature = "stage")]
 pub use stage::Stage;
 #[cfg(feature = "painter")]
 pub use {equality::Equality, painter::Painter, times::Times};
-#[cfg(feature = "state")]
-pub use {
-    fixture::FixtureState,
-    light::{DialEnds, LightState},
-    parameter::ParameterState,
-    scene_state::{AccountState, EffectState, ExampleState, SwitchState},
-};

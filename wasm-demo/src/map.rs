@@ -44,14 +44,14 @@ pub(crate) enum Subject {
 /// A map of a picture in false colours.
 #[derive(Clone, Debug)]
 pub(crate) struct Map {
-    palette: Palette,
+    pub(crate) palette: Palette,
     /// Largest number of lights at a pixel since the scale was reset. The scale never shrinks;
     /// otherwise the meaning of a colour would change from picture to picture.
     most: u16,
     /// What the last colour of the last map stands for: lights, or nanoseconds.
-    end: f64,
+    pub(crate) end: f64,
     /// The sum of the last map of costs over all pixels, in milliseconds.
-    total: f64,
+    pub(crate) total: f64,
     pixels: Vec<u8>,
 }
 
@@ -85,21 +85,6 @@ impl Map {
         self.most = 0;
     }
 
-    /// The colours of the map's scale: red, green, blue in sRGB.
-    pub(crate) fn colours(&self) -> &[[u8; 3]] {
-        self.palette.colours()
-    }
-
-    /// Returns how many lights, or nanoseconds, the last colour stands for.
-    pub(crate) fn end(&self) -> f64 {
-        self.end
-    }
-
-    /// Returns the sum of the costs of all pixels, in milliseconds.
-    pub(crate) fn total(&self) -> f64 {
-        self.total
-    }
-
     /// The colours of re-lit and of kept tiles.
     pub(crate) fn tile_colours(&self) -> [[u8; 3]; 2] {
         let of_all = Scale::to(1.0);
@@ -115,7 +100,7 @@ impl Map {
             Subject::Cost => scale_of_costs(counts),
             _ => self.scale(),
         };
-        self.end = scale.end();
+        self.end = scale.end;
         let [relit, kept] = self.tile_colours();
         self.pixels.clear();
         self.total = 0.0;
@@ -181,7 +166,7 @@ mod tests {
         let mut map = Map::new();
         let end = |map: &mut Map, count| {
             map.draw(Subject::Lights, &[count], LANES);
-            map.end()
+            map.end
         };
         assert_eq!([0, 7, 2].map(|count| end(&mut map, count)), [1.0, 7.0, 7.0]);
         map.begin();
@@ -199,11 +184,11 @@ mod tests {
         let pixels = map.draw(Subject::Cost, &counts, LANES + 8).unwrap();
         assert_eq!(pixels.len(), 4 * 2 * (LANES + 8));
         let nanoseconds = 3.0 * LANES as f64 + 7.0 * 8.0 + LANES as f64 + 65_535.0 * 8.0;
-        assert!((map.total() - nanoseconds / 1e6).abs() < 1e-12);
+        assert!((map.total - nanoseconds / 1e6).abs() < 1e-12);
         let many: Vec<_> = [3; 200].into_iter().chain([u16::MAX]).collect();
         map.draw(Subject::Cost, &many, LANES);
-        assert_eq!(map.end(), 5.0);
+        assert_eq!(map.end, 5.0);
         map.draw(Subject::Lights, &[0, 3], LANES);
-        assert_eq!(map.end(), 3.0);
+        assert_eq!(map.end, 3.0);
     }
 }

@@ -4,6 +4,7 @@ use crate::{
     canvas::Canvas,
     false_colour::{Palette, Scale},
     panic,
+    plain::plain,
     refusal::Refusal,
 };
 use luminaire::display::encode_srgb;
@@ -35,61 +36,37 @@ pub struct Museum {
     canvases: [[Canvas; 2]; 2],
 }
 
-/// An exhibit for the page.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, PartialEq, Debug)]
-pub struct ExhibitState {
-    /// The name in addresses.
-    pub name: String,
-    /// A few words for lists.
-    pub label: String,
-    /// What breaks, in one sentence.
-    pub title: String,
-    /// The project of the formula.
-    pub project: String,
-    /// The file of the formula.
-    pub file: String,
-    /// The version of the file.
-    pub version: String,
-    /// The licence of the file.
-    pub licence: String,
-    /// The threads about the fault; empty if none is known.
-    pub thread: String,
-    /// The formula as published.
-    pub code: String,
-    /// Why it fails.
-    pub cause: String,
-    /// The case in which the crate is no better.
-    #[wasm_bindgen(js_name = noBetter)]
-    pub no_better: String,
-    /// A value at which both pictures are right, if there is one.
-    #[wasm_bindgen(js_name = agreesAt)]
-    pub agrees_at: Option<f32>,
-    /// What is controlled.
-    pub control: String,
-    /// The unit of the control.
-    pub unit: String,
-    /// The least value of the control.
-    pub least: f32,
-    /// The largest value of the control.
-    pub most: f32,
-    /// The named case.
-    pub start: f32,
-    /// Whether the control is logarithmic.
-    #[wasm_bindgen(js_name = isLogarithmic)]
-    pub is_logarithmic: bool,
+plain! {
+    /// An exhibit with its source and its control: see [`Exhibit`].
+    fn state(exhibit: &Exhibit) -> ExhibitState {
+        "name": "string" = exhibit.name,
+        "label": "string" = exhibit.label,
+        "title": "string" = exhibit.title,
+        "project": "string" = exhibit.source.project,
+        "file": "string" = exhibit.source.file,
+        "version": "string" = exhibit.source.version,
+        "licence": "string" = exhibit.source.licence,
+        "thread": "string" = exhibit.source.thread,
+        "code": "string" = exhibit.code,
+        "cause": "string" = exhibit.cause,
+        "noBetter": "string" = exhibit.no_better,
+        "agreesAt": "number | undefined" = exhibit.agrees_at,
+        "control": "string" = exhibit.control.label,
+        "unit": "string" = exhibit.control.unit,
+        "least": "number" = exhibit.control.least,
+        "most": "number" = exhibit.control.most,
+        "start": "number" = exhibit.control.start,
+        "isLogarithmic": "boolean" = exhibit.control.is_logarithmic,
+    }
 }
 
-/// The errors of one picture for the page.
-#[wasm_bindgen]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct PictureState {
-    /// The largest error in linear codes.
-    pub largest: f64,
-    /// Index of the pixel of the largest error, counted row by row.
-    pub place: usize,
-    /// How many pixels are NaN.
-    pub undefined: usize,
+plain! {
+    /// The errors of one picture: see [`Errors`].
+    fn told(errors: &Errors) -> PictureState {
+        "largest": "number" = errors.largest,
+        "place": "number" = errors.place as f64,
+        "undefined": "number" = errors.undefined as f64,
+    }
 }
 
 #[wasm_bindgen]
@@ -124,8 +101,9 @@ impl Museum {
     }
 
     /// The exhibits in the order of a visit.
-    pub fn exhibits() -> Vec<ExhibitState> {
-        ALL.iter().map(ExhibitState::from).collect()
+    #[wasm_bindgen(unchecked_return_type = "ExhibitState[]")]
+    pub fn exhibits() -> Vec<JsValue> {
+        ALL.iter().map(state).collect()
     }
 
     /// Opens an exhibit at its named case.
@@ -172,12 +150,12 @@ impl Museum {
     }
 
     /// Returns the errors of the faulty picture, 0, or of the crate's, 1.
-    pub fn side(&self, side: usize) -> Result<PictureState, Refusal> {
+    #[wasm_bindgen(unchecked_return_type = "PictureState")]
+    pub fn side(&self, side: usize) -> Result<JsValue, Refusal> {
         let errors = self.errors.get(side).ok_or_else(|| {
             Refusal::name("side", &side.to_string(), "0 for the faulty one or 1 for the crate’s")
         })?;
-        let &Errors { largest, place, undefined, .. } = errors;
-        Ok(PictureState { largest, place, undefined })
+        Ok(told(errors))
     }
 
     /// The number format of the crate's picture.
@@ -189,7 +167,7 @@ impl Museum {
     /// The end of the scale of the errors, in linear codes.
     #[wasm_bindgen(getter)]
     pub fn scale(&self) -> f64 {
-        self.scale_in_force().end()
+        self.scale_in_force().end
     }
 
     /// The colours of the scale from no error to its end: red, green, blue of each.
@@ -245,32 +223,6 @@ fn shown(lights: &[f32]) -> Vec<u8> {
 
 fn rgba(colours: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
     colours.flat_map(|[red, green, blue]| [red, green, blue, u8::MAX]).collect()
-}
-
-impl From<&Exhibit> for ExhibitState {
-    fn from(exhibit: &Exhibit) -> Self {
-        let Exhibit { source, control, .. } = exhibit;
-        Self {
-            name: exhibit.name.to_owned(),
-            label: exhibit.label.to_owned(),
-            title: exhibit.title.to_owned(),
-            project: source.project.to_owned(),
-            file: source.file.to_owned(),
-            version: source.version.to_owned(),
-            licence: source.licence.to_owned(),
-            thread: source.thread.to_owned(),
-            code: exhibit.code.to_owned(),
-            cause: exhibit.cause.to_owned(),
-            no_better: exhibit.no_better.to_owned(),
-            agrees_at: exhibit.agrees_at,
-            control: control.label.to_owned(),
-            unit: control.unit.to_owned(),
-            least: control.least,
-            most: control.most,
-            start: control.start,
-            is_logarithmic: control.is_logarithmic,
-        }
-    }
 }
 
 #[cfg(test)]

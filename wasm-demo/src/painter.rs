@@ -11,7 +11,7 @@ use crate::{
     map::{self, Subject},
     panic,
     refusal::Refusal,
-    scene_state::AccountState,
+    scene_state,
     times::Times,
 };
 use luminaire::projector::Fixture;
@@ -208,8 +208,9 @@ impl Painter {
     }
 
     /// The counts of the work for the stripes of the last picture.
-    pub fn account(&self) -> Option<AccountState> {
-        Some(self.renderer.as_ref()?.draw.account().into())
+    #[wasm_bindgen(unchecked_return_type = "AccountState | undefined")]
+    pub fn account(&self) -> Option<JsValue> {
+        Some(scene_state::account(self.renderer.as_ref()?.draw.account()))
     }
 
     /// The times of the last picture's passes.

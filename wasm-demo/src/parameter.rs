@@ -5,12 +5,13 @@ use crate::{
     decimal::{numbers, read, read_numbers},
     format::Format,
     map::Subject,
+    plain::plain,
     refusal::{Refusal, one_of},
     state::{EXPOSURE_STEP, EXPOSURES, SWITCHABLE, State, switch_of, switchable},
     viewpoint::Viewpoint,
 };
 use luminaire::dynamic::Effect;
-use wasm_bindgen::prelude::*;
+use wasm_bindgen::JsValue;
 
 /// The parameters in the order of an address.
 pub(crate) const PARAMETERS: [Parameter; 15] = [
@@ -127,20 +128,6 @@ pub(crate) enum Value {
     Flag(bool),
     Number(f32),
     Text(String),
-}
-
-/// A parameter for the page: what its control offers.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, PartialEq, Debug)]
-pub struct ParameterState {
-    /// The name that `Stage.get` and `Stage.set` take.
-    pub name: String,
-    /// The least and the largest number, and the step between two; empty for other values.
-    pub range: Vec<f32>,
-    /// The symbol of a number's unit.
-    pub symbol: String,
-    /// The name of each choice, followed by its label; empty for other values.
-    pub choices: Vec<String>,
 }
 
 /// Returns the parameter of this name.
@@ -296,19 +283,23 @@ impl From<&str> for Value {
     }
 }
 
-impl From<&Parameter> for ParameterState {
-    fn from(parameter: &Parameter) -> Self {
-        let (mut range, mut symbol, mut choices) = (Vec::new(), "", Vec::new());
-        match parameter.kind {
-            Kind::Number { range: [least, most], step, symbol: of, .. } => {
-                (range, symbol) = (vec![least, most, step], of);
-            }
-            Kind::Choice { choices: of, .. } => {
-                choices = of.concat().into_iter().map(str::to_owned).collect();
-            }
-            _ => {}
-        }
-        Self { name: parameter.name.to_owned(), range, symbol: symbol.to_owned(), choices }
+plain! {
+    /// What the control of a parameter offers: the least and the largest number and the step between two,
+    /// with the symbol of its unit; or the name of each choice, followed by its label. Empty for other values.
+    fn offer(parameter: &Parameter) -> ParameterState {
+        "name": "string" = parameter.name,
+        "range": "number[]" = match parameter.kind {
+            Kind::Number { range: [least, most], step, .. } => vec![JsValue::from(least), most.into(), step.into()],
+            _ => Vec::new(),
+        },
+        "symbol": "string" = match parameter.kind {
+            Kind::Number { symbol, .. } => symbol,
+            _ => "",
+        },
+        "choices": "string[]" = match parameter.kind {
+            Kind::Choice { choices, .. } => choices.concat().into_iter().map(JsValue::from).collect(),
+            _ => Vec::new(),
+        },
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::{
     refusal::Refusal,
-    scene_state::SwitchState,
     setting::Setting,
     state::{SWITCHABLE, State},
 };
@@ -199,20 +198,9 @@ impl Rig {
         self.moves
     }
 
-    /// The effects that have a switch.
-    pub(crate) fn switches(&self, state: &State) -> Vec<SwitchState> {
-        let state = |(effect, label): (Effect, &str)| SwitchState {
-            effect: effect.name().to_owned(),
-            label: label.to_owned(),
-            offered: self.offers(effect),
-            on: self.has(state, effect),
-        };
-        SWITCHABLE.map(state).into()
-    }
-
     /// Returns whether an effect is in the picture of a state. An effect that the scene neither has
     /// nor can be given stays off.
-    fn has(&self, state: &State, effect: Effect) -> bool {
+    pub(crate) fn has(&self, state: &State, effect: Effect) -> bool {
         // Dither costs nothing, and most scenes show bands without it.
         let own = self.effects.has(effect) || effect == Effect::Dither;
         state.switched(effect).filter(|_| self.offers(effect)).unwrap_or(own)
@@ -221,7 +209,7 @@ impl Rig {
     /// Returns whether the switch of an effect is enabled: the scene has the effect, or it can be
     /// added. Haze and dithering can be added to every scene, shadows to a scene in which 1 to
     /// `SHADOWS` lights can cast them.
-    fn offers(&self, effect: Effect) -> bool {
+    pub(crate) fn offers(&self, effect: Effect) -> bool {
         let takers = || self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count();
         self.effects.has(effect)
             || match effect {

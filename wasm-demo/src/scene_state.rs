@@ -1,108 +1,53 @@
 //! State of a scene for the page: plain values.
 
+use crate::plain::plain;
+use luminaire::dynamic::Effect;
 use luminaire_render::{Account, scenes::Example};
-use wasm_bindgen::prelude::*;
 
-/// A scene in the list of scenes.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct ExampleState {
-    /// The name that `open` takes.
-    pub name: String,
-    /// The title for people.
-    pub title: String,
-    /// One sentence about the effects that it needs.
-    pub summary: String,
-}
-
-/// An effect of the library.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct EffectState {
-    /// The name of the effect in the price list.
-    pub name: String,
-    /// Whether the picture needs it.
-    #[wasm_bindgen(js_name = isCalledFor)]
-    pub is_called_for: bool,
-}
-
-/// An effect with a switch.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct SwitchState {
-    /// The name of the effect.
-    pub effect: String,
-    /// The title for people.
-    pub label: String,
-    /// Whether the switch is enabled: the scene has the effect, or it can be added.
-    pub offered: bool,
-    /// Whether the effect is on.
-    pub on: bool,
-}
-
-/// Counts of the work for the last picture: see [`Account`]. They are JavaScript numbers.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct AccountState {
-    /// The number of triangles that were drawn.
-    pub triangles: f64,
-    /// The lights in the scene.
-    pub lights: f64,
-    /// The dark lights, which were dropped.
-    #[wasm_bindgen(js_name = lightsDropped)]
-    pub lights_dropped: f64,
-    /// The tiles of the picture.
-    pub tiles: f64,
-    /// The tiles that were lit again.
-    #[wasm_bindgen(js_name = tilesRelit)]
-    pub tiles_relit: f64,
-    /// The number of all pairs of a light and a pixel.
-    pub pairs: f64,
-    /// The pairs that were evaluated.
-    pub evaluated: f64,
-    /// The pairs of `evaluated` that were evaluated with a highlight.
-    #[wasm_bindgen(js_name = evaluatedShining)]
-    pub evaluated_shining: f64,
-    /// The pairs of a beam and a pixel whose in-scattering was evaluated, in addition to
-    /// `evaluated`.
-    #[wasm_bindgen(js_name = evaluatedInAir)]
-    pub evaluated_in_air: f64,
-    /// The pairs of a dropped light.
-    pub dropped: f64,
-    /// The pairs in tiles that were not re-lit.
-    pub kept: f64,
-    /// The pairs skipped because the light does not reach the tile.
-    #[wasm_bindgen(js_name = missedByTile)]
-    pub missed_by_tile: f64,
-    /// The pairs skipped in a tile that the light may reach, because the light does not reach a row
-    /// of pixels or the row faces away from the light.
-    #[wasm_bindgen(js_name = missedByRow)]
-    pub missed_by_row: f64,
-}
-
-impl From<Example> for ExampleState {
-    fn from(example: Example) -> Self {
-        let [name, title, summary] = [example.name(), example.title(), example.summary()].map(str::to_owned);
-        Self { name, title, summary }
+plain! {
+    /// A scene in the list of scenes: its name for `open`, its title for people, and one sentence about
+    /// the effects that it needs.
+    fn example(example: Example) -> ExampleState {
+        "name": "string" = example.name(),
+        "title": "string" = example.title(),
+        "summary": "string" = example.summary(),
     }
 }
 
-impl From<Account> for AccountState {
-    fn from(account: Account) -> Self {
-        Self {
-            triangles: account.triangles as f64,
-            lights: account.lights.into(),
-            lights_dropped: account.lights_dropped.into(),
-            tiles: account.tiles.into(),
-            tiles_relit: account.tiles_relit.into(),
-            pairs: account.pairs() as f64,
-            evaluated: account.evaluated as f64,
-            evaluated_shining: account.evaluated_shining as f64,
-            evaluated_in_air: account.evaluated_in_air as f64,
-            dropped: account.dropped as f64,
-            kept: account.kept as f64,
-            missed_by_tile: account.missed_by_tile as f64,
-            missed_by_row: account.missed_by_row as f64,
-        }
+plain! {
+    /// An effect of the library: its name in the price list, and whether the picture needs it.
+    fn effect(effect: Effect, is_called_for: bool) -> EffectState {
+        "name": "string" = effect.name(),
+        "isCalledFor": "boolean" = is_called_for,
+    }
+}
+
+plain! {
+    /// An effect with a switch: its title for people, whether the switch is enabled, because the scene has
+    /// the effect or it can be added, and whether the effect is on.
+    fn switch(effect: Effect, label: &str, offered: bool, on: bool) -> SwitchState {
+        "effect": "string" = effect.name(),
+        "label": "string" = label,
+        "offered": "boolean" = offered,
+        "on": "boolean" = on,
+    }
+}
+
+plain! {
+    /// The counts of the work for the last picture: see [`Account`].
+    fn account(account: Account) -> AccountState {
+        "triangles": "number" = account.triangles as f64,
+        "lights": "number" = account.lights,
+        "lightsDropped": "number" = account.lights_dropped,
+        "tiles": "number" = account.tiles,
+        "tilesRelit": "number" = account.tiles_relit,
+        "pairs": "number" = account.pairs() as f64,
+        "evaluated": "number" = account.evaluated as f64,
+        "evaluatedShining": "number" = account.evaluated_shining as f64,
+        "evaluatedInAir": "number" = account.evaluated_in_air as f64,
+        "dropped": "number" = account.dropped as f64,
+        "kept": "number" = account.kept as f64,
+        "missedByTile": "number" = account.missed_by_tile as f64,
+        "missedByRow": "number" = account.missed_by_row as f64,
     }
 }

@@ -3,8 +3,9 @@
 use crate::{
     difference::{Difference, Truth},
     false_colour::{Palette, Scale},
-    form::{self, Curve, Form},
+    form::{self as forms, Curve, Form},
     picture::Picture,
+    plain::plain,
     wall::Wall,
 };
 use wasm_bindgen::prelude::*;
@@ -44,22 +45,6 @@ pub struct SideState {
     pub place: usize,
     /// Share of the pixels whose displayed code differs from that of f64.
     pub differing: f64,
-}
-
-/// A form to choose from, and its rows on the price list.
-#[wasm_bindgen(getter_with_clone)]
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct FormState {
-    /// The name that the setters accept.
-    pub name: String,
-    /// The name for people.
-    pub label: String,
-    /// The curve of the reference that the form's picture is compared with.
-    pub truth: String,
-    /// The kernel and the format of the form's row for the intensity alone.
-    pub falloff: Vec<String>,
-    /// The kernel and the format of the form's row for a lit point; empty if it has none.
-    pub lit: Vec<String>,
 }
 
 impl Side {
@@ -126,7 +111,7 @@ impl Side {
             Err(error) => SideState {
                 form,
                 refusal: Some(format!("{} cannot hold this beam: {error}", self.form.label())),
-                narrowest: form::accepted_half_angle(error),
+                narrowest: forms::accepted_half_angle(error),
                 largest: f64::NAN,
                 off_axis: f64::NAN,
                 place: 0,
@@ -136,22 +121,24 @@ impl Side {
     }
 }
 
-impl From<Form> for FormState {
-    fn from(form: Form) -> Self {
-        let (falloff, lit) = form.rows();
-        let names = |row: luminaire_kernels::Row| vec![row.kernel.to_owned(), row.format.to_owned()];
-        Self {
-            name: form.name().to_owned(),
-            label: form.label().to_owned(),
-            truth: match form.curve() {
-                Curve::Soft => "soft edge, t²",
-                Curve::CosinePower => "cosine’s power",
-            }
-            .to_owned(),
-            falloff: names(falloff),
-            lit: lit.map(names).unwrap_or_default(),
-        }
+plain! {
+    /// A form to choose from: the name that the setters accept, its name for people, the curve of its f64
+    /// reference, and the kernel and the format of its rows on the price list, for the falloff and for a lit
+    /// point. Empty if it has none.
+    fn form(form: Form) -> FormState {
+        "name": "string" = form.name(),
+        "label": "string" = form.label(),
+        "truth": "string" = match form.curve() {
+            Curve::Soft => "soft edge, t²",
+            Curve::CosinePower => "cosine’s power",
+        },
+        "falloff": "string[]" = names(Some(form.rows().0)),
+        "lit": "string[]" = names(form.rows().1),
     }
+}
+
+fn names(row: Option<luminaire_kernels::Row>) -> Vec<JsValue> {
+    row.map_or(Vec::new(), |row| vec![row.kernel.into(), row.format.into()])
 }
 
 #[cfg(test)]

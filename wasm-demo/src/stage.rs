@@ -4,18 +4,17 @@ mod changes;
 mod lights;
 
 use crate::{
-    address,
-    fixture::FixtureState,
+    address, fixture,
     format::Format,
     job::{self, Load},
     map::{Map, Subject},
     panic,
-    parameter::{self, PARAMETERS, ParameterState, Value},
+    parameter::{self, PARAMETERS, Value},
     refusal::Refusal,
     rig::Rig,
-    scene_state::{EffectState, ExampleState, SwitchState},
+    scene_state,
     setting::Setting,
-    state::State,
+    state::{SWITCHABLE, State},
     viewpoint::Viewpoint,
 };
 use luminaire::dynamic::Effect;
@@ -87,8 +86,9 @@ impl Stage {
     }
 
     /// The scenes to choose from.
-    pub fn examples() -> Vec<ExampleState> {
-        Example::ALL.iter().copied().map(ExampleState::from).collect()
+    #[wasm_bindgen(unchecked_return_type = "ExampleState[]")]
+    pub fn examples() -> Vec<JsValue> {
+        Example::ALL.iter().copied().map(scene_state::example).collect()
     }
 
     /// The name of the scene.
@@ -217,18 +217,18 @@ impl Stage {
     /// Returns the sum of the last map of costs over all pixels, in milliseconds of a core.
     #[wasm_bindgen(getter, js_name = mapTotal)]
     pub fn map_total(&self) -> f64 {
-        self.map.total()
+        self.map.total
     }
 
     /// Returns how many lights, or nanoseconds, the last colour of the map stands for.
     #[wasm_bindgen(getter, js_name = mapEnd)]
     pub fn map_end(&self) -> f64 {
-        self.map.end()
+        self.map.end
     }
 
     /// The colours of the map, from no light to the end of its scale: red, green and blue of each.
     pub fn palette(&self) -> Clamped<Vec<u8>> {
-        Clamped(self.map.colours().concat())
+        Clamped(self.map.palette.colours().concat())
     }
 
     /// The colours of re-lit and of kept tiles: red, green, blue of each.
@@ -238,23 +238,26 @@ impl Stage {
     }
 
     /// The effects of the library, and whether the picture needs them.
-    pub fn effects(&self) -> Result<Vec<EffectState>, Refusal> {
+    #[wasm_bindgen(unchecked_return_type = "EffectState[]")]
+    pub fn effects(&self) -> Result<Vec<JsValue>, Refusal> {
         let plan = self.rig.plan_of(&self.state)?;
-        let state = |&effect: &Effect| EffectState {
-            name: effect.name().to_owned(),
-            is_called_for: plan.requires(effect),
-        };
+        let state = |&effect: &Effect| scene_state::effect(effect, plan.requires(effect));
         Ok(Effect::ALL.iter().map(state).collect())
     }
 
     /// The effects that have a switch.
-    pub fn switches(&self) -> Vec<SwitchState> {
-        self.rig.switches(&self.state)
+    #[wasm_bindgen(unchecked_return_type = "SwitchState[]")]
+    pub fn switches(&self) -> Vec<JsValue> {
+        let switch = |(effect, label)| {
+            scene_state::switch(effect, label, self.rig.offers(effect), self.rig.has(&self.state, effect))
+        };
+        SWITCHABLE.map(switch).into()
     }
 
     /// The parameters of the state, with what their controls offer.
-    pub fn parameters() -> Vec<ParameterState> {
-        PARAMETERS.iter().map(ParameterState::from).collect()
+    #[wasm_bindgen(unchecked_return_type = "ParameterState[]")]
+    pub fn parameters() -> Vec<JsValue> {
+        PARAMETERS.iter().map(parameter::offer).collect()
     }
 
     /// Returns the value of a parameter: a boolean, a number or a text, by its kind.
@@ -283,8 +286,9 @@ impl Stage {
     }
 
     /// The fixtures to choose from.
-    pub fn fixtures() -> Vec<FixtureState> {
-        FIXTURES.iter().map(FixtureState::from).collect()
+    #[wasm_bindgen(unchecked_return_type = "FixtureState[]")]
+    pub fn fixtures() -> Vec<JsValue> {
+        FIXTURES.iter().map(fixture::state).collect()
     }
 }
 

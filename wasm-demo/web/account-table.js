@@ -2,7 +2,7 @@
 import { element as find } from "./elements.js";
 import { percent, whole } from "./numbers.js";
 
-/** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").AccountState>} Account */
+/** @typedef {import("./pkg/wasm_demo.js").AccountState} Account */
 
 /** Number of pictures that are averaged while a scene plays, so that the figures are readable. */
 const PICTURES = 30;

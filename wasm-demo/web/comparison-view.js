@@ -75,7 +75,7 @@ export class ComparisonView {
     const canvas = (name, side) => on(name, side, HTMLCanvasElement);
     const [first, second] = SIDES.map((side) => /** @type {const} */ ([canvas("picture", side), canvas("errors", side)]));
     this.#comparison = new Comparison(...first, ...second, SIZE);
-    this.#forms = new Map(Comparison.forms().map((form) => [form.name, plain(form)]));
+    this.#forms = new Map(Comparison.forms().map((form) => [form.name, form]));
     this.#halfAngle = new ToldDial({ slider: "half-angle", number: "half-angle-number", error: "half-angle-error" }, (value) => {
       this.#comparison.setHalfAngle(value);
       this.#request();

@@ -1,10 +1,9 @@
 // The controls of the state's parameters: what each offers is in the module's table of parameters.
 import { Stage } from "./pkg/wasm_demo.js";
 import { find, showPart } from "./elements.js";
-import { plain } from "./plain.js";
 
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
-/** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").ParameterState>} Parameter */
+/** @typedef {import("./pkg/wasm_demo.js").ParameterState} Parameter */
 
 /** The elements that control a parameter name it by `data-parameter`. */
 export class Controls {
@@ -18,7 +17,7 @@ export class Controls {
    */
   constructor(stage, onchange) {
     this.#stage = stage;
-    for (const row of Stage.parameters().map(plain)) {
+    for (const row of Stage.parameters()) {
       const control = /** @type {Control | null} */ (document.querySelector(`[data-parameter=${row.name}]`));
       if (!control) continue;
       offer(control, row);

@@ -1,16 +1,11 @@
 // The effects of the library: those that the scene needs, and switches for some of them.
 import { copyOf, element, find } from "./elements.js";
-import { plain } from "./plain.js";
 import { load } from "./support.js";
 
 /** Delay before the prices are loaded, in milliseconds: the first picture goes before them. */
 const LATER = 500;
 
 /** @typedef {import("./pkg/wasm_demo.js").Stage} Stage */
-/**
- * @template {{ free(): void }} T
- * @typedef {import("./plain.js").Plain<T>} Plain
- */
 
 export class EffectList {
   #stage;
@@ -48,13 +43,13 @@ export class EffectList {
 
   /** Shows the switches of the current scene. */
   open() {
-    this.#switches.replaceChildren(...this.#stage.switches().map((state) => this.#switch(plain(state))));
+    this.#switches.replaceChildren(...this.#stage.switches().map((state) => this.#switch(state)));
     this.show();
   }
 
   /** Shows the effects that the picture needs. */
   show() {
-    const effects = this.#stage.effects().map(plain);
+    const effects = this.#stage.effects();
     const called = effects.filter(({ isCalledFor }) => isCalledFor);
     const shown = called.map(({ name }) => name).join();
     if (shown === this.#shown && this.#list.childElementCount > 0) return;
@@ -63,7 +58,7 @@ export class EffectList {
     this.#list.replaceChildren(...effects.map(item));
   }
 
-  /** @param {Plain<import("./pkg/wasm_demo.js").SwitchState>} state */
+  /** @param {import("./pkg/wasm_demo.js").SwitchState} state */
   #switch({ effect, label, offered, on }) {
     const holder = copyOf("switch");
     const input = find(holder, "input", HTMLInputElement);
@@ -79,7 +74,7 @@ export class EffectList {
   }
 }
 
-/** @param {Plain<import("./pkg/wasm_demo.js").EffectState>} effect */
+/** @param {import("./pkg/wasm_demo.js").EffectState} effect */
 function item({ name, isCalledFor }) {
   const item = document.createElement("li");
   item.textContent = name;

@@ -13,24 +13,23 @@ const KINDS = {
   flood: "flood or blinder",
 };
 
-/** @typedef {ReturnType<typeof plain>} Fixture */
+/** @typedef {ReturnType<typeof described>} Fixture */
 
 /** @type {Map<string, Fixture> | undefined} */
 let fixtures;
 
 /** The table, read from the module once. */
 function table() {
-  fixtures ??= new Map(Stage.fixtures().map((fixture) => [fixture.name, plain(fixture)]));
+  fixtures ??= new Map(Stage.fixtures().map((fixture) => [fixture.name, described(fixture)]));
   return fixtures;
 }
 
 /** @param {import("./pkg/wasm_demo.js").FixtureState} fixture */
-function plain(fixture) {
+function described(fixture) {
   const { name, kind, narrow: least, wide: most, lumens } = fixture;
   const [narrow, wide] = [tidy(least), tidy(most)];
   const angle = narrow === wide ? `${narrow}°` : `${narrow}–${wide}°`;
   const flux = lumens === undefined ? "" : `${whole(lumens)} lm`;
-  fixture.free();
   return { name, kind, narrow, wide, angle, flux };
 }
 

@@ -5,7 +5,7 @@ import { amount, isNumber, price, stageName, targetName } from "./price-list.js"
 
 /** @typedef {import("./pkg/comparison.js").Comparison} Comparison */
 /** @typedef {import("./plain.js").Plain<import("./pkg/comparison.js").SideState>} State of a side */
-/** @typedef {import("./plain.js").Plain<import("./pkg/comparison.js").FormState>} Form */
+/** @typedef {import("./pkg/comparison.js").FormState} Form */
 /** @typedef {import("./price-list.js").Cost} Cost */
 
 /** Number of timings of each picture; the two pictures alternate. */

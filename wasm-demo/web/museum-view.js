@@ -5,7 +5,6 @@ import { copyOf, element as byId, encircle, find } from "./elements.js";
 import { aside, hasFailed, refusalOf } from "./failure.js";
 import { compile } from "./module.js";
 import { colours, counted, exact, tidy } from "./numbers.js";
-import { plain } from "./plain.js";
 import { ToldDial } from "./told-dial.js";
 
 /** Pixels on a side of a picture; fewer where two stand beside each other on a telephone. */
@@ -14,7 +13,7 @@ const THUMBNAIL = 48;
 
 const SIDES = [0, 1];
 
-/** @typedef {import("./plain.js").Plain<import("./pkg/comparison.js").ExhibitState>} Exhibit */
+/** @typedef {import("./pkg/comparison.js").ExhibitState} Exhibit */
 
 /** What is shown of an exhibit as it is. */
 const TEXTS = /** @type {const} */ ([
@@ -59,7 +58,7 @@ function room() {
 }
 
 export class MuseumView {
-  #exhibits = new Map(Museum.exhibits().map((exhibit) => [exhibit.name, plain(exhibit)]));
+  #exhibits = new Map(Museum.exhibits().map((exhibit) => [exhibit.name, exhibit]));
   #size = room();
   #museum;
   #dial;
@@ -116,7 +115,7 @@ export class MuseumView {
   /** The state for tests: the exhibit, its control and the errors of both pictures. */
   get state() {
     const { exhibit, value, format, scale } = this.#museum;
-    return { exhibit, value: exact(value), format, scale, sides: SIDES.map((side) => plain(this.#museum.side(side))) };
+    return { exhibit, value: exact(value), format, scale, sides: SIDES.map((side) => this.#museum.side(side)) };
   }
 
   /** The names of the exhibits. */

@@ -1,14 +1,13 @@
 // The scenes to choose from, each with a small picture of it.
 import { Stage } from "./pkg/wasm_demo.js";
 import { copyOf, element, find } from "./elements.js";
-import { plain } from "./plain.js";
 import { thumbnail } from "./share.js";
 import { hire } from "./workers.js";
 
 export class ScenePicker {
-  #scenes = new Map(Stage.examples().map((scene) => [scene.name, plain(scene)]));
+  #scenes = new Map(Stage.examples().map((scene) => [scene.name, scene]));
   #holder = element("scenes");
-  /** @type {import("./plain.js").Plain<import("./pkg/wasm_demo.js").ExampleState> | undefined} */
+  /** @type {import("./pkg/wasm_demo.js").ExampleState | undefined} */
   #shown;
 
   /** Called with the name of a scene that the visitor chooses. */

@@ -107,7 +107,7 @@ export class Share {
       marks: isDrawn ? painter.edgeMarks() : undefined,
       counts: painter.counts(),
       // There is one, because `drawLight` has made it.
-      account: plain(/** @type {AccountState} */ (painter.account())),
+      account: /** @type {AccountState} */ (painter.account()),
       times: plain(painter.times()),
     };
   }
