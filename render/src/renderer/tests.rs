@@ -71,6 +71,33 @@ fn hazy(haze: Haze) -> Scene {
     scene
 }
 
+/// Searches random cases, each built from numbers in [0, 1), and then climbs from the worst of them.
+/// `error` returns `None` for numbers without a case. Returns the largest error, and its numbers.
+fn climb<const N: usize>(
+    seed: u64,
+    (begin, steps): (usize, usize),
+    mut error: impl FnMut(&[f32; N]) -> Option<f32>,
+) -> (f32, [f32; N]) {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let (mut best, mut reach) = ((f32::MIN, [0.0; N]), 0.1);
+    for number in 0..begin + steps {
+        let mut genes: [f32; N] = core::array::from_fn(|_| random.f32());
+        if number >= begin {
+            let moved = |(gene, by): (f32, f32)| (gene + reach * (by - 0.5)).clamp(0.0, 0.999_999);
+            genes = core::array::from_fn(|i| {
+                if random.f32() < 0.2 { moved((best.1[i], genes[i])) } else { best.1[i] }
+            });
+        }
+        let Some(error) = error(&genes) else { continue };
+        if error > best.0 {
+            best = (error, genes);
+        } else if number >= begin {
+            reach = if reach > 1e-5 { 0.97 * reach } else { 0.1 };
+        }
+    }
+    best
+}
+
 #[test]
 fn from_inside_a_closed_mesh_there_is_no_crack() {
     // An outline drawn downwards faces inwards.

@@ -5,7 +5,7 @@ use luminaire::{
     Angle, Cone, Error, Rgb, SpotLight, Vec3,
     dynamic::AnyLight,
     falloff::SoftOrHard,
-    haze::{Haze, ViewRay},
+    haze::Haze,
     light::SurfacePoint,
     projector::{Fixture, Gobo, Projection},
     specular::{DifferenceForm, Phong},
@@ -108,39 +108,6 @@ fn highlights_are_phongs() -> Result<(), Error> {
     }
     assert!(brightest > 1.0, "the brightest highlight is {brightest}");
     assert!((1e-8..1e-5).contains(&largest), "{largest}, expected largest in 1e-8..1e-5");
-    Ok(())
-}
-
-/// Haze adds the kernel's in-scattering along the view ray to each pixel.
-#[test]
-fn haze_is_added() -> Result<(), Error> {
-    let spots = stage::lights()?;
-    let fixtures = spots.map(Fixture::from);
-    let clear = renderer::<f32>(&stage::scene().unwrap(), &fixtures);
-    let scene = hazy()?;
-    let hazy = renderer::<f32>(&scene, &fixtures);
-    let haze = scene.haze().expect("it was set");
-    let eye = stage::camera().eye();
-    let beams = spots.map(|spot| spot.compile::<f32>().map(|spot| spot.in_haze(&haze)));
-    let mut brightest: f32 = 0.0;
-    for (x, y) in pixels() {
-        let Some((point, ..)) = hazy.surface(x, y) else { continue };
-        let ray = ViewRay::between(eye, point);
-        let air = beams.iter().zip(&spots).map(|(beam, spot)| {
-            beam.as_ref().map(|beam| beam.in_scattering(&ray) * spot.color().green).expect("held")
-        });
-        let [before, after] = [&clear, &hazy].map(|picture| picture.linear(x, y).expect("inside").green);
-        let expected: f32 = air.sum();
-        // Half a linear code, and the rounding of the rays.
-        let bound = 0.5 / 255.0 + 2e-4 * (1.0 + after);
-        assert!(
-            (after - before - expected).abs() <= bound,
-            "{} at {x}, {y}, expected (after - before - expected).abs() <= bound",
-            after - before
-        );
-        brightest = brightest.max(expected);
-    }
-    assert!((0.02..2.0).contains(&brightest), "the air shows {brightest}");
     Ok(())
 }
 

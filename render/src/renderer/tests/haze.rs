@@ -181,66 +181,19 @@ impl Case {
     }
 }
 
-/// A small picture of a scene, to search views and beams with large errors.
-struct Search {
-    scene: Scene,
-    renderer: Renderer<f32>,
-    random: fastrand::Rng,
-}
-
-impl Search {
-    fn new(seed: u64) -> Self {
-        Self {
-            scene: hazy(Haze::new(0.05).unwrap()),
-            renderer: Renderer::new(76, 44).unwrap(),
-            random: fastrand::Rng::with_seed(seed),
-        }
-    }
-
-    /// Returns the error of a case; zero for genes without a case.
-    fn error(&mut self, genes: &Genes) -> f32 {
-        let Some(case) = Case::new(genes) else { return 0.0 };
-        self.renderer.draw_geometry(&self.scene, &case.camera);
-        self.renderer.draw_shadows(&self.scene, &case.fixtures).unwrap();
-        error(&mut self.renderer, &case.fixtures).0
-    }
-
-    /// Climbs from the worst of `begin` random cases. Returns the largest error, and its genes.
-    fn climb(&mut self, begin: usize, steps: usize) -> (f32, Genes) {
-        let mut best = (0.0, [0.0; GENES]);
-        for _ in 0..begin {
-            let genes = core::array::from_fn(|_| self.random.f32());
-            let error = self.error(&genes);
-            if error > best.0 {
-                best = (error, genes);
-            }
-        }
-        let mut reach = 0.1;
-        for _ in 0..steps {
-            let mut genes = best.1;
-            for gene in &mut genes {
-                if self.random.f32() < 0.2 {
-                    *gene = (*gene + reach * (self.random.f32() - 0.5)).clamp(0.0, 0.999_999);
-                }
-            }
-            let error = self.error(&genes);
-            if error > best.0 {
-                best = (error, genes);
-            } else {
-                reach = if reach > 1e-5 { 0.97 * reach } else { 0.1 };
-            }
-        }
-        best
-    }
-}
-
 /// Random views and beams, and climbs from the worst of them.
 #[test]
 fn interpolated_haze_errs_by_at_most_half_a_code_in_a_search() {
     let (climbs, begin, steps) = if is_full() { (100, 200, 400) } else { (5, 60, 60) };
-    let mut worst = 0.0_f32;
+    let (scene, mut worst) = (hazy(Haze::new(0.05).unwrap()), 0.0_f32);
     for seed in 0..climbs {
-        let (error, genes) = Search::new(seed).climb(begin, steps);
+        let mut renderer = Renderer::new(76, 44).unwrap();
+        let (error, genes) = climb(seed, (begin, steps), |genes| {
+            let case = Case::new(genes)?;
+            renderer.draw_geometry(&scene, &case.camera);
+            renderer.draw_shadows(&scene, &case.fixtures).unwrap();
+            Some(error(&mut renderer, &case.fixtures).0)
+        });
         if error > worst {
             worst = error;
             println!("climb {seed}: {error:.3} linear codes at {genes:?}");

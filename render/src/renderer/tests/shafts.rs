@@ -256,34 +256,17 @@ fn shafts_err_by_at_most_a_code_in_a_search() {
         let haze = Haze::new(0.05).unwrap();
         let is_small = seed < climbs / 4 * 3;
         let scene = hazy(if is_small { haze } else { haze.with_source_radius(1.2).unwrap() });
-        let mut random = fastrand::Rng::with_seed(seed);
-        let mut best = (f32::MIN, [0.0; 16]);
-        let mut reach = 0.1;
-        for number in 0..begin + steps {
-            let mut genes: Genes = core::array::from_fn(|_| random.f32());
-            if number >= begin {
-                let moved = |(gene, by): (f32, f32)| (gene + reach * (by - 0.5)).clamp(0.0, 0.999_999);
-                genes = core::array::from_fn(|i| {
-                    if random.f32() < 0.2 { moved((best.1[i], genes[i])) } else { best.1[i] }
-                });
-            }
-            let Some((camera, fixture)) = case(&genes) else { continue };
+        let (worst, genes) = climb(seed, (begin, steps), |genes| {
+            let (camera, fixture) = case(genes)?;
             // Some cones are too narrow to be compiled.
-            if fixture.light().compile::<f32>().is_err() {
-                continue;
-            }
+            fixture.light().compile::<f32>().ok()?;
             renderer.draw_geometry(&scene, &camera);
             let found = errors(&mut renderer, &fixture, 31);
             all = all.and(found);
             // Half of the climbs look for errors, the others for those that samples do not have.
-            let error = if seed % 2 == 0 { found.relative } else { found.more };
-            if error > best.0 {
-                best = (error, genes);
-            } else if number >= begin {
-                reach = if reach > 1e-5 { 0.97 * reach } else { 0.1 };
-            }
-        }
-        println!("climb {seed}: {:.3} linear codes at {:?}", best.0, best.1);
+            Some(if seed % 2 == 0 { found.relative } else { found.more })
+        });
+        println!("climb {seed}: {worst:.3} linear codes at {genes:?}");
     }
     println!("{climbs} climbs of {} cases: {all:?}", begin + steps);
     assert!(all.relative <= 1.0 && all.more <= 0.75 && all.shafts < 0.2 * all.samples, "{all:?}");
