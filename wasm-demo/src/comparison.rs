@@ -56,7 +56,7 @@ impl Comparison {
         if !(1..=LARGEST).contains(&size) {
             return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels"));
         }
-        let canvas = |element| Canvas::new(element, size, size);
+        let canvas = |element| Canvas::new(element, size);
         let (forms, half_angle) = FIRST;
         let wall = Wall::new(size, half_angle)?;
         Ok(Self {

@@ -7,7 +7,7 @@ use web_sys::{CanvasRenderingContext2d, ImageData, js_sys::Uint8ClampedArray};
 /// A whole picture from the stripes of several painters, with the pixels beside edges mixed. For
 /// each picture call, in this order: `begin`, `put` for each share that has changed, and `mix`.
 #[wasm_bindgen]
-#[derive(Debug)]
+#[derive(Default, Debug)]
 pub struct Composite {
     size: (usize, usize),
     /// RGBA, sRGB, eight bits, row by row.
@@ -22,7 +22,7 @@ impl Composite {
     /// An empty picture.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
-        Self { size: (0, 0), pixels: Vec::new(), marks: Vec::new(), edges: Edges::new() }
+        Self::default()
     }
 
     /// Begins a picture of this size from this number of shares. Shares of the same size that are
@@ -70,11 +70,5 @@ impl Composite {
     /// A copy of the picture: RGBA, sRGB, eight bits.
     pub fn pixels(&self) -> Clamped<Vec<u8>> {
         Clamped(self.pixels.clone())
-    }
-}
-
-impl Default for Composite {
-    fn default() -> Self {
-        Self::new()
     }
 }

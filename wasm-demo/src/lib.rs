@@ -90,8 +90,6 @@ mod side;
 mod stage;
 #[cfg(feature = "state")]
 mod state;
-#[cfg(feature = "painter")]
-mod times;
 #[cfg(feature = "state")]
 mod viewpoint;
 #[cfg(feature = "comparison")]
@@ -115,4 +113,7 @@ pub use side::SideState;
 #[cfg(feature = "stage")]
 pub use stage::Stage;
 #[cfg(feature = "painter")]
-pub use {equality::Equality, painter::Painter, times::Times};
+pub use {
+    equality::Equality,
+    painter::{Painter, Times},
+};

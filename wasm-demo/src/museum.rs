@@ -85,7 +85,7 @@ impl Museum {
         if !(1..=LARGEST).contains(&size) {
             return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels"));
         }
-        let canvas = |element| Canvas::new(element, size, size);
+        let canvas = |element| Canvas::new(element, size);
         let [exhibit, ..] = &ALL;
         let value = exhibit.control.start;
         let (picture, errors) = look(exhibit, value, size)?;

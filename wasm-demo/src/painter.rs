@@ -12,7 +12,6 @@ use crate::{
     panic,
     refusal::Refusal,
     scene_state,
-    times::Times,
 };
 use luminaire::projector::Fixture;
 use luminaire_render::{Display, LANES, Stripes, scenes::Example};
@@ -32,6 +31,20 @@ pub struct Painter {
     /// The renderer of the size before: pictures alternate between motion and rest.
     other: Option<Renderer>,
     times: Times,
+}
+
+/// The time of each pass in milliseconds, by the browser's clock.
+#[wasm_bindgen]
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Times {
+    /// Nothing if the geometry was kept.
+    pub geometry: Option<f64>,
+    /// Nothing if the painter has drawn no shadow map.
+    pub shadows: Option<f64>,
+    /// The lighting pass.
+    pub lighting: f64,
+    /// The encoding for the display.
+    pub encode: f64,
 }
 
 /// A renderer of pictures of one size in one format.
