@@ -18,6 +18,10 @@ pub(crate) fn answer(answer: &Answer) -> String {
         Some(cycles) => format!("{cycles} on an RP2040 without wait states"),
         None => "not counted for this processor".to_owned(),
     };
+    let cheaper = answer.cheaper.map_or_else(String::new, |cheaper| {
+        let (evaluation, bound) = (cheaper.evaluation, digits(cheaper.bound));
+        format!("cheaper      {evaluation}: {} instructions, at most {bound} {unit}\n", cheaper.instructions)
+    });
     format!(
         "light        {falloff} edge, ends at {outer:.2} degrees; attenuation {}, intensity {}, distances {} to {}\n\
          target       {chip}, {display}, at most {} {unit}\n\
@@ -26,7 +30,8 @@ pub(crate) fn answer(answer: &Answer) -> String {
          cycles       {cycles}\n\
          code         {} bytes\n\
          error        at most {} {unit} ({}; largest found {})\n\
-         \x20            largest {:.3} degrees off axis, distance {:.3}, cosine of incidence {:.3}\n\n\
+         \x20            largest {:.3} degrees off axis, distance {:.3}, cosine of incidence {:.3}\n\
+         {cheaper}\n\
          {}",
         light.attenuation,
         light.intensity,

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, falloff::Soft};
+use luminaire::{Angle, Cone, Fx16, Fx32, HalfAngle, SpotLight, falloff::Soft};
 use serde_json::Value;
 
 const README: &str = "README.md";
@@ -19,6 +19,32 @@ const UNITS: [&str; 8] =
 fn text(path: impl AsRef<Path>) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The bounds of the light of the front page in each evaluation, rounded up.
+fn derived(outer: HalfAngle) -> String {
+    let cone = Cone::from_outer(Soft, outer).expect("a sound cone");
+    let spot = SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone).and_then(|spot| spot.with_intensity(16.0));
+    let spot = spot.expect("a sound light");
+    let bounds = [
+        spot.error_bound::<f32>(1.0..=7.0),
+        spot.quick_error_bound::<f32>(1.0..=7.0),
+        spot.error_bound::<Fx32>(1.0..=7.0),
+        spot.error_bound::<Fx16>(1.0..=7.0),
+        spot.quick_error_bound::<Fx16>(1.0..=7.0),
+    ];
+    bounds.map(|bound| rounded_up(bound.expect("held").codes().into())).join(" | ")
+}
+
+/// A number with two digits, rounded up.
+fn rounded_up(value: f64) -> String {
+    let unit = 10_f64.powf(value.log10().floor() - 1.0);
+    let value = (value / unit - 1e-6).ceil() * unit;
+    if value < 1e-3 {
+        format!("{value:.1e}")
+    } else {
+        format!("{value:.*}", (-unit.log10()).round().max(0.0) as usize)
+    }
 }
 
 /// The record behind the figures.
@@ -139,6 +165,7 @@ impl Records {
         let errors = formats(&|name| self.error(name));
         let title = format!("largest error of a lit point of a soft spotlight of {field} degrees");
         say(format!("| {title}, linear codes (searched) | {errors} |"));
+        say(format!("| a bound of that error, linear codes (derived) | {} |", derived(outer)));
         for (target, title) in [
             ("cortex-m0", "instructions of a lit point, Cortex-M0 (counted)"),
             ("cortex-m4f", "instructions, Cortex-M4F"),

@@ -62,11 +62,11 @@ impl ErrorBound {
 }
 
 /// Number of cells of the argument `t` of a falloff in each half.
-const CELLS: u32 = 24;
-/// `2^-(1/4)`: the ratio of the ends of a cell of cosines, and of a class of shares.
-const FINER: f64 = 0.840_896_415_253_714_5;
-/// Number of cells of cosines and of classes of shares, of 24 octaves; the last one ends at 0.
-const CLASSES: usize = 4 * 24 + 1;
+const CELLS: u32 = 32;
+/// `2^-(1/6)`: the ratio of the ends of a cell of cosines, and of a class of shares.
+const FINER: f64 = 0.890_898_718_140_339_3;
+/// Number of cells of cosines and of classes of shares, of 20 octaves; the last one ends at 0.
+const CLASSES: usize = 6 * 20 + 1;
 /// `2^(1/8)`: the ratio of the ends of a cell of distances.
 const LONGER: f64 = 1.090_507_732_665_257_7;
 /// The fraction of the range at which an attenuation is tested for a jump.
@@ -107,7 +107,7 @@ impl Shares {
 fn edges() -> impl Iterator<Item = f64> {
     let half = (0..=CELLS).map(|i| {
         let place = f64::from(i) / f64::from(CELLS);
-        place * place * place / 2.0
+        place * place / 2.0
     });
     half.clone().chain(half.rev().skip(1).map(|place| 1.0 - place))
 }
@@ -303,6 +303,17 @@ fn checked<S: Scalar>(distances: RangeInclusive<f32>) -> Result<[f64; 2], Error>
     Ok([near, far].map(|distance| f64::from(distance).max(S::NEAREST)))
 }
 
+/// Divides distances into those whose stages have the same errors.
+fn divided<S: Scalar>([near, far]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let mut next = Some(near).filter(|near| *near <= far);
+    core::iter::from_fn(move || {
+        let from = next?;
+        let to = S::larger_errors_from(from);
+        next = Some(to).filter(|next| *next <= far);
+        Some([from, to.min(far)])
+    })
+}
+
 /// Returns the evaluations of a format between two distances: fine within a distance, and coarse from
 /// it on.
 fn evaluations<S: Scalar>(
@@ -312,21 +323,15 @@ fn evaluations<S: Scalar>(
 ) -> impl Iterator<Item = Followed> {
     // The comparison of squared distances truncates.
     const SLACK: f64 = 2e-3;
-    let fine = [near, far.min(fine_within * (1.0 + SLACK))];
-    let coarse = [near.max(fine_within * (1.0 - SLACK)), far];
-    let followed = move |stages, is_kept, distances| Followed { stages, zoom, is_kept, distances };
     let is_always_fine = fine_within == f64::INFINITY;
-    let all = [
-        followed(S::STAGES, false, coarse),
-        followed(S::fine_stages(fine[1]), false, fine),
-        followed(S::STAGES, !is_always_fine, fine),
-    ];
-    let count = if is_always_fine { 1..2 } else { 0..3 };
-    all.into_iter()
-        .enumerate()
-        .filter(move |(i, _)| count.contains(i))
-        .map(|(_, followed)| followed)
-        .filter(|Followed { distances: [near, far], .. }| near <= far)
+    let fine = [near, far.min(fine_within * (1.0 + SLACK))];
+    let coarse = [if is_always_fine { f64::INFINITY } else { near.max(fine_within * (1.0 - SLACK)) }, far];
+    let kept = [if is_always_fine { f64::INFINITY } else { near }, fine[1]];
+    let followed = move |stages, is_kept, distances| Followed { stages, zoom, is_kept, distances };
+    let coarse = divided::<S>(coarse).map(move |it| followed(S::stages(it[0]), false, it));
+    let kept = divided::<S>(kept).map(move |it| followed(S::stages(it[0]), true, it));
+    let fine = (fine[0] <= fine[1]).then(|| followed(S::fine_stages(fine[1]), false, fine));
+    coarse.chain(kept).chain(fine)
 }
 
 /// The linear error.
@@ -389,9 +394,13 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         check_reach::<S>(self.position())?;
         let cone = self.cone();
         cone.compile_quick::<S>()?;
-        let quick = Followed { stages: S::QUICK_STAGES, zoom: 1.0, is_kept: false, distances };
+        let followed = |distances: [f64; 2]| {
+            let stages = S::quick_stages(distances[0]);
+            Followed { stages, zoom: 1.0, is_kept: false, distances }
+        };
+        let quick = divided::<S>(distances).map(followed);
         let described = Some((cone.falloff(), cone.versines()));
-        Ok(derived(described, self.attenuation(), self.intensity(), [quick].into_iter(), measure))
+        Ok(derived(described, self.attenuation(), self.intensity(), quick, measure))
     }
 }
 

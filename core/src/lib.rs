@@ -58,6 +58,7 @@
 //! |---|---|---|---|---|---|
 //! | choose it for | a processor with a floating-point unit, a browser, a desktop | the same, where a display hides the error | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit | the same, where a display hides the error |
 //! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.0e-4 | 0.019 | 3.4e-5 | 0.25 | 0.52 |
+//! | a bound of that error, linear codes (derived) | 0.0040 | 0.074 | 2.0e-4 | 0.92 | 2.3 |
 //! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 4,761 | 485 | 211 | 141 |
 //! | instructions, Cortex-M4F | 102 | 73.0 | 167 | 147 | 93.0 |
 //! | instructions, RV32IMC | 2,720 | 2,540 | 186 | 153 | 96.1 |
@@ -67,12 +68,12 @@
 //! evaluation of `f32` or [`Fx16`]. Points, normals and irradiances have the types of the format, so
 //! that one scene can have lights of both.
 //!
-//! A *linear code* is 1/255 of full scale in linear light, clipped at 1. *Searched* means the
-//! largest error of very many random points; *counted* means counted by an emulator. A lit point
-//! has Lambert's cosine, at incidences up to 80 degrees, and the inverse square, the default, at
-//! distances from 1 to 7 from a light of intensity 16: row `lit-inverse-square` of
-//! `docs/PRICES.md`. That document lists more kernels, more processors and other
-//! libraries.
+//! A *linear code* is 1/255 of full scale in linear light, clipped at 1. A lit point has Lambert's
+//! cosine and the inverse square, the default, at distances from 1 to 7 from a light of intensity 16:
+//! row `lit-inverse-square` of `docs/PRICES.md`. *Searched* means the largest error of very many random
+//! points, here at incidences up to 80 degrees; *derived* means from the errors of the stages of the
+//! evaluation, at all points: [`SpotLight::error_bound`] returns such a bound for any light. *Counted*
+//! means counted by an emulator. That document lists more kernels, more processors and other libraries.
 //!
 //! # Units
 //!
@@ -90,8 +91,8 @@
 //!
 //! # Domain
 //!
-//! Within the ranges of the table, the error of a compiled cone is at most half a linear code,
-//! 1/510 of full scale. Where the falloff jumps, the error of the edge's position is at most 1/510
+//! Within the ranges of the table, the error of the falloff of a compiled cone is at most half a linear
+//! code, 1/510 of full scale (searched). Where the falloff jumps, the error of the edge's position is at most 1/510
 //! of the outer half angle. `tests/suite/domain.rs` tests the ends of each range.
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] | outside |
@@ -102,14 +103,14 @@
 //! | outer half angle | half of [`Cone::narrowest`] to 90° | the same | the same | refused |
 //! | hotspot | up to the steepest edge that the format can hold | the same | the same | refused, with the widest inner angle |
 //! | exponent | 1 to 1,024; non-integer exponents more than 0 | the same | the same | refused |
-//! | intensity for half a code | 10 | 300 | 300 | see the next row |
-//! | intensity for one code | 300 | 1,000 | 1,000 | up to 1e9: the error grows with the intensity; beyond: refused |
+//! | intensity | 0 to 1e9 | the same | the same | refused |
 //!
 //! Where a component of the vector from a light to a point exceeds 32,768 units, `Fx32` drops one
-//! bit of the vector, and the narrowest cones of `Fx32` are a quarter wider. The intensities in the
-//! table hold for cones with half angles from 3°, at any distance (searched, with light clipped at
-//! full scale); for a narrower cone these intensities are smaller in proportion. For a brighter
-//! light, divide the intensity and multiply the sum of all lights by an
+//! bit of the vector, and the narrowest cones of `Fx32` are a quarter wider.
+//!
+//! The error of the light at a surface grows with the intensity and towards the light:
+//! [`SpotLight::error_bound`] derives a bound of it for the distances of the surfaces. If the bound is
+//! too large, divide the intensity and multiply the sum of all lights by an
 //! [`Exposure`](display::Exposure), or keep the surfaces in regions where the irradiance is at most
 //! full scale.
 //!

@@ -176,9 +176,9 @@ pub trait Quick: Scalar {
     #[doc(hidden)]
     type QuickOffset: Offset<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
 
-    /// The errors of the stages of the quick evaluation.
+    /// Returns the errors of the stages of the quick evaluation at a distance.
     #[doc(hidden)]
-    const QUICK_STAGES: Stages;
+    fn quick_stages(distance: f64) -> Stages;
 
     /// Converts an axis to the form that rays of the quick evaluation take.
     #[doc(hidden)]

@@ -2,7 +2,7 @@
 //! whole domain, and from the worst of random points a climb by bits.
 //!
 //! `cargo test --test slow bound:: -- --nocapture --test-threads 1` prints the light that comes
-//! nearest to its bound, and the middle of what was found; `LUMINAIRE_FULL=1` tries 100 times as
+//! nearest to its bound, and the middle of what was found; `LUMINAIRE_FULL=1` tries 20 times as
 //! many lights.
 
 use fastrand::Rng;
@@ -19,6 +19,7 @@ use support::{
     oracle::{
         self, DVec3,
         climb::{self, Worst},
+        sweep::{SurfacePoint, Surfaces},
     },
     shapes::tables,
     sweep,
@@ -131,39 +132,15 @@ impl<E: Evaluation> Beam<E> {
         Some(Self { compiled: E::compile(&light), light, position, axis, distances, bound, edges })
     }
 
-    /// A point in the cone or just outside it, often at an end of the distances or at the edge, and a
-    /// normal, often grazing.
-    fn site(&self, rng: &mut Rng) -> [Vec3<f32>; 2] {
+    fn surfaces(&self) -> Surfaces {
         let [_, _, limit] = self.light.cone().versines().map(f64::from);
-        let end = |rng: &mut Rng| 10.0_f64.powf(-5.0 * rng.f64());
-        let off = match rng.u8(..4) {
-            0 => 1.0 - end(rng),
-            1 => end(rng),
-            _ => 1.02 * rng.f64(),
-        };
-        let way = sweep::direction_off(rng, self.axis, angle(limit) * off);
-        let [near, far] = self.distances.map(f64::from);
-        let depth = match rng.u8(..3) {
-            0 => end(rng),
-            1 => 1.0 - end(rng),
-            _ => rng.f64(),
-        };
-        let distance = near * (far / near).powf(depth);
-        let incidence = match rng.u8(..3) {
-            0 => 90.0 * end(rng),
-            1 => 90.0 * (1.0 - end(rng)),
-            _ => 90.0 * rng.f64(),
-        };
-        let normal = sweep::single(sweep::direction_off(rng, -way, incidence.to_radians()));
-        // Turned a little, so that the stored normal has the intended cosine.
-        let stored = E::Format::exact_normal(normal.map(E::Format::from_f32));
-        let way = (way - (way.dot(stored) + incidence.to_radians().cos()) * stored).normalize();
-        [sweep::single(self.position + distance * way), normal]
+        let distances = self.distances.map(f64::from);
+        Surfaces { position: self.position, axis: self.axis, half_angle: angle(limit), distances }
     }
 
     /// The error of the clipped light at a point, in units of the bound.
-    fn error(&self, [point, normal]: [Vec3<f32>; 2]) -> f64 {
-        let (point, normal) = (point.map(E::Format::length), normal.map(E::Format::from_f32));
+    fn error(&self, SurfacePoint { point, normal }: SurfacePoint) -> f64 {
+        let (point, normal) = (E::Format::point(point), E::Format::normal(normal));
         let (way, exact_normal) =
             (E::Format::exact_point(point) - self.position, E::Format::exact_normal(normal));
         let distance = way.length();
@@ -200,40 +177,33 @@ impl<E: Evaluation> Beam<E> {
     }
 }
 
+/// No light exceeds its bound, the one that comes nearest reaches `least` of it, and half of them reach
+/// `middle`.
 fn assert_bound<E: Evaluation>(least: f64, middle: f64) {
     let full = std::env::var_os("LUMINAIRE_FULL").is_some();
     let (mut rng, tables) = (Rng::with_seed(2026), tables());
     let mut found = Vec::new();
-    let count = if full { 20_000 } else { 200 };
+    let count = if full { 4_000 } else { 200 };
     while found.len() < count {
         let Some(beam) = Beam::<E>::random(&mut rng, &tables) else { continue };
         // A bound of more than full scale says nothing.
         if beam.bound.light >= 1.0 {
             continue;
         }
+        let surfaces = beam.surfaces();
         let start = |rng: &mut Rng| {
-            let input = beam.site(rng);
+            let stored = |normal| E::Format::exact_normal(E::Format::normal(normal));
+            let input = surfaces.point(rng, stored);
             Worst { input, error: beam.error(input) }
         };
         let mut starts: Vec<_> = (0..2_000).map(|_| start(&mut rng)).collect();
         starts.sort_by(|a, b| b.error.total_cmp(&a.error));
-        let moved = |rng: &mut Rng, [point, normal]: [Vec3<f32>; 2]| {
-            let size = climb::size(rng);
-            if rng.u8(..3) == 0 {
-                [point, climb::one_of(rng, normal, |c| c + size).unit()]
-            } else {
-                let step = climb::grid_step(rng, size);
-                [climb::one_of(rng, point, step), normal]
-            }
-        };
         let climbs = starts.into_iter().take(6);
-        let best = climbs.map(|start| climb::climb(&mut rng, start, 1_500, moved, |site| beam.error(site)));
+        let best =
+            climbs.map(|start| climb::climb(&mut rng, start, 1_500, Surfaces::moved, |at| beam.error(at)));
         let best = best.max_by(|a, b| a.error.total_cmp(&b.error)).expect("six climbs");
         let place = || format!("{:?} {:?} {:?}: {:?}", beam.light, beam.distances, beam.bound, best.input);
         assert!(best.error <= 1.0, "{}: {:.3} of the bound for {}", E::NAME, best.error, place());
-        if std::env::var_os("LUMINAIRE_SHOW").is_some() {
-            println!("{:.3} {}", best.error, place());
-        }
         found.push((best.error, place()));
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -247,25 +217,25 @@ fn assert_bound<E: Evaluation>(least: f64, middle: f64) {
 
 #[test]
 fn f32_keeps_its_bound() {
-    assert_bound::<Standard<f32>>(0.0, 0.0);
+    assert_bound::<Standard<f32>>(0.3, 0.08);
 }
 
 #[test]
 fn quick_f32_keeps_its_bound() {
-    assert_bound::<Fast<f32>>(0.0, 0.0);
+    assert_bound::<Fast<f32>>(0.8, 0.3);
 }
 
 #[test]
 fn fx32_keeps_its_bound() {
-    assert_bound::<Standard<Fx32>>(0.0, 0.0);
+    assert_bound::<Standard<Fx32>>(0.6, 0.15);
 }
 
 #[test]
 fn fx16_keeps_its_bound() {
-    assert_bound::<Standard<Fx16>>(0.0, 0.0);
+    assert_bound::<Standard<Fx16>>(0.9, 0.15);
 }
 
 #[test]
 fn quick_fx16_keeps_its_bound() {
-    assert_bound::<Fast<Fx16>>(0.0, 0.0);
+    assert_bound::<Fast<Fx16>>(0.9, 0.25);
 }

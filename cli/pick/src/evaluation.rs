@@ -3,37 +3,40 @@
 use std::marker::PhantomData;
 
 use luminaire::attenuation::{Attenuation as Law, NoAttenuation};
+use luminaire::bound::Lit;
 use luminaire::codegen::{Source, as_source};
 use luminaire::falloff::Falloff;
 use luminaire::light::{CompiledSpotLight, QuickSpotLight};
 use luminaire::number::Quick;
 use luminaire::{Error, Fx16, Fx32, Scalar, Vec3};
+use luminaire_oracle::DVec3;
+use luminaire_oracle::sweep::SurfacePoint;
 
 use crate::light::{Attenuation, Light, Shaped, shaped};
 use crate::target::named;
 
 /// Calls a macro with the given arguments, followed by the list of evaluations. A row is
-/// `doc variant = name, type, format, constructor;`.
+/// `doc variant = name, type, format, constructor, bound;`.
 macro_rules! evaluations {
     ($consumer:ident $(; $($arguments:tt)*)?) => {
         $consumer! {
             $($($arguments)*)?
             /// The quick evaluation of `Fx16`.
-            Fx16Quick = "fx16-quick", QuickSpotLight, Fx16, compile_quick;
+            Fx16Quick = "fx16-quick", QuickSpotLight, Fx16, compile_quick, quick_error_bound_by;
             /// 16-bit fixed point.
-            Fx16 = "fx16", CompiledSpotLight, Fx16, compile;
+            Fx16 = "fx16", CompiledSpotLight, Fx16, compile, error_bound_by;
             /// 32-bit fixed point.
-            Fx32 = "fx32", CompiledSpotLight, Fx32, compile;
+            Fx32 = "fx32", CompiledSpotLight, Fx32, compile, error_bound_by;
             /// The quick evaluation of `f32`.
-            F32Quick = "f32-quick", QuickSpotLight, f32, compile_quick;
+            F32Quick = "f32-quick", QuickSpotLight, f32, compile_quick, quick_error_bound_by;
             /// Floating point.
-            F32 = "f32", CompiledSpotLight, f32, compile;
+            F32 = "f32", CompiledSpotLight, f32, compile, error_bound_by;
         }
     };
 }
 
 macro_rules! declare {
-    ($($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident;)*) => {
+    ($($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident, $bound:ident;)*) => {
         named! {
             /// An evaluation of a spotlight: a number format, and how much of its precision is used.
             Evaluation {
@@ -73,7 +76,9 @@ evaluations!(declare);
 /// A light compiled for an evaluation.
 pub(crate) trait Kernel {
     /// Returns the irradiance at a surface point.
-    fn light(&self, point: [f32; 3], normal: [f32; 3]) -> f64;
+    fn light(&self, at: &SurfacePoint) -> f64;
+    /// Returns a normal as the format stores it.
+    fn normal(&self, normal: [f32; 3]) -> DVec3;
     /// Returns whether the evaluation at the point is the fine evaluation.
     fn is_fine(&self, point: [f32; 3]) -> bool;
     /// Returns the light as a constant expression of Rust.
@@ -81,7 +86,7 @@ pub(crate) trait Kernel {
 }
 
 /// A compiled light: a [`CompiledSpotLight`] or a [`QuickSpotLight`].
-trait Lit<S: Scalar> {
+trait Evaluated<S: Scalar> {
     fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
 
     fn is_fine_at(&self, _point: Vec3<S::Length>) -> bool {
@@ -89,7 +94,7 @@ trait Lit<S: Scalar> {
     }
 }
 
-impl<S: Scalar, P: Falloff, A: Law> Lit<S> for CompiledSpotLight<S, P, A> {
+impl<S: Scalar, P: Falloff, A: Law> Evaluated<S> for CompiledSpotLight<S, P, A> {
     fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.irradiance(point, normal)
     }
@@ -99,7 +104,7 @@ impl<S: Scalar, P: Falloff, A: Law> Lit<S> for CompiledSpotLight<S, P, A> {
     }
 }
 
-impl<S: Quick, P: Falloff, A: Law> Lit<S> for QuickSpotLight<S, P, A> {
+impl<S: Quick, P: Falloff, A: Law> Evaluated<S> for QuickSpotLight<S, P, A> {
     fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.irradiance(point, normal)
     }
@@ -107,9 +112,13 @@ impl<S: Quick, P: Falloff, A: Law> Lit<S> for QuickSpotLight<S, P, A> {
 
 struct Compiled<S, L>(L, PhantomData<S>);
 
-impl<S: Scalar, L: Lit<S> + Source> Kernel for Compiled<S, L> {
-    fn light(&self, point: [f32; 3], normal: [f32; 3]) -> f64 {
+impl<S: Scalar, L: Evaluated<S> + Source> Kernel for Compiled<S, L> {
+    fn light(&self, &SurfacePoint { point, normal }: &SurfacePoint) -> f64 {
         S::light_to_f32(self.0.irradiance_at(S::point(point), S::normal(normal))).into()
+    }
+
+    fn normal(&self, normal: [f32; 3]) -> DVec3 {
+        DVec3::from_array(<[S; 3]>::from(S::normal(normal)).map(|c| c.to_f32().into()))
     }
 
     fn is_fine(&self, point: [f32; 3]) -> bool {
@@ -124,23 +133,28 @@ impl<S: Scalar, L: Lit<S> + Source> Kernel for Compiled<S, L> {
 /// Compiles a light for the evaluation of a variant.
 macro_rules! compiled {
     ($evaluation:expr, $spot:ident;
-     $($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident;)*) => {
+     $($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident, $bound:ident;)*) => {
         match $evaluation {
             $(Evaluation::$variant => boxed::<$format, _>($spot.$compile::<$format>()?),)*
         }
     };
 }
 
+/// Derives the bound of a light for the evaluation of a variant.
+macro_rules! bounded {
+    ($evaluation:expr, $spot:ident, $distances:expr, $measure:expr;
+     $($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident, $bound:ident;)*) => {
+        match $evaluation {
+            $(Evaluation::$variant => $spot.$bound::<$format>($distances, $measure)?,)*
+        }
+    };
+}
+
 impl Evaluation {
-    /// Compiles a light along an axis.
-    pub(crate) fn compile(
-        self,
-        light: &Light,
-        cone: &Shaped,
-        axis: [f32; 3],
-    ) -> Result<Box<dyn Kernel>, Error> {
+    /// Compiles a light.
+    pub(crate) fn compile(self, light: &Light, cone: &Shaped) -> Result<Box<dyn Kernel>, Error> {
         shaped!(cone, cone => {
-            let spot = light.spot(*cone, axis)?;
+            let spot = light.spot(*cone)?;
             Ok(match light.attenuation {
                 Attenuation::None => {
                     let spot = spot.with_attenuation(NoAttenuation);
@@ -152,6 +166,29 @@ impl Evaluation {
     }
 }
 
-fn boxed<S: Scalar + 'static, L: Lit<S> + Source + 'static>(light: L) -> Box<dyn Kernel> {
+impl Evaluation {
+    /// Returns the bound of the error of a light between its distances, by a measure of an error.
+    pub(crate) fn bound(
+        self,
+        light: &Light,
+        cone: &Shaped,
+        measure: &dyn Fn(Lit) -> f64,
+    ) -> Result<f64, Error> {
+        let distances = light.near..=light.far;
+        let bound = shaped!(cone, cone => {
+            let spot = light.spot(*cone)?;
+            match light.attenuation {
+                Attenuation::None => {
+                    let spot = spot.with_attenuation(NoAttenuation);
+                    evaluations!(bounded; self, spot, distances, measure;)
+                }
+                Attenuation::InverseSquare => evaluations!(bounded; self, spot, distances, measure;),
+            }
+        });
+        Ok(bound.light.into())
+    }
+}
+
+fn boxed<S: Scalar + 'static, L: Evaluated<S> + Source + 'static>(light: L) -> Box<dyn Kernel> {
     Box::new(Compiled(light, PhantomData))
 }

@@ -13,7 +13,7 @@
 //! # Ok::<(), luminaire_pick::Refusal>(())
 //! ```
 //!
-//! The error bound is searched when `pick` is called: see [`Bound`]. The prices are counted under
+//! The error bound is derived when `pick` is called: see [`Bound`]. The prices are counted under
 //! an emulator: see [`Price`]. Several lights can share a tolerance: see [`Scene`].
 //!
 //! Files, in the order in which they build on one another: `target`, `refusal`, `light`,
@@ -36,8 +36,8 @@ pub use evaluation::Evaluation;
 pub use light::{Attenuation, Edge, Light};
 pub use price::Price;
 pub use refusal::Refusal;
-pub use request::{Answer, Request};
+pub use request::{Answer, Cheaper, Request};
 pub use scene::{Budget, Scene, SceneAnswer};
-pub use search::{Bound, MARGIN, Place};
+pub use search::{Bound, Place};
 pub use survey::{Survey, Surveyed};
 pub use target::{Chip, Display, Tolerance};

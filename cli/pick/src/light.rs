@@ -1,7 +1,7 @@
 //! The description of a spotlight: its cone, and the distances of the surfaces that it lights.
 
 use luminaire::falloff::{Cubic, Falloff, FittedFalloff, Formula, Hard, Quadratic, Soft};
-use luminaire::{Angle, Cone, Error, Rgb, SpotLight, Vec3};
+use luminaire::{Angle, Cone, Error, Rgb, SpotLight};
 use luminaire_export::check_text;
 use luminaire_oracle as oracle;
 use serde::{Deserialize, Serialize};
@@ -189,17 +189,16 @@ impl Light {
         oracle::on_grid(oracle::DVec3::from_array(self.position.map(f64::from))).as_vec3().to_array()
     }
 
-    /// Returns the spotlight with this cone and this axis.
-    pub(crate) fn spot<P: Falloff>(&self, cone: Cone<P>, axis: [f32; 3]) -> Result<SpotLight<P>, Error> {
+    /// Returns the spotlight with this cone.
+    pub(crate) fn spot<P: Falloff>(&self, cone: Cone<P>) -> Result<SpotLight<P>, Error> {
         let [red, green, blue] = self.color;
-        let [x, y, z] = axis;
-        SpotLight::new(self.place(), Vec3::new(x, y, z), cone)?
+        SpotLight::new(self.place(), self.axis, cone)?
             .with_color(Rgb::new(red, green, blue))?
             .with_intensity(self.intensity)
     }
 
-    /// Returns the exact light with this cone and this axis.
-    pub(crate) fn truth(&self, cone: &Shaped, axis: [f32; 3]) -> oracle::SpotLight {
+    /// Returns the exact light with this cone.
+    pub(crate) fn truth(&self, cone: &Shaped) -> oracle::SpotLight {
         let (formula, inner, outer) = shaped!(cone, cone => {
             let Formula::Polynomial(coefficients) = cone.falloff().formula() else {
                 unreachable!("the falloffs of `Shaped` are polynomials");
@@ -211,7 +210,7 @@ impl Light {
         let cone = oracle::Cone { falloff, inner: inner.into(), outer, limit: outer };
         oracle::SpotLight {
             position: oracle::DVec3::from_array(self.place().map(f64::from)),
-            axis: oracle::DVec3::from_array(axis.map(f64::from)),
+            axis: oracle::DVec3::from_array(self.axis.map(f64::from)),
             cone,
             intensity: self.intensity.into(),
             attenuation: match self.attenuation {
@@ -234,7 +233,7 @@ impl Light {
         }
         self.check_grid()?;
         let cone = self.cone()?;
-        shaped!(cone, cone => self.spot(cone, self.axis).map(|_| ()))?;
+        shaped!(cone, cone => self.spot(cone).map(|_| ()))?;
         Ok(())
     }
 

@@ -38,8 +38,21 @@ pub struct Answer {
     pub price: Price,
     /// The bound of the error, in the unit of the tolerance.
     pub bound: Bound,
+    /// The evaluation of fewer instructions that comes nearest to the tolerance, without keeping it.
+    pub cheaper: Option<Cheaper>,
     /// Rust source of the constant `LIGHT`, the compiled light.
     pub code: String,
+}
+
+/// An evaluation that costs less than that of an answer.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct Cheaper {
+    /// The evaluation.
+    pub evaluation: Evaluation,
+    /// Mean number of instructions of a lit point.
+    pub instructions: f64,
+    /// The bound of the error, in the unit of the tolerance.
+    pub bound: f64,
 }
 
 impl Request {
@@ -76,12 +89,15 @@ impl Request {
         if !(amount > 0.0 && amount.is_finite()) {
             return Err(Refusal::parameter("tolerance", amount.to_string(), "more than 0".to_owned()));
         }
-        let offers = self.offers(light, amount)?;
-        if let Some(offer) = offers.into_iter().find(|offer| offer.bound.value <= amount) {
-            return Ok(offer);
+        let offers = self.offers(light)?;
+        if let Some(number) = offers.iter().position(|offer| offer.bound <= amount) {
+            let cheaper = offers[..number].iter().min_by(|a, b| a.bound.total_cmp(&b.bound));
+            let cheaper = cheaper.map(|&Offer { evaluation, price: Price { instructions, .. }, bound }| {
+                Cheaper { evaluation, instructions, bound }
+            });
+            return Ok(Answer { cheaper, ..self.answer(&offers[number], light)? });
         }
-        let offers = self.offers(light, f64::INFINITY)?;
-        let Some(nearest) = offers.iter().min_by(|a, b| a.bound.value.total_cmp(&b.bound.value)) else {
+        let Some(nearest) = offers.iter().min_by(|a, b| a.bound.total_cmp(&b.bound)) else {
             return Err(none_holds(light));
         };
         Err(Refusal::parameter(
@@ -89,7 +105,7 @@ impl Request {
             self.tolerance.to_string(),
             format!(
                 "at least {} {}, the bound of {}",
-                rounded_up(nearest.bound.value),
+                rounded_up(nearest.bound),
                 self.tolerance.unit(self.display),
                 nearest.evaluation
             ),
@@ -97,52 +113,63 @@ impl Request {
     }
 
     /// Returns an offer for every evaluation that can hold the light, the cheapest first.
-    ///
-    /// If `enough` is finite, the list ends at the first offer whose bound is at most `enough`. The
-    /// bounds of the offers before are not fully searched; they are only known to exceed `enough`.
-    pub(crate) fn offers(&self, light: &Light, enough: f64) -> Result<Vec<Answer>, Refusal> {
+    pub(crate) fn offers(&self, light: &Light) -> Result<Vec<Offer>, Refusal> {
         light.check()?;
         let cone = light.cone()?;
-        let search = Search::new(light, &cone, 1983, 1);
+        let search = Search::new(light, &cone, SEED, 1);
         let farthest = light.position.iter().fold(light.far, |most, c| most.max(c.abs() + light.far));
-        let mut offers = Vec::new();
-        let mut refused = None;
+        let measure = |lit| self.tolerance.measure(self.display, lit);
+        let (mut offers, mut refused) = (Vec::new(), None);
         for &evaluation in Evaluation::ALL {
-            match evaluation.compile(light, &cone, light.axis) {
+            let bound = evaluation.bound(light, &cone, &measure);
+            match bound.and_then(|bound| Ok((bound, evaluation.compile(light, &cone)?))) {
                 Ok(_) if farthest > evaluation.farthest() => {}
-                Ok(kernel) => {
+                Ok((bound, kernel)) => {
                     let share = search.fine_share(&*kernel);
                     let price = Price::of(self.chip, light, &cone, evaluation, share);
-                    offers.push((price, evaluation, kernel));
+                    offers.push(Offer { evaluation, price, bound });
                 }
                 Err(error) => refused = Some(error),
             }
         }
-        offers.sort_by(|(a, ..), (b, ..)| a.instructions.total_cmp(&b.instructions));
-        let mut answers: Vec<Answer> = Vec::new();
-        for (price, evaluation, kernel) in offers {
-            let Ok(bound) = search.bound(evaluation, self.tolerance, self.display, enough) else { continue };
-            let code = code(light, &cone, evaluation, &kernel.source());
-            answers.push(Answer {
-                light: light.clone(),
-                outer: cone.outer(),
-                chip: self.chip,
-                display: self.display,
-                tolerance: self.tolerance,
-                evaluation,
-                price,
-                bound,
-                code,
-            });
-            if enough.is_finite() && bound.value <= enough {
-                break;
-            }
-        }
+        offers.sort_by(|a, b| a.price.instructions.total_cmp(&b.price.instructions));
         match refused {
-            Some(error) if answers.is_empty() => Err(error.into()),
-            _ => Ok(answers),
+            Some(error) if offers.is_empty() => Err(error.into()),
+            _ => Ok(offers),
         }
     }
+
+    /// Returns the answer of an offer, with the largest error that a search finds.
+    pub(crate) fn answer(&self, offer: &Offer, light: &Light) -> Result<Answer, Refusal> {
+        let &Offer { evaluation, price, bound } = offer;
+        let cone = light.cone()?;
+        let kernel = evaluation.compile(light, &cone)?;
+        let (found, at) = Search::new(light, &cone, SEED, 1).largest(&*kernel, self.tolerance, self.display);
+        Ok(Answer {
+            light: light.clone(),
+            outer: cone.outer(),
+            chip: self.chip,
+            display: self.display,
+            tolerance: self.tolerance,
+            evaluation,
+            price,
+            bound: Bound { value: bound, found, label: "derived", at },
+            cheaper: None,
+            code: code(light, &cone, evaluation, &kernel.source()),
+        })
+    }
+}
+
+/// The seed of the searches of answers.
+const SEED: u64 = 1983;
+
+/// An evaluation that can hold a light, before its error is searched.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Offer {
+    pub(crate) evaluation: Evaluation,
+    pub(crate) price: Price,
+    /// The bound of the error, in the unit of the tolerance.
+    pub(crate) bound: f64,
 }
 
 /// Returns the refusal of a light whose coordinates no evaluation can hold.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::evaluation::Evaluation;
 use crate::light::Light;
 use crate::refusal::Refusal;
-use crate::request::{Answer, Request, rounded_up};
+use crate::request::{Answer, Offer, Request, rounded_up};
 use crate::target::Tolerance;
 
 /// The lights of a scene. Any of these lights may light the same point.
@@ -69,8 +69,7 @@ impl Request {
     /// keeps: the refusal names the smallest sum of the bounds.
     pub fn pick_scene(&self, scene: &Scene) -> Result<SceneAnswer, Refusal> {
         let tolerance = self.tolerance.amount();
-        let offers: Result<Vec<_>, _> =
-            scene.lights.iter().map(|light| self.offers(light, f64::INFINITY)).collect();
+        let offers: Result<Vec<_>, _> = scene.lights.iter().map(|light| self.offers(light)).collect();
         let offers = offers?;
         // The Pareto-optimal choices for the lights so far: no other choice has both a smaller
         // error and fewer instructions.
@@ -110,15 +109,17 @@ impl Request {
         // Without lights a sum is -0.
         let instructions_fx16 = fx16.sum::<Option<f64>>().map(|sum| 0.0 + sum);
         let instructions = choice.instructions;
-        let lights: Vec<_> =
-            offers.iter().zip(&choice.offers).map(|(offers, &number)| offers[number].clone()).collect();
+        let chosen = scene.lights.iter().zip(&offers).zip(&choice.offers);
+        let lights: Result<Vec<_>, _> =
+            chosen.map(|((light, offers), &number)| self.answer(&offers[number], light)).collect();
+        let lights = lights?;
         let sum = 0.0 + lights.iter().map(|answer| answer.bound.value).sum::<f64>();
         let budget =
             Budget { lights: sum, materials: choice.error - sum, total: choice.error, display_rounding: 0.5 };
         Ok(SceneAnswer { lights, budget, instructions, instructions_fx16 })
     }
 
-    fn with(&self, choice: &Choice, (number, offer): (usize, &Answer)) -> Choice {
+    fn with(&self, choice: &Choice, (number, offer): (usize, &Offer)) -> Choice {
         let mut offers = choice.offers.clone();
         offers.push(number);
         Choice {
@@ -129,15 +130,15 @@ impl Request {
     }
 
     /// Returns the bound of the error of a light, after its colour and a material.
-    fn with_material(&self, offer: &Answer) -> f64 {
+    fn with_material(&self, offer: &Offer) -> f64 {
         /// The largest derivative of the sRGB encoding.
         const SLOPE: f64 = 12.92;
         let is_16 = matches!(offer.evaluation, Evaluation::Fx16 | Evaluation::Fx16Quick);
         // Two products, each with a rounding error of at most a step of 2^-14.
         let rounding = if is_16 { 2.0 / 16_384.0 } else { 0.0 };
-        offer.bound.value
+        offer.bound
             + match self.tolerance {
-                Tolerance::Steps(_) => COLORS * offer.bound.value + rounding * SLOPE * self.display.steps(),
+                Tolerance::Steps(_) => COLORS * offer.bound + rounding * SLOPE * self.display.steps(),
                 Tolerance::Codes(_) => rounding * 255.0,
             }
     }

@@ -42,10 +42,11 @@ impl Request {
     /// A parameter of the light that is invalid. A light that no evaluation can hold.
     pub fn survey(&self, light: &Light) -> Result<Survey, Refusal> {
         let cone = light.cone()?;
-        let offers = self.offers(light, f64::INFINITY)?;
+        let offers = self.offers(light)?;
         let amount = self.tolerance.amount();
-        let picked = offers.iter().find(|offer| offer.bound.value <= amount).map(|offer| offer.evaluation);
-        let surveyed = offers.into_iter().map(|offer| Surveyed {
+        let picked = offers.iter().find(|offer| offer.bound <= amount).map(|offer| offer.evaluation);
+        let answers: Result<Vec<_>, _> = offers.iter().map(|offer| self.answer(offer, light)).collect();
+        let surveyed = answers?.into_iter().map(|offer| Surveyed {
             prices: Chip::ALL
                 .iter()
                 .map(|&chip| {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use luminaire::bound::Lit;
 use luminaire_oracle::{counted, linear_codes, srgb_code};
 use serde::{Deserialize, Serialize};
 
@@ -96,6 +97,20 @@ impl Tolerance {
     pub fn amount(self) -> f64 {
         match self {
             Self::Steps(amount) | Self::Codes(amount) => amount,
+        }
+    }
+
+    /// Returns the largest error, in the unit of the tolerance, of lights of this size with this linear
+    /// error. The encoding is concave, so an error changes the darkest light most.
+    pub(crate) fn measure(self, display: Display, Lit { from, to, error }: Lit) -> f64 {
+        match self {
+            Self::Steps(_) => {
+                let lower = error.clamp(from, to);
+                let up = srgb_code((from + error).min(1.0)) - srgb_code(from);
+                let down = srgb_code(lower) - srgb_code((lower - error).max(0.0));
+                up.max(down) * display.steps() / 255.0
+            }
+            Self::Codes(_) => 255.0 * error,
         }
     }
 

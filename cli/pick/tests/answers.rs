@@ -17,7 +17,7 @@ fn pick_wide_cone_is_quick_and_narrow_cone_is_not() {
     assert_eq!(wide.evaluation, Evaluation::Fx16Quick);
     assert_ne!(narrow.evaluation, Evaluation::Fx16Quick);
     assert!(wide.price.instructions < narrow.price.instructions);
-    assert_eq!(wide.bound.label, "searched");
+    assert_eq!(wide.bound.label, "derived");
     assert!(wide.price.cycles > Some(wide.price.instructions));
     assert!(wide.code.contains("QuickSpotLight<luminaire::Fx16, luminaire::falloff::Soft"));
 }
@@ -31,7 +31,7 @@ fn pick_floating_point_unit_takes_f32() {
 #[test]
 fn price_of_a_bright_light_includes_the_fine_evaluation() {
     let dim = Light { intensity: 1.0, ..Light::default() };
-    let tight = Request::new(Chip::CortexM0, Display::Rgb565).codes(0.6);
+    let tight = Request::new(Chip::CortexM0, Display::Rgb565).codes(1.2);
     let [dim, bright] =
         [dim, Light { intensity: 16.0, ..Light::default() }].map(|light| tight.pick(&light).unwrap());
     assert_eq!(bright.evaluation, Evaluation::Fx16);
@@ -85,7 +85,7 @@ fn json_has_the_figures_by_name() {
     let answer = request(1.0).pick(&Light::default()).unwrap();
     let json = serde_json::to_value(&answer).unwrap();
     assert_eq!(json["chip"], "cortex-m0");
-    assert_eq!(json["bound"]["label"], "searched");
+    assert_eq!(json["bound"]["label"], "derived");
     assert!(json["cycles"].is_f64() && json["bytes"].is_u64() && json["instructions"].is_f64());
     assert!(json["bound"]["at"]["degrees_off_axis"].is_f64());
     let light: Light = serde_json::from_value(json["light"].clone()).unwrap();

@@ -65,8 +65,6 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// of `point - light`. The difference `point - light` is exact if both positions are multiples
     /// of the same power of two.
     const DIRECTION_ERROR: f32;
-    /// The errors of the stages of the evaluation, the coarse one if the format has two.
-    const STAGES: Stages;
     /// The shortest distance that is not zero.
     const NEAREST: f64;
     /// Step of the squared cosines that [`Offset::is_outside`] compares.
@@ -171,9 +169,16 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn fine_within(_error: f32, _intensity: f32, _growth: f32) -> f64 {
         0.0
     }
+    /// Returns the errors of the stages of the evaluation at a distance, the coarse one if the format
+    /// has two.
+    fn stages(distance: f64) -> Stages;
     /// Returns the errors of the stages of the fine evaluation, up to a distance.
-    fn fine_stages(_far: f64) -> Stages {
-        Self::STAGES
+    fn fine_stages(far: f64) -> Stages {
+        Self::stages(far)
+    }
+    /// Returns the next distance from which on the errors of the stages may be larger.
+    fn larger_errors_from(_distance: f64) -> f64 {
+        f64::INFINITY
     }
     /// Returns the factor by which a ramp magnifies differences of directions, for a cone that ends at
     /// this versine.

@@ -424,7 +424,9 @@ impl Offset<f32> for QuickFloatOffset {
 impl Quick for f32 {
     type QuickOffset = QuickFloatOffset;
 
-    const QUICK_STAGES: Stages = errors::QUICK;
+    fn quick_stages(_: f64) -> Stages {
+        errors::QUICK
+    }
 
     fn quick_axis(axis: Vec3<f32>) -> Vec3<f32> {
         axis
@@ -521,7 +523,6 @@ impl Arithmetic for f32 {
     // direction by 2^-24 in the worst case: two components are just over a power of two. The
     // rounding of the product with the reciprocal length turns the direction by 1.72 * 2^-25 in the
     // worst case: all three components are over 1/2.
-    const STAGES: Stages = errors::STAGES;
     const NEAREST: f64 = 1.1e-19;
     const OUTSIDE_STEP: f32 = Self::STEP;
     const DIRECTION_ERROR: f32 = 1.12e-7;
@@ -541,6 +542,10 @@ impl Arithmetic for f32 {
 
     fn weight(value: f32) -> f32 {
         if value.is_nan() { 0.0 } else { value.clamp(-4.0, 4.0) }
+    }
+
+    fn stages(_: f64) -> Stages {
+        errors::STAGES
     }
 
     fn magnification(_: f32) -> f64 {

@@ -864,7 +864,9 @@ impl Ray<Fx16> for QuickRay16 {
 impl Quick for Fx16 {
     type QuickOffset = QuickOffset16;
 
-    const QUICK_STAGES: Stages = errors::QUICK;
+    fn quick_stages(distance: f64) -> Stages {
+        errors::quick(errors::bits_at(distance))
+    }
 
     /// Applies to the axis, once per light, all rounding constants of the difference between
     /// direction and axis.

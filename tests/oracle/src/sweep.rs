@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use fastrand::Rng;
 use glam::DVec3;
 
-use crate::{SpotLight, half_degrees, turned};
+use crate::{SpotLight, climb, half_degrees, turned};
 
 /// A surface point as a kernel gets it.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -80,4 +80,59 @@ pub fn surface_point(rng: &mut Rng, light: &SpotLight) -> SurfacePoint {
     };
     let normal = direction_off(rng, -way, incidence);
     SurfacePoint { point: single(light.position + distance(rng) * way), normal: single(normal) }
+}
+
+/// The surfaces within two distances of a light, in its cone or just outside it.
+#[derive(Clone, Copy, Debug)]
+pub struct Surfaces {
+    /// The position of the light.
+    pub position: DVec3,
+    /// The axis of the light, of unit length.
+    pub axis: DVec3,
+    /// The half angle at which the cone ends, in radians.
+    pub half_angle: f64,
+    /// The nearest and the farthest distance.
+    pub distances: [f64; 2],
+}
+
+impl Surfaces {
+    /// A random surface point: often at an end of the distances, on the axis or at the edge, and at
+    /// grazing or perpendicular incidence; often an offset whose lower bits are all set, and whose
+    /// largest component is just past a power of two, where truncation loses the most. `stored` is the
+    /// normal as a format stores it, which has the cosine that was drawn.
+    pub fn point(&self, rng: &mut Rng, stored: impl Fn([f32; 3]) -> DVec3) -> SurfacePoint {
+        let end = |rng: &mut Rng| libm::pow(10.0, -5.0 * rng.f64());
+        let part = |rng: &mut Rng| match rng.u8(..3) {
+            0 => end(rng),
+            1 => 1.0 - end(rng),
+            _ => rng.f64(),
+        };
+        let off = if rng.u8(..8) == 0 { 1.02 } else { part(rng) };
+        let way = direction_off(rng, self.axis, off * self.half_angle);
+        let incidence = FRAC_PI_2 * part(rng);
+        let normal = single(direction_off(rng, -way, incidence));
+        let stored = stored(normal);
+        let way = (way - (way.dot(stored) + libm::cos(incidence)) * stored).normalize();
+        let [near, far] = self.distances;
+        let mut distance = near * libm::pow(far / near, part(rng));
+        if rng.bool() {
+            let largest = way.abs().max_element();
+            let past = libm::exp2(libm::floor(libm::log2(distance * largest)));
+            distance = (past * (1.0 + 0.02 * rng.f64()) / largest).clamp(near, far);
+        }
+        let set = if rng.bool() { (1_i64 << rng.u8(..10)) - 1 } else { 0 };
+        let offset = (distance * way).to_array().map(|c| ((c * 65_536.0) as i64 | set) as f64 / 65_536.0);
+        SurfacePoint { point: single(self.position + DVec3::from_array(offset)), normal }
+    }
+
+    /// The surface point with some bits changed: those of a coordinate or of a component of the normal.
+    pub fn moved(rng: &mut Rng, SurfacePoint { point, normal }: SurfacePoint) -> SurfacePoint {
+        let size = climb::size(rng);
+        if rng.u8(..3) == 0 {
+            let normal = climb::one_of(rng, normal, |c| c + size).map(f64::from);
+            return SurfacePoint { point, normal: single(DVec3::from_array(normal).normalize_or_zero()) };
+        }
+        let step = climb::grid_step(rng, size);
+        SurfacePoint { point: climb::one_of(rng, point, step), normal }
+    }
 }

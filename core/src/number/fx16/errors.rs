@@ -15,58 +15,71 @@ const STEP: f64 = power_of_two(-14);
 const FINER: f64 = power_of_two(-15);
 /// The relative error of a mantissa of 16 bits that is rounded, and of one that is truncated.
 const MANTISSA: [f64; 2] = [power_of_two(-16), power_of_two(-15)];
-/// The truncation of the components changes the length of `v` by at most this part of it:
+/// `v` loses at most this part of a unit of each component, if the offset has this bit length. An
+/// offset of 15 bits or less loses nothing.
+const fn lost(bits: u32, kept: u32) -> f64 {
+    if bits > kept { 1.0 - power_of_two(kept as i32 - bits as i32) } else { 0.0 }
+}
+
+/// The truncation changes the length of `v` by at most this part of it, times what is lost:
 /// `(1 + sqrt(3)) / 2` of 2^14 where the largest component is 0.89.
-const TRUNCATED: f64 = 1.366_1 / 16_384.0;
-/// The truncation turns `v` by at most this: across the direction at most 1.575 of 2^14 where the
-/// largest component is 0.95.
+const SHORTENED: f64 = 1.366_1 / 16_384.0;
+/// The truncation turns `v` by at most this, times what is lost: across the direction at most 1.575 of
+/// 2^14 where the largest component is 0.95.
 const TURNED: f64 = 1.576 / 16_384.0;
 /// The axis is that of `f32`, normalised: each component is within 2^-24 of itself.
 const AXIS: f64 = 1.2e-7;
 
-/// The coarse evaluation.
-pub(super) const COARSE: Stages = Stages {
-    // The reciprocal's 9.0e-5 (exhaustive). Its rounding to 14 bits, `2 / r`, and the truncation of
-    // `v`, `sqrt(3) / |v|`, have a sum of at most 1.363e-4, at either end of `|v|`. Of the truncation
-    // of `V`, at most 1.66e-5 is along the direction.
-    length: 9.0e-5 + 1.363e-4 + 1.66e-5 + AXIS,
-    // A component is truncated by up to `r / 4` units of 2^-30, less `CUT_OFF`; `r / 4` is at most
-    // 2^14 times the largest component of the direction. Across the direction that is at most
-    // 1.46e-5, where the largest component is 0.95.
-    turn: 1.46e-5 + AXIS,
-    // Three components are rounded to integers, in units of 2^-14.
-    difference: 0.866_1 * STEP,
-    versine: Rounding::NONE,
-    // Half a unit of 2^-29.
-    set_up: power_of_two(-30),
-    // [-2.00, 2.25] steps for every ramp and versine.
-    ramp: Rounding::absolute(2.25 * FINER),
-    complement: Rounding::NONE,
-    product: Rounding::absolute(FINER / 2.0),
-    value: Rounding::absolute(STEP / 2.0),
-    lift: FINER / 2.0,
-    // Half a unit of 2^-14.
-    weight: FINER,
-    // The square is rounded to a fraction and multiplied by up to 3.
-    smooth: Rounding::absolute(1.5 * FINER + STEP / 2.0),
-    // A sample has 16 bits.
-    sample: Rounding::absolute(STEP / 2.0 + power_of_two(-16)),
-    power: Rounding::absolute(FINER / 2.0),
-    // The truncation turns `v`, as it turns the direction; two results are rounded down. The
-    // reciprocal's 9.0e-5 is that of the cosine itself.
-    cosine: Rounding { absolute: TURNED + 2.0 * FINER, relative: 9.0e-5 },
-    share: Rounding::absolute(STEP / 2.0),
-    // The squared length of `v`, a constant and the product; then the rounding to a scalar.
-    near: Rounding { absolute: STEP / 2.0, relative: 2.0 * TRUNCATED + 2.0 * MANTISSA[0] + MANTISSA[1] },
-    // Twice the reciprocal's error. The truncation of `v` and that of the square of the reciprocal,
-    // `2^16 / r^2`, have a sum of at most 2.45e-4. The gain and its product are truncated.
-    inverse_square: 1.8e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
-    // A distance, two products and two sums in a polynomial without cancellation, its reciprocal and
-    // two products.
-    inverse_polynomial: 2.0 * (TRUNCATED + 9.0e-5) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
-    inverse_power: [5e-5, TRUNCATED + 9.0e-5 + 2.0 * MANTISSA[0]],
-    light: Rounding::absolute(STEP / 2.0),
-};
+/// The coarse evaluation of offsets of up to this bit length.
+pub(super) const fn coarse(bits: u32) -> Stages {
+    let lost = lost(bits, 15);
+    Stages {
+        // The reciprocal's 9.0e-5 (exhaustive). Its rounding to 14 bits, `2 / r`, and the truncation of
+        // `v` have a sum of at most 1.363e-4, at either end of `|v|`. Of the truncation of `V`, at most
+        // 1.66e-5 is along the direction.
+        length: 9.0e-5 + 1.363e-4 + 1.66e-5 + AXIS,
+        // A component is truncated by up to `r / 4` units of 2^-30, less `CUT_OFF`; `r / 4` is at most
+        // 2^14 times the largest component of the direction. Across the direction that is at most
+        // 1.46e-5, where the largest component is 0.95. Of up to 19 bits no more than 3/4 of it is
+        // lost, so that `CUT_OFF` is the most: `sqrt(3)` of 6,144 units.
+        turn: AXIS + if bits > 19 { 1.46e-5 } else { 9.92e-6 },
+        // Three components are rounded to integers, in units of 2^-14.
+        difference: 0.866_1 * STEP,
+        versine: Rounding::NONE,
+        // Half a unit of 2^-29.
+        set_up: power_of_two(-30),
+        // [-2.00, 2.25] steps for every ramp and versine.
+        ramp: Rounding::absolute(2.25 * FINER),
+        complement: Rounding::NONE,
+        product: Rounding::absolute(FINER / 2.0),
+        value: Rounding::absolute(STEP / 2.0),
+        lift: FINER / 2.0,
+        // Half a unit of 2^-14.
+        weight: FINER,
+        // The square is rounded to a fraction and multiplied by up to 3.
+        smooth: Rounding::absolute(1.5 * FINER + STEP / 2.0),
+        // A sample has 16 bits.
+        sample: Rounding::absolute(STEP / 2.0 + power_of_two(-16)),
+        power: Rounding::absolute(FINER / 2.0),
+        // The truncation turns `v`, and two results are rounded down. The reciprocal's 9.0e-5 is that of
+        // the cosine itself.
+        cosine: Rounding { absolute: lost * TURNED + 2.0 * FINER, relative: 9.0e-5 },
+        share: Rounding::absolute(STEP / 2.0),
+        // The squared length of `v`, a constant and the product; then the rounding to a scalar.
+        near: Rounding {
+            absolute: STEP / 2.0,
+            relative: 2.0 * lost * SHORTENED + 2.0 * MANTISSA[0] + MANTISSA[1],
+        },
+        // Twice the reciprocal's error. The truncation of `v` and that of the square of the reciprocal,
+        // `2^16 / r^2`, have a sum of at most 2.45e-4. The gain and its product are truncated.
+        inverse_square: 1.8e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
+        // A distance, two products and two sums in a polynomial without cancellation, its reciprocal and
+        // two products.
+        inverse_polynomial: 2.0 * (lost * SHORTENED + 9.0e-5) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
+        inverse_power: [5e-5, lost * SHORTENED + 9.0e-5 + 2.0 * MANTISSA[0]],
+        light: Rounding::absolute(STEP / 2.0),
+    }
+}
 
 /// The fine evaluation: the stages of `Fx32` for an offset of `Fx16`.
 pub(super) const FINE: Stages = Stages {
@@ -97,19 +110,39 @@ pub(super) const FINE: Stages = Stages {
 
 /// The fine evaluation, from 256 units on: an offset is halved, which turns it by up to
 /// `sqrt(3) 2^-23`.
-pub(super) const FAR: Stages =
-    Stages { turn: FINE.turn + 2.07e-7, cosine: Rounding::absolute(FINE.cosine.absolute + 2.07e-7), ..FINE };
-
-/// The quick evaluation.
-pub(super) const QUICK: Stages = Stages {
-    // The root's 2.0e-4 (exhaustive), and the truncation along the direction.
-    length: 2.0e-4 + 6.63e-5 + AXIS,
-    // Four times the truncation of the coarse evaluation: `v` has two bits less than `V`.
-    turn: 4.0 * 1.46e-5 + AXIS,
-    cosine: Rounding { absolute: TURNED + 2.0 * FINER, relative: 2.0e-4 },
-    near: Rounding { absolute: STEP / 2.0, relative: 2.0 * TRUNCATED + 2.0 * MANTISSA[0] + MANTISSA[1] },
-    inverse_square: 4.0e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
-    inverse_polynomial: 2.0 * (TRUNCATED + 2.0e-4) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
-    inverse_power: [5e-5, TRUNCATED + 2.0e-4 + 2.0 * MANTISSA[0]],
-    ..COARSE
+pub(super) const FAR: Stages = Stages {
+    turn: FINE.turn + 2.07e-7,
+    cosine: Rounding { absolute: FINE.cosine.absolute + 2.07e-7, relative: FINE.cosine.relative },
+    ..FINE
 };
+
+/// The quick evaluation of offsets of up to this bit length.
+pub(super) const fn quick(bits: u32) -> Stages {
+    let lost = lost(bits, 15);
+    Stages {
+        // The root's 2.0e-4 (exhaustive), and the truncation along the direction.
+        length: 2.0e-4 + 6.63e-5 + AXIS,
+        // Four times the truncation of the coarse evaluation: `v` has two bits less than `V`.
+        turn: 4.0 * if bits > 17 { 1.46e-5 } else { 9.92e-6 } + AXIS,
+        cosine: Rounding { absolute: lost * TURNED + 2.0 * FINER, relative: 2.0e-4 },
+        inverse_square: 4.0e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
+        inverse_polynomial: 2.0 * (lost * SHORTENED + 2.0e-4) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
+        inverse_power: [5e-5, lost * SHORTENED + 2.0e-4 + 2.0 * MANTISSA[0]],
+        ..coarse(bits)
+    }
+}
+
+/// The bit length from which on a bit more changes little.
+const MANY: u32 = 21;
+
+/// The largest bit length of an offset of this length; that of any offset from [`MANY`] bits on.
+pub(super) fn bits_at(distance: f64) -> u32 {
+    let bits = u64::BITS - ((distance * 65_536.0) as u64).leading_zeros();
+    if bits < MANY { bits } else { u32::BITS }
+}
+
+/// The distance from which on offsets may have more bits than at this one.
+pub(super) fn more_bits_from(distance: f64) -> f64 {
+    let bits = bits_at(distance);
+    if bits < MANY { (1_u64 << bits) as f64 / 65_536.0 } else { f64::INFINITY }
+}

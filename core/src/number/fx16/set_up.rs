@@ -90,7 +90,6 @@ impl Arithmetic for Fx16 {
     type Gain = Gain16;
     type Offset = Offset16;
     const DIRECTION_ERROR: f32 = 1.55e-5;
-    const STAGES: Stages = errors::COARSE;
     const NEAREST: f64 = 1.0 / 65_536.0;
     const OUTSIDE_STEP: f32 = Self::STEP;
 
@@ -223,6 +222,14 @@ impl Arithmetic for Fx16 {
 
     fn fine_within(error: f32, intensity: f32, growth: f32) -> f64 {
         trig::sqrt(fine_squared(error, intensity, growth)).into()
+    }
+
+    fn stages(distance: f64) -> Stages {
+        errors::coarse(errors::bits_at(distance))
+    }
+
+    fn larger_errors_from(distance: f64) -> f64 {
+        errors::more_bits_from(distance)
     }
 
     fn fine_stages(far: f64) -> Stages {

@@ -13,7 +13,8 @@ const MANTISSA: f64 = power_of_two(-28);
 
 /// The evaluation.
 pub(super) const STAGES: Stages = Stages {
-    // The direction's 2.4e-8, and the axis', of which a component is within half a step.
+    // The direction's 2.4e-8 is that of its excess: three squares rounded down, by 5.6e-9 of the length,
+    // and a step of 2^-26 in either direction. A component of the axis is within half a step.
     length: 2.4e-8 + 0.866_1 * STEP,
     // A component is within a step, and that of the axis within half a step. An offset with a
     // component of more than 32,768 units is halved, which turns it by 0.71 steps.
@@ -32,10 +33,15 @@ pub(super) const STAGES: Stages = Stages {
     smooth: Rounding::absolute(3.0 * STEP),
     sample: Rounding::absolute(power_of_two(-28)),
     power: Rounding::absolute(STEP),
-    cosine: Rounding::absolute(43.0 * STEP),
+    // Three products of half a component are rounded down in units of 2^-27; a component of the
+    // direction is within a step, and half of one of the normal loses half a step. The direction's
+    // length is that of the cosine itself.
+    cosine: Rounding { absolute: power_of_two(-27) * 3.0 + 1.5 * 1.732_1 * STEP, relative: 2.4e-8 },
     share: Rounding::absolute(STEP),
     near: Rounding { absolute: STEP, relative: 1.3e-7 },
-    inverse_square: 6.5e-8,
+    // Twice the excess' 2.05e-8. Its product with the gain has 11 bits at least, which lose up to 7.4e-4
+    // of an excess of 4.8e-4; three results are rounded down.
+    inverse_square: 4.1e-8 + 3.6e-7 + 1.0e-8,
     inverse_polynomial: 2.0 * 6.0e-8 + 8.0 * MANTISSA,
     inverse_power: [2e-8, 1.4e-8 + 6.0e-8],
     light: Rounding { absolute: STEP, relative: power_of_two(-30) },

@@ -97,7 +97,6 @@ impl Arithmetic for Fx32 {
     // `3 / 2^59 a = 4e-12`. The constant does not include the halving of an offset with a component
     // of more than 32,768 units, which turns the direction by 0.71 steps more.
     const DIRECTION_ERROR: f32 = 2.65e-9;
-    const STAGES: Stages = errors::STAGES;
     const NEAREST: f64 = 1.0 / 65_536.0;
     const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
 
@@ -113,6 +112,10 @@ impl Arithmetic for Fx32 {
 
     fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Self> {
         Self::axis(toward)
+    }
+
+    fn stages(_: f64) -> Stages {
+        errors::STAGES
     }
 
     fn magnification(limit: f32) -> f64 {
