@@ -20,7 +20,7 @@ fn pick_without_a_light_answers_for_the_default_and_states_it() {
     assert!(answer["bound"]["value"].as_f64().unwrap() <= 1.0);
     assert!(answer["code"].as_str().unwrap().contains("pub const LIGHT"));
     let text = String::from_utf8(pick(&["--steps", "1"]).stdout).unwrap();
-    for stated in ["soft edge, ends at 43.62 degrees", "inverse-square", "distances 1 to 7", "searched"] {
+    for stated in ["soft edge, ends at 43.62 degrees", "inverse-square", "distances 1 to 7", "derived"] {
         assert!(text.contains(stated), "{text}");
     }
 }

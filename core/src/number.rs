@@ -162,7 +162,7 @@ pub trait Scalar:
 }
 
 /// A number format with a quick evaluation, which has fewer instructions and a larger error: `f32`
-/// or [`Fx16`](crate::Fx16).
+/// or [`Fx16`].
 ///
 /// Points, normals and light have the same types as in the standard evaluation, so one scene can
 /// have lights of both evaluations. [`SpotLight::compile_quick`](crate::SpotLight::compile_quick)

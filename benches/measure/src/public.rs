@@ -47,7 +47,7 @@ const CONSTANTS: Rows = &[("u32", &["4", "1", "31", "3"]), ("usize", &["4", "0",
 const REFUSED: Rows = &[("of", &["0", "1"]), ("of_knots", &["0"])];
 
 /// Private modules of other crates, whose items the crates export from the module above.
-const PRIVATE: [&str; 3] = ["formatter::", "rgb_color::", "traits::"];
+const PRIVATE: [&str; 4] = ["formatter::", "range::", "rgb_color::", "traits::"];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.

@@ -171,7 +171,7 @@ impl<'a> Carried<'a> {
         let share = self.settled();
         let Some(stage) = self.stage else { return 0.0 };
         let [least, most] = [least, most].map(|factor| factor * stage.intensity);
-        let (of_share, step) = (share.error, stage.stages.light.of(1.0));
+        let (of_share, step) = (share.error + stage.stages.given, stage.stages.light.of(1.0));
         let exact = share.low * least;
         let error = if stage.is_kept {
             // The coarse light is kept if it is over 1.125 and its share is over 1/32.

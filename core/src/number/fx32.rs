@@ -24,7 +24,7 @@
 //! `tests/support/operations.rs` test. The fine evaluation of [`Fx16`](super::fx16) has the same stages
 //! from the direction to the falloff, with the root of its own offset.
 
-mod errors;
+pub(super) mod errors;
 mod frame;
 mod set_up;
 #[cfg(test)]

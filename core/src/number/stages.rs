@@ -74,6 +74,8 @@ pub struct Stages {
     pub near: Rounding,
     /// The relative error of a gain, attenuated by the inverse square of the distance.
     pub inverse_square: f64,
+    /// The error of a share by its product with a gain.
+    pub given: f64,
     /// The relative error of a gain, attenuated by a polynomial.
     pub inverse_polynomial: f64,
     /// The relative error of a gain, attenuated by `d^-k`: a constant and a multiple of `k`.
@@ -103,6 +105,7 @@ impl Stages {
         share: Rounding::NONE,
         near: Rounding::NONE,
         inverse_square: 0.0,
+        given: 0.0,
         inverse_polynomial: 0.0,
         inverse_power: [0.0; 2],
         light: Rounding::NONE,

@@ -34,6 +34,7 @@ pub(super) const STAGES: Stages = Stages {
     share: Rounding::relative(UNIT),
     near: Rounding { absolute: 0.0, relative: 10.0 * UNIT },
     inverse_square: 12.0 * UNIT,
+    given: 0.0,
     inverse_polynomial: 16.0 * UNIT,
     inverse_power: [3e-7, 1.5e-7],
     light: Rounding::relative(UNIT),

@@ -3,7 +3,7 @@
 //! `V` is the offset, scaled to 17 bits and not rounded, `v` the truncated offset of 15 bits, and `r`
 //! its reciprocal length `2^30 / |v|`.
 
-use crate::number::{Rounding, Stages};
+use crate::number::{Rounding, Stages, fx32};
 
 const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1_023 + exponent) as u64) << 52)
@@ -73,6 +73,7 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         // Twice the reciprocal's error. The truncation of `v` and that of the square of the reciprocal,
         // `2^16 / r^2`, have a sum of at most 2.45e-4. The gain and its product are truncated.
         inverse_square: 1.8e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
+        given: 0.0,
         // A distance, two products and two sums in a polynomial without cancellation, its reciprocal and
         // two products.
         inverse_polynomial: 2.0 * (lost * SHORTENED + 9.0e-5) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
@@ -101,11 +102,12 @@ pub(super) const FINE: Stages = Stages {
     cosine: Rounding::absolute(2.65e-9 + 3.0 * power_of_two(-30)),
     share: Rounding::absolute(power_of_two(-30)),
     near: Rounding { absolute: power_of_two(-30), relative: 5e-7 },
-    inverse_square: 6.0e-7,
+    // That of `Fx32`, and an offset that is halved.
+    inverse_square: 4.2e-7 + 4.2e-7,
+    given: fx32::errors::STAGES.given,
     inverse_polynomial: 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
     inverse_power: [5e-5, 2.0 * MANTISSA[0]],
-    // A product is truncated to 16 bits before light is rounded.
-    light: Rounding { absolute: STEP / 2.0, relative: MANTISSA[1] },
+    light: Rounding::absolute(STEP / 2.0),
 };
 
 /// The fine evaluation, from 256 units on: an offset is halved, which turns it by up to

@@ -12,7 +12,7 @@ const STEP: f64 = power_of_two(-30);
 const MANTISSA: f64 = power_of_two(-28);
 
 /// The evaluation.
-pub(super) const STAGES: Stages = Stages {
+pub(in crate::number) const STAGES: Stages = Stages {
     // The direction's 2.4e-8 is that of its excess: three squares rounded down, by 5.6e-9 of the length,
     // and a step of 2^-26 in either direction. A component of the axis is within half a step.
     length: 2.4e-8 + 0.866_1 * STEP,
@@ -42,7 +42,9 @@ pub(super) const STAGES: Stages = Stages {
     // Twice the excess' 2.05e-8. Its product with the gain has 11 bits at least, which lose up to 7.4e-4
     // of an excess of 4.8e-4; three results are rounded down.
     inverse_square: 4.1e-8 + 3.6e-7 + 1.0e-8,
+    // The product is rounded down: by 2 of a gain that is at least `2^31 / 12` if it is attenuated.
+    given: 2.0 * 12.0 * power_of_two(-31),
     inverse_polynomial: 2.0 * 6.0e-8 + 8.0 * MANTISSA,
     inverse_power: [2e-8, 1.4e-8 + 6.0e-8],
-    light: Rounding { absolute: STEP, relative: power_of_two(-30) },
+    light: Rounding::absolute(STEP),
 };
