@@ -174,7 +174,7 @@ impl<S: Scalar> CompiledProjection<S> {
     /// Returns the position of a point on the square, and its depth.
     ///
     /// `point` is in the unit of the light's position.
-    #[inline]
+    #[inline(always)]
     pub fn place(&self, point: Vec3<S::Length>) -> ProjectedPoint<S> {
         let ([column, row], depth) = S::place(&self.frame, self.position, point);
         ProjectedPoint { column, row, depth }

@@ -251,7 +251,7 @@ impl Arithmetic for Fx16 {
         Frame16::new(vectors, tangent)
     }
 
-    #[inline]
+    #[inline(always)]
     fn place(frame: &Frame16, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
         frame.place(light, point)
     }
