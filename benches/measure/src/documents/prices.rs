@@ -19,8 +19,8 @@ For one light on one chip with one display, ask:
 cargo run -q --bin luminaire -- pick --chip cortex-m0 --display rgb565 --steps 1 --edge soft --field 36
 ```
 
-The answer is the cheapest evaluation whose error is small enough, with its instructions, cycles and bytes, a bound of the
-error, the place where it is largest, and the code to compile. This page has the short answer for all of them:
+The answer is the cheapest evaluation whose bound is small enough, with its instructions, cycles and bytes, the derived bound,
+the largest error that a search finds and its place, and the code to compile. This page has the short answer for all of them:
 
 - without a floating point unit take `Fx16`, for a small display (RGB565) by the quick evaluation;
 - with one take `f32`, which costs less and errs less;
