@@ -11,7 +11,7 @@ pub use self::compiled::CompiledCone;
 use crate::{
     angle::Angle,
     error::{Error, Expected, Parameter},
-    falloff::{Falloff, Hard, Power, Soft, SoftOrHard},
+    falloff::{Falloff, Formula, Hard, Power, Soft, SoftOrHard},
     number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
     search::bisect,
     stored::stored,
@@ -221,14 +221,24 @@ impl<P: Falloff> Cone<P> {
         lumens / self.solid_angle()
     }
 
+    /// Returns the intensity of the falloff on the axis: 1, except for a table that begins with less.
+    fn on_axis(&self) -> f32 {
+        match self.falloff.formula() {
+            Formula::Samples([first, ..]) => f32::from(*first) / 65_535.0,
+            Formula::Knots([first, ..]) => first.intensity(0.0),
+            _ => 1.0,
+        }
+    }
+
     /// Returns the solid angle, in steradians, that at constant full intensity would have the flux
     /// of the cone.
     fn solid_angle(&self) -> f32 {
         let span = self.outer - self.inner;
+        let hotspot = self.on_axis() * self.inner.min(self.limit);
         let versine = if self.limit <= self.inner {
-            self.limit
+            hotspot
         } else {
-            self.inner + span * self.falloff.integral((self.limit - self.inner) / span)
+            hotspot + span * self.falloff.integral((self.limit - self.inner) / span)
         };
         core::f32::consts::TAU * versine
     }
@@ -286,7 +296,9 @@ impl<P: Falloff> Cone<P> {
 
     /// Returns the bounds of the derivatives that this cone would have with this inner versine.
     fn slopes(&self, inner: f32) -> Slopes {
-        if inner < self.outer { slopes(self.falloff, inner / self.outer) } else { Slopes::STEP }
+        // So narrow a ramp is a step: its versines differ by a few ULP.
+        const STEEPEST: f32 = 1.0 - 1.0 / 1_048_576.0;
+        if inner < STEEPEST * self.outer { slopes(self.falloff, inner / self.outer) } else { Slopes::STEP }
     }
 
     /// Returns an error if the format cannot hold one of the angles. The error names the angle.

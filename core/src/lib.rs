@@ -143,7 +143,7 @@
 //! | `fixed` (default) | [`Fx16`] and [`Fx32`], on the types of the crate `fixed` |
 //! | `libm` (default) | trigonometry for set-up and a square root, bit-identical on every target |
 //! | `std` | the processor's square root, bit-identical to that of `libm` |
-//! | `micromath` | square roots and sines without `libm` and `std`: angles within 0.11 %, so results differ from those of the other features |
+//! | `micromath` | square roots and sines without `libm` and `std`: angles within 0.13 %, so results differ from those of the other features |
 //! | `bytemuck` | [`Vec3`], [`Rgb`], pixels and fixed-point numbers cast to bytes; the only unsafe code |
 //! | `defmt` | `Format` for errors, lights, cones, angles, vectors, colours and numbers, for logs of a microcontroller |
 //! | `embedded-graphics-core04` | conversions between [`Rgb`]`<u8>` or pixels and its RGB and BGR colours |

@@ -23,6 +23,35 @@ fn soft_has_a_third_of_the_flux_and_hard_two() {
     assert_near("hard", hard / full, 2.0 / 3.0, 1e-6);
 }
 
+/// A table may begin below full intensity; its hotspot has the first value, as its evaluation has.
+#[test]
+fn a_dim_hotspot_has_its_own_flux() {
+    let table = Table::new(&[16_384, 65_535, 0]).expect("enough samples");
+    let cone =
+        Cone::from_outer(table, Angle::degrees(40.0)).and_then(|cone| cone.with_inner(Angle::degrees(30.0)));
+    let cone = cone.expect("sound");
+    let [inner, outer, _] = cone.versines().map(f64::from);
+    // A quarter in the hotspot; the ramp's two lines have means of 5/8 and 1/2.
+    let exact = std::f64::consts::TAU * (inner / 4.0 + (outer - inner) * (5.0 / 8.0 + 1.0 / 2.0) / 2.0);
+    assert_near("the flux", cone.lumens(1.0), exact, 2e-5);
+    let cut = cone.with_cutoff(Angle::degrees(20.0)).expect("sound");
+    let exact = std::f64::consts::TAU * f64::from(cut.outer_versine()) / 4.0;
+    assert_near("the flux of a part of the hotspot", cut.lumens(1.0), exact, 2e-5);
+}
+
+/// A ramp of a few ULP is a step: it is held like one, whatever its falloff.
+#[test]
+fn a_ramp_of_a_few_ulp_is_a_step() {
+    let outer = Angle::degrees(15.0);
+    for less in 0..40 {
+        let inner = Angle::degrees(f32::from_bits(15.0_f32.to_bits() - less));
+        let cone = Cone::from_outer(Smooth, outer).and_then(|cone| cone.with_inner(inner)).expect("sound");
+        let [inner, outer, _] = cone.versines();
+        let is_step = inner >= (1.0 - 1.0 / 1_048_576.0) * outer;
+        assert_eq!(cone.compile::<Fx16>().is_ok(), is_step, "{less}");
+    }
+}
+
 /// A cutoff removes the light outside it and leaves the rest bit-identical. If it is narrower than
 /// the beam angle, all three angles equal the cutoff.
 #[test]

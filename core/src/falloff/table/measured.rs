@@ -29,32 +29,47 @@ impl<'m> Measured<'m> {
     ///
     /// The function repeatedly splits the line with the largest difference, at the point of that
     /// difference, until no knots are left or no split helps (Ramer 1972; Douglas and Peucker
-    /// 1973).
+    /// 1973). Only the two halves of a split line are searched again: until the end, a knot holds what
+    /// was found instead of its line.
     pub(super) fn resample<'k>(&self, knots: &'k mut [Knot]) -> (&'k [Knot], f32) {
         if let Some(first) = knots.first_mut() {
-            *first = self.line(0, EDGE);
+            *first = self.searched(0, EDGE);
         }
         let mut count = 1;
         let largest = loop {
             let lines = knots.get(..count).unwrap_or_default();
             let ends = lines.iter().skip(1).map(|next| next.place()).chain([EDGE]);
             let (mut largest, mut widest, mut split) = (0.0, LEAST, None);
-            for (i, (&line, end)) in lines.iter().zip(ends).enumerate() {
-                let (difference, place) = self.farthest(line, end);
+            for (i, (line, end)) in lines.iter().zip(ends).enumerate() {
+                let (_, place, difference) = line.to_bits();
+                let difference = f32::from_bits(difference as u32);
                 largest = f32::max(largest, difference);
                 if difference > widest && end - line.place() > 1 {
-                    (widest, split) = (difference, Some((i, place, end)));
+                    (widest, split) = (difference, Some((i, place.into(), end)));
                 }
             }
             let Some((i, place, end)) = split else { break largest };
             let Some([before, behind @ ..]) = knots.get_mut(i..=count) else { break largest };
-            *before = self.line(before.place(), place);
+            *before = self.searched(before.place(), place);
             // Moves the later knots up by one; the last slot was free.
-            let mut moved = self.line(place, end);
+            let mut moved = self.searched(place, end);
             behind.iter_mut().for_each(|knot| core::mem::swap(knot, &mut moved));
             count += 1;
         };
+        let mut end = EDGE;
+        for knot in knots.iter_mut().take(count).rev() {
+            let place = knot.place();
+            *knot = self.line(place, end);
+            end = place;
+        }
         (knots.get(..count).unwrap_or_default(), (largest + self.own_error()).min(1.0))
+    }
+
+    /// Returns a knot that holds, in place of the line to the next knot, the largest difference of this
+    /// line and its position.
+    fn searched(&self, place: u32, end: u32) -> Knot {
+        let (difference, at) = self.farthest(self.line(place, end), end);
+        Knot::from_bits(place as u16, at as u16, difference.to_bits() as i32)
     }
 
     /// Returns the line between the data at two positions.

@@ -110,11 +110,11 @@ pub(super) const FINE: Stages = Stages {
     light: Rounding::absolute(STEP / 2.0),
 };
 
-/// The fine evaluation, from 256 units on: an offset is halved, which turns it by up to
-/// `sqrt(3) 2^-23`.
+/// The fine evaluation, from 256 units on: the coordinates are halved and lose up to half a unit of a
+/// difference of at least 2^23, which turns it by up to `sqrt(3) / 2^24`.
 pub(super) const FAR: Stages = Stages {
-    turn: FINE.turn + 2.07e-7,
-    cosine: Rounding { absolute: FINE.cosine.absolute + 2.07e-7, relative: FINE.cosine.relative },
+    turn: FINE.turn + 1.04e-7,
+    cosine: Rounding { absolute: FINE.cosine.absolute + 1.04e-7, relative: FINE.cosine.relative },
     ..FINE
 };
 
