@@ -1,9 +1,8 @@
 //! Every kernel with a price, and its rivals, as functions of one input.
 //!
 //! Firmware, host, browser and demo run the same code, so that the error and the cost in a row
-//! belong to the same function. [`falloffs`] and [`points`] pass every row to a [`Visitor`],
-//! [`rungs`] the lit points of each evaluation. On microcontrollers the lit points that
-//! are measured are those of a light that is a constant: the crate `luminaire-effects` has them.
+//! belong to the same function. [`falloffs`] and [`points`] pass every row to a [`Visitor`]. On
+//! microcontrollers the lit points that are measured are those of a light that is a constant: the crate `luminaire-effects` has them.
 //!
 //! A falloff maps the angle off axis, in the form that the kernel takes, to an intensity. A point
 //! maps a position and a normal to an irradiance. Each kernel gets the exact input rounded to its
@@ -36,7 +35,7 @@ mod value;
 
 pub use double::{DoubleFalloff, DoublePoint};
 pub use kernel::{Kernel, Row, Stage, Visitor};
-pub use list::{Setting, doubles, falloffs, points, rungs};
+pub use list::{Setting, doubles, falloffs, points};
 pub use luminaire::falloff::ListedFalloff;
 pub use ours::{Highlit, OurFalloff, OurPoint};
 #[cfg(feature = "std")]

@@ -198,18 +198,6 @@ fn rejects<S: Format>(
     }
 }
 
-/// The lit points of a cone with the edge `P`, without and with an inverse square, in every format
-/// and by every evaluation.
-pub fn rungs<P: ListedFalloff>(kernels: [&'static str; 2], setting: Setting, visitor: &mut impl Visitor) {
-    let rows = |format| kernels.map(|kernel| Row::lit(kernel, format));
-    let (spot, falling) = spots::<P>(setting);
-    lit::<Fx16, P>(rows("fx16-quick"), (spot.compile_quick(), falling.compile_quick()), setting, visitor);
-    lit::<Fx16, P>(rows(Fx16::NAME), (spot.compile(), falling.compile()), setting, visitor);
-    lit::<Fx32, P>(rows(Fx32::NAME), (spot.compile(), falling.compile()), setting, visitor);
-    lit::<f32, P>(rows("f32-quick"), (spot.compile_quick(), falling.compile_quick()), setting, visitor);
-    lit::<f32, P>(rows(f32::NAME), (spot.compile(), falling.compile()), setting, visitor);
-}
-
 /// The spotlights of lit points: without attenuation, and bright with an inverse square.
 fn spots<P: ListedFalloff>(setting: Setting) -> (SpotLight<P, NoAttenuation>, SpotLight<P>) {
     let bright = spot(setting).with_intensity(INTENSITY).expect("a sound intensity");

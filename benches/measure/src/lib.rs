@@ -8,6 +8,7 @@ pub mod device;
 mod documents;
 mod effects;
 mod frame;
+mod ladder;
 mod plot;
 pub mod program;
 mod proof;

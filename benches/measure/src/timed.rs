@@ -8,6 +8,7 @@ use anyhow::{Context, Result, ensure};
 use luminaire::dynamic::Effect;
 use serde_json::Value;
 
+use crate::ladder;
 use crate::record::{Group, Record};
 use crate::target::Target;
 use tools::browser::{Found, Visit};
@@ -20,8 +21,6 @@ use tools::{command, project, toolchain, wasm};
 /// Outer half angles in degrees at which errors are measured beside the standard cone, because there the
 /// cosine form and the versine form differ.
 pub(crate) const NARROWER: [&str; 3] = ["15", "5", "1"];
-/// Outer half angles in degrees at which errors are measured in steps of displays.
-pub(crate) const STEPS: [&str; 7] = ["1", "3", "5", "15", "22", "45", "80"];
 
 /// How often each kernel is timed. The rounds are some time apart, so that other work of the
 /// machine seldom disturbs all of them.
@@ -68,8 +67,8 @@ pub(crate) fn errors(progress: &Progress) -> Result<Record> {
     for degrees in NARROWER {
         add(format!("errors at {degrees}"), &["errors", degrees])?;
     }
-    for degrees in STEPS {
-        add(format!("steps at {degrees}"), &["steps", degrees])?;
+    for degrees in ladder::ANGLES {
+        record.0.insert(format!("steps at {degrees}"), ladder::at(degrees)?);
     }
     Ok(record)
 }

@@ -6,7 +6,6 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
-mod ladder;
 mod site;
 mod time;
 #[cfg(target_arch = "wasm32")]
@@ -15,7 +14,6 @@ mod web;
 use std::fmt::{Display, Write as _};
 
 pub use accuracy::errors;
-pub use ladder::steps;
 pub use time::{BATCH, Clock, time};
 
 use luminaire_kernels::Row;

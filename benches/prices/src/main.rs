@@ -1,17 +1,15 @@
 //! Prints the errors of the kernels, or their times on this machine.
 //!
 //! `cargo run --release --package luminaire-prices -- errors 15` prints the errors in a cone of an outer half
-//! angle in degrees, `-- errors` in the standard cone, `-- steps 15` those in steps of displays, and `-- time`
-//! the times.
+//! angle in degrees, `-- errors` in the standard cone, and `-- time` the times.
 #![forbid(unsafe_code)]
 
 use std::process::ExitCode;
 use std::time::Instant;
 
 use luminaire::HalfAngle;
-use luminaire::falloff::{Hard, Soft};
 use luminaire_kernels::Setting;
-use luminaire_prices::{Clock, errors, steps, time};
+use luminaire_prices::{Clock, errors, time};
 
 fn main() -> ExitCode {
     let words: Vec<_> = std::env::args().skip(1).collect();
@@ -19,17 +17,13 @@ fn main() -> ExitCode {
     let setting = degrees.map(|degrees| Setting::ending_at(HalfAngle::degrees(degrees)));
     match (words.first().map(String::as_str), setting) {
         (Some("errors"), setting) => print!("{}", errors(setting.unwrap_or(Setting::standard()))),
-        (Some("steps"), Some(setting)) => {
-            print!("{}", steps::<Soft>(["lit", "lit-inverse-square"], setting));
-            print!("{}", steps::<Hard>(["lit-hard", "lit-hard-inverse-square"], setting));
-        }
         (Some("time"), None) => {
             let clock = Monotonic(Instant::now());
             let times = (0..).map(|number| time(number, &clock)).take_while(|lines| !lines.is_empty());
             times.for_each(|lines| print!("{lines}"));
         }
         _ => {
-            eprintln!("error: expected `errors [DEGREES]`, `steps DEGREES` or `time`");
+            eprintln!("error: expected `errors [DEGREES]` or `time`");
             return ExitCode::from(2);
         }
     }

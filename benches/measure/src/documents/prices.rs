@@ -1,9 +1,10 @@
 //! The page `docs/ACCURACY-VS-COST.md`, which answers, and the price list `docs/PRICES.md`.
 
 use super::text::{cells, cost, error, table};
+use crate::ladder::{ANGLES, POINTS};
 use crate::record::{Group, Record};
 use crate::target::Target;
-use crate::timed::{NARROWER, STEPS};
+use crate::timed::NARROWER;
 
 /// The evaluations of a lit point.
 const EVALUATIONS: [&str; 5] = ["fx16-quick", "fx16", "fx32", "f32-quick", "f32"];
@@ -22,22 +23,25 @@ cargo run -q --bin luminaire -- pick --chip cortex-m0 --display rgb565 --steps 1
 The answer is the cheapest evaluation whose bound is small enough, with its instructions, cycles and bytes, the derived bound,
 the largest error that a search finds and its place, and the code to compile. This page has the short answer for all of them:
 
-- without a floating point unit take `Fx16`, for a small display (RGB565) by the quick evaluation;
-- with one take `f32`, which costs less and errs less;
-- for a hard edge on a display of 8 bits a channel without a floating point unit take `Fx32`.
+- with a floating point unit take `f32`, which costs less and errs less;
+- without one take `Fx16` for a soft edge on a small display (RGB565), by the quick evaluation where no surface is lit beyond
+  full scale; for a hard edge, and for a display of 8 bits a channel, take `Fx32`.
 
 ## Which evaluation for which display
 
-The narrowest of seven half angles (1°, 3°, 5°, 15°, 22°, 45°, 80°) from which on a lit point errs at most one step of a
-display at every brightness, and its instructions.
+From which of seven half angles (1°, 3°, 5°, 15°, 22°, 45°, 80°) on a lit point errs at most one step of a display at every
+brightness, and its instructions. A cell has two ends: the angle from which on the largest error *found* is at most one step,
+and the one from which on the derived *bound* is.
 ";
 
 const READING: &str = "
 *Attenuated* means by the inverse square from 16 times full scale at a distance of 1, at distances from 1 to 7; the light is
 clipped at full scale. The display encodes in sRGB; a step is 1/63 (the green channel of RGB565) or 1/255 (RGB888) after
 encoding, before the rounding to steps. sRGB magnifies the errors of dark light 13 times, so a hard edge, which is steep where
-it is dark, needs more than a soft one. At grazing incidence close to a bright light errors are larger: `luminaire pick`
-searches there, too. In a narrow cone or under a bright light, more points of `fx16` take its fine evaluation.
+it is dark, needs more than a soft one. An error is found by climbing by bits from random points, from grazing incidence, from
+dark edges and from both ends of the distances; the bound holds at all of them. It also holds for a light at any place and with
+any axis, where that of the search is at the origin and along a coordinate axis: so the bound of `f32`, which rounds least
+there, is several times what is found. In a narrow cone or under a bright light, more points of `fx16` take its fine evaluation.
 ";
 
 const RECORD: &str = "
@@ -86,39 +90,40 @@ pub(super) fn answer(record: &Record) -> String {
         text += &format!("\n{}", table(&heads, rows));
     }
     text += READING;
-    text +=
-        "\n<details><summary>The errors, in linear codes and, in brackets, in steps of RGB565</summary>\n";
-    for (kernel, title) in [
-        ("lit", "soft"),
-        ("lit-hard", "hard"),
-        ("lit-inverse-square", "soft, attenuated"),
-        ("lit-hard-inverse-square", "hard, attenuated"),
-    ] {
+    text += "\n<details><summary>The largest error found and the bound, in linear codes and, in brackets, in steps of \
+             RGB565</summary>\n";
+    for ((kernel, ..), title) in
+        POINTS.into_iter().zip(["soft", "hard", "soft, attenuated", "hard, attenuated"])
+    {
         let heads: Vec<_> =
-            [title.to_owned()].into_iter().chain(STEPS.map(|degrees| format!("{degrees}°"))).collect();
+            [title.to_owned()].into_iter().chain(ANGLES.map(|degrees| format!("{degrees}°"))).collect();
         let rows = EVALUATIONS.map(|format| {
             let cell = |degrees| {
                 let group = record.group(&format!("steps at {degrees}"));
-                let figure = |unit| group.number(&format!("{kernel}.{format}"), unit);
-                let errors = figure("codes").zip(figure("rgb565"));
-                errors.map_or("refused".to_owned(), |(codes, steps)| {
-                    format!("{} ({})", error(codes), error(steps))
-                })
+                let ends = |unit: &str| {
+                    let end = |unit: &str| group.number(&format!("{kernel}.{format}"), unit).map(error);
+                    Some(format!("{} to {}", end(unit)?, end(&format!("{unit}_bound"))?))
+                };
+                let errors = ends("codes").zip(ends("rgb565"));
+                errors.map_or("refused".to_owned(), |(codes, steps)| format!("{codes} ({steps})"))
             };
-            [format!("`{format}`")].into_iter().chain(STEPS.map(cell)).collect()
+            [format!("`{format}`")].into_iter().chain(ANGLES.map(cell)).collect()
         });
         text += &format!("\n{}", table(&heads, rows));
     }
     text + "\n</details>\n" + RECORD
 }
 
-/// From which half angle on every cone errs at most one step.
+/// From which half angle on every cone errs at most one step: by what is found, and by the bound.
 fn offered(record: &Record, name: &str, display: &str) -> String {
-    let holds = |degrees: &&&str| {
-        record.group(&format!("steps at {degrees}")).number(name, display).is_some_and(|steps| steps <= 1.0)
+    let from = |unit: &str| {
+        let holds = |degrees: &&&str| {
+            record.group(&format!("steps at {degrees}")).number(name, unit).is_some_and(|steps| steps <= 1.0)
+        };
+        let narrowest = ANGLES.iter().rev().take_while(holds).last();
+        narrowest.map_or_else(|| "no".to_owned(), |degrees| format!("{degrees}°"))
     };
-    let narrowest = STEPS.iter().rev().take_while(holds).last();
-    narrowest.map_or_else(|| "no".to_owned(), |degrees| format!("from {degrees}°"))
+    format!("{} / {}", from(display), from(&format!("{display}_bound")))
 }
 
 const LIST: &str = "\
