@@ -1,7 +1,7 @@
 //! The list: every row, once.
 
 use luminaire::{
-    Angle, Cone, Error, Fx16, Fx32, Scalar, SpotLight,
+    Angle, Cone, Error, Fx16, Fx32, SpotLight,
     attenuation::NoAttenuation,
     falloff::{FalloffVisitor, ListedFalloff, Power, Smooth, Soft, constant_falloffs},
     light::LightModel,
