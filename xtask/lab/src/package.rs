@@ -20,7 +20,7 @@ use crate::renderers;
 /// source.
 const CRATES: [(&str, &[&str]); 5] = [
     ("luminaire", &["README.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT"]),
-    ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/still.rs"]),
+    ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/scenes.rs"]),
     ("luminaire-fixtures", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "data/README.md"]),
     ("luminaire-export", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "arduino/library.properties"]),
     ("luminaire-c", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "include/luminaire.h"]),
