@@ -236,7 +236,7 @@ fn largest<A: Attenuation>(
     most
 }
 
-/// What an evaluation of a format is, for its bound.
+/// An evaluation between two distances.
 struct Followed {
     stages: Stages,
     zoom: f64,
@@ -290,15 +290,18 @@ fn above(value: f64) -> f32 {
     if f64::from(nearest) < value { f32::from_bits(nearest.to_bits() + 1) } else { nearest }
 }
 
+/// The farthest distance: `f32` cannot square one of more than 1.8e19.
+const FARTHEST: f32 = 1e18;
+
 /// Returns the distances as f64, within those of a format.
 fn checked<S: Scalar>(distances: RangeInclusive<f32>) -> Result<[f64; 2], Error> {
     let (near, far) = distances.into_inner();
     let refused = |value, accepted| Err(Error { parameter: Parameter::Distance, value, accepted });
-    if !(near > 0.0 && near < f32::INFINITY) {
-        return refused(near, Expected::UpTo(f32::MAX));
+    if !(near > 0.0 && near <= FARTHEST) {
+        return refused(near, Expected::UpTo(FARTHEST));
     }
-    if !(near..=f32::MAX).contains(&far) {
-        return refused(far, Expected::Between(near, f32::MAX));
+    if !(near..=FARTHEST).contains(&far) {
+        return refused(far, Expected::Between(near, FARTHEST));
     }
     Ok([near, far].map(|distance| f64::from(distance).max(S::NEAREST)))
 }
@@ -344,7 +347,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// within these distances from the light.
     ///
     /// # Errors
-    /// The errors of [`compile`](Self::compile); distances that are not positive, or not in order.
+    /// The errors of [`compile`](Self::compile); distances that are not in (0, 1e18], or not in order.
     pub fn error_bound<S: Scalar>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
         self.error_bound_by::<S>(distances, &linear)
     }
@@ -409,7 +412,7 @@ impl<A: Attenuation> PointLight<A> {
     /// within these distances from the light.
     ///
     /// # Errors
-    /// The errors of [`compile`](Self::compile); distances that are not positive, or not in order.
+    /// The errors of [`compile`](Self::compile); distances that are not in (0, 1e18], or not in order.
     pub fn error_bound<S: Scalar>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
         let distances = checked::<S>(distances)?;
         check_reach::<S>(self.position())?;
@@ -443,7 +446,7 @@ mod tests {
             |distances| spot(Cone::soft(Angle::degrees(30.0))).error_bound::<f32>(distances).unwrap_err();
         assert_eq!(
             refusal(0.0..=1.0).to_string(),
-            "distance = 0: expected more than 0 and at most 340282350000000000000000000000000000000"
+            "distance = 0: expected more than 0 and at most 1000000000000000000"
         );
         for distances in
             [f32::NAN..=1.0, -1.0..=1.0, f32::INFINITY..=f32::INFINITY, 2.0..=1.0, 1.0..=f32::NAN]

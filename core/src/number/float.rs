@@ -15,7 +15,7 @@
 //! | falloff, cosine | [`Fraction`], [`Ray::cosine`] | intensity; Lambert's cosine | cosine 2.2 steps |
 //! | light | [`Ray::light`] | share times gain over the squared length | 3.7e-7, relative |
 //!
-//! The errors are those that `tests/support/operations.rs` tests. The quick evaluation replaces the
+//! The errors are those that `tests/suite/operations.rs` tests. The quick evaluation replaces the
 //! root alone.
 
 mod errors;

@@ -21,7 +21,7 @@
 //! | light | [`Ray::light`] | share times gain over `\|W\|^2`, 30 | 6.2e-8, relative |
 //!
 //! The errors are those that `fx32/tests.rs`, `root.rs`, `ramp.rs` and, over all stages,
-//! `tests/support/operations.rs` test. The fine evaluation of [`Fx16`](super::fx16) has the same stages
+//! `tests/suite/operations.rs` test. The fine evaluation of [`Fx16`](super::fx16) has the same stages
 //! from the direction to the falloff, with the root of its own offset.
 
 pub(super) mod errors;
