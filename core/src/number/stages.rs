@@ -63,8 +63,7 @@ pub struct Stages {
     pub smooth: Rounding,
     /// The interpolation of samples.
     pub sample: Rounding,
-    /// The power of a real exponent `p`: the error is that of the format, and a part that grows with
-    /// the exponent.
+    /// The power of a real exponent, as the format rounds it.
     pub power: Rounding,
     /// The cosine of the angle of incidence.
     pub cosine: Rounding,

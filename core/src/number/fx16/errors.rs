@@ -15,6 +15,8 @@ const STEP: f64 = power_of_two(-14);
 const FINER: f64 = power_of_two(-15);
 /// The relative error of a mantissa of 16 bits that is rounded, and of one that is truncated.
 const MANTISSA: [f64; 2] = [power_of_two(-16), power_of_two(-15)];
+/// The relative error of a gain attenuated by a power of the distance, without that of the distance.
+const POWER: f64 = 2.0 * MANTISSA[0] + MANTISSA[1];
 /// `v` loses at most this part of a unit of each component, if the offset has this bit length. An
 /// offset of 15 bits or less loses nothing.
 const fn lost(bits: u32, kept: u32) -> f64 {
@@ -27,8 +29,24 @@ const SHORTENED: f64 = 1.366_1 / 16_384.0;
 /// The truncation turns `v` by at most this, times what is lost: across the direction at most 1.575 of
 /// 2^14 where the largest component is 0.95.
 const TURNED: f64 = 1.576 / 16_384.0;
-/// The axis is that of `f32`, normalised: each component is within 2^-24 of itself.
-const AXIS: f64 = 1.2e-7;
+/// The axis is that of `f32`, normalised. Its length has the roundings of the squared length, of which
+/// the root takes half, of the root and of the division: 3.5 of 2^-24.
+const AXIS_LENGTH: f64 = 2.1e-7;
+/// The division of the axis rounds each component to 2^-24 of itself, and the format to half of 2^-30.
+const AXIS_TURN: f64 = 6.1e-8;
+/// A constant of a range, of which `f32` rounds the square and the reciprocal.
+const RANGE: f64 = 1.2e-7;
+/// The error of the root (exhaustive), in the coarse and in the quick evaluation.
+const ROOT: [f64; 2] = [9.0e-5, 2.0e-4];
+
+/// The error of a distance or a squared distance, relative to a range: by the truncation of `v`, which
+/// the square has twice and the distance once, beside the error of the root; by a constant and two
+/// roundings. Then it is rounded to a scalar.
+const fn near(lost: f64, root: f64) -> Rounding {
+    let shortened = lost * SHORTENED;
+    let other = if root > shortened { root } else { shortened };
+    Rounding { absolute: STEP / 2.0, relative: shortened + other + RANGE + 2.0 * MANTISSA[0] + MANTISSA[1] }
+}
 
 /// The coarse evaluation of offsets of up to this bit length.
 pub(super) const fn coarse(bits: u32) -> Stages {
@@ -37,12 +55,12 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         // The reciprocal's 9.0e-5 (exhaustive). Its rounding to 14 bits, `2 / r`, and the truncation of
         // `v` have a sum of at most 1.363e-4, at either end of `|v|`. Of the truncation of `V`, at most
         // 1.66e-5 is along the direction.
-        length: 9.0e-5 + 1.363e-4 + 1.66e-5 + AXIS,
+        length: ROOT[0] + 1.363e-4 + 1.66e-5 + AXIS_LENGTH,
         // A component is truncated by up to `r / 4` units of 2^-30, less `CUT_OFF`; `r / 4` is at most
         // 2^14 times the largest component of the direction. Across the direction that is at most
         // 1.46e-5, where the largest component is 0.95. Of up to 19 bits no more than 3/4 of it is
         // lost, so that `CUT_OFF` is the most: `sqrt(3)` of 6,144 units.
-        turn: AXIS + if bits > 19 { 1.46e-5 } else { 9.92e-6 },
+        turn: AXIS_TURN + if bits > 19 { 1.46e-5 } else { 9.92e-6 },
         // Three components are rounded to integers, in units of 2^-14.
         difference: 0.866_1 * STEP,
         versine: Rounding::NONE,
@@ -63,29 +81,26 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         power: Rounding::absolute(FINER / 2.0),
         // The truncation turns `v`, and two results are rounded down. The reciprocal's 9.0e-5 is that of
         // the cosine itself.
-        cosine: Rounding { absolute: lost * TURNED + 2.0 * FINER, relative: 9.0e-5 },
+        cosine: Rounding { absolute: lost * TURNED + 2.0 * FINER, relative: ROOT[0] },
         share: Rounding::absolute(STEP / 2.0),
-        // The squared length of `v`, a constant and the product; then the rounding to a scalar.
-        near: Rounding {
-            absolute: STEP / 2.0,
-            relative: 2.0 * lost * SHORTENED + 2.0 * MANTISSA[0] + MANTISSA[1],
-        },
+        near: near(lost, ROOT[0]),
         // Twice the reciprocal's error. The truncation of `v` and that of the square of the reciprocal,
         // `2^16 / r^2`, have a sum of at most 2.45e-4. The gain and its product are truncated.
-        inverse_square: 1.8e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
+        inverse_square: 2.0 * ROOT[0] + 2.45e-4 + MANTISSA[1] + 9.2e-5,
         given: 0.0,
         // A distance, two products and two sums in a polynomial without cancellation, its reciprocal and
         // two products.
-        inverse_polynomial: 2.0 * (lost * SHORTENED + 9.0e-5) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
-        inverse_power: [5e-5, lost * SHORTENED + 9.0e-5 + 2.0 * MANTISSA[0]],
+        inverse_polynomial: 2.0 * (lost * SHORTENED + ROOT[0]) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
+        // The power, its product with the intensity, and the intensity.
+        inverse_power: [POWER, lost * SHORTENED + ROOT[0] + 2.0 * MANTISSA[0]],
         light: Rounding::absolute(STEP / 2.0),
     }
 }
 
 /// The fine evaluation: the stages of `Fx32` for an offset of `Fx16`.
 pub(super) const FINE: Stages = Stages {
-    length: 2.5e-8 + AXIS,
-    turn: 2.65e-9 + AXIS,
+    length: 2.5e-8 + AXIS_LENGTH,
+    turn: 2.65e-9 + AXIS_TURN,
     difference: 0.0,
     versine: Rounding::absolute(3.0 * power_of_two(-29)),
     set_up: power_of_two(-30),
@@ -98,15 +113,16 @@ pub(super) const FINE: Stages = Stages {
     smooth: Rounding::absolute(3.0 * power_of_two(-30)),
     sample: Rounding::absolute(power_of_two(-28)),
     power: Rounding::absolute(power_of_two(-30)),
-    // A direction, and three products that are rounded down.
-    cosine: Rounding::absolute(2.65e-9 + 3.0 * power_of_two(-30)),
+    // A direction, and three products that are rounded down. The direction's length is that of the
+    // cosine itself.
+    cosine: Rounding { absolute: 2.65e-9 + 3.0 * power_of_two(-30), relative: 2.4e-8 },
     share: Rounding::absolute(power_of_two(-30)),
     near: Rounding { absolute: power_of_two(-30), relative: 5e-7 },
     // That of `Fx32`, and an offset that is halved.
     inverse_square: 4.2e-7 + 4.2e-7,
     given: fx32::errors::STAGES.given,
     inverse_polynomial: 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
-    inverse_power: [5e-5, 2.0 * MANTISSA[0]],
+    inverse_power: [POWER, 2.0 * MANTISSA[0]],
     light: Rounding::absolute(STEP / 2.0),
 };
 
@@ -123,13 +139,14 @@ pub(super) const fn quick(bits: u32) -> Stages {
     let lost = lost(bits, 15);
     Stages {
         // The root's 2.0e-4 (exhaustive), and the truncation along the direction.
-        length: 2.0e-4 + 6.63e-5 + AXIS,
+        length: ROOT[1] + 6.63e-5 + AXIS_LENGTH,
         // Four times the truncation of the coarse evaluation: `v` has two bits less than `V`.
-        turn: 4.0 * if bits > 17 { 1.46e-5 } else { 9.92e-6 } + AXIS,
-        cosine: Rounding { absolute: lost * TURNED + 2.0 * FINER, relative: 2.0e-4 },
-        inverse_square: 4.0e-4 + 2.45e-4 + MANTISSA[1] + 9.2e-5,
-        inverse_polynomial: 2.0 * (lost * SHORTENED + 2.0e-4) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
-        inverse_power: [5e-5, lost * SHORTENED + 2.0e-4 + 2.0 * MANTISSA[0]],
+        turn: 4.0 * if bits > 17 { 1.46e-5 } else { 9.92e-6 } + AXIS_TURN,
+        cosine: Rounding { absolute: lost * TURNED + 2.0 * FINER, relative: ROOT[1] },
+        near: near(lost, ROOT[1]),
+        inverse_square: 2.0 * ROOT[1] + 2.45e-4 + MANTISSA[1] + 9.2e-5,
+        inverse_polynomial: 2.0 * (lost * SHORTENED + ROOT[1]) + 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
+        inverse_power: [POWER, lost * SHORTENED + ROOT[1] + 2.0 * MANTISSA[0]],
         ..coarse(bits)
     }
 }

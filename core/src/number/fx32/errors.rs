@@ -38,7 +38,9 @@ pub(in crate::number) const STAGES: Stages = Stages {
     // length is that of the cosine itself.
     cosine: Rounding { absolute: power_of_two(-27) * 3.0 + 1.5 * 1.732_1 * STEP, relative: 2.4e-8 },
     share: Rounding::absolute(STEP),
-    near: Rounding { absolute: STEP, relative: 1.3e-7 },
+    // Three squares that are rounded down, two roundings to a mantissa, and a constant of a range, of which
+    // `f32` rounds the square and the reciprocal.
+    near: Rounding { absolute: STEP, relative: 1.1e-8 + 2.0 * MANTISSA + 1.2e-7 },
     // Twice the excess' 2.05e-8. Its product with the gain has 11 bits at least, which lose up to 7.4e-4
     // of an excess of 4.8e-4; three results are rounded down.
     inverse_square: 4.1e-8 + 3.6e-7 + 1.0e-8,
