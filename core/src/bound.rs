@@ -25,14 +25,15 @@ mod carried;
 use core::ops::RangeInclusive;
 
 pub use self::carried::Lit;
-use self::carried::{Carried, Stage, Way};
+use self::carried::{Carried, Pass, Way};
 use crate::{
+    angle::Angle,
     attenuation::Attenuation,
     error::{Error, Expected, Parameter},
-    falloff::{Curve, Falloff, Formula, Soft},
+    falloff::{Curve, Falloff, Formula, STRIP, Soft},
     light::{PointLight, SpotLight, check_reach},
     number::{Arithmetic, Fraction, Offset, Quick, Scalar, Stages},
-    trig::{self, square_root},
+    trig::square_root,
     vec3::Vec3,
 };
 
@@ -71,10 +72,6 @@ const CLASSES: usize = 6 * 20 + 1;
 const LONGER: f64 = 1.090_507_732_665_257_7;
 /// The fraction of the range at which an attenuation is tested for a jump.
 const LAST: f64 = 1.0 - 1.0 / 1_048_576.0;
-/// Width of the strip beside an infinite derivative, in outer half angles: that of
-/// [`Falloff::steepness`].
-const STRIP: f64 = 1.0 / 510.0;
-
 /// The shares of the intensity that reach surfaces, in classes of a similar size.
 struct Shares([Class; CLASSES]);
 
@@ -142,13 +139,13 @@ impl<P: Falloff> Edge<P> {
 
     /// Adds the shares of all points within the cone for each cosine, and returns the angle by which
     /// the edge may move.
-    fn shares(&self, stage: &Stage, shares: &mut Shares) -> f64 {
+    fn shares(&self, pass: &Pass, shares: &mut Shares) -> f64 {
         let Self { falloff, inner, outer, limit, .. } = *self;
         let span = outer - inner;
         let at_edge = self.versine_error(limit);
         let curve = falloff.compile::<f32>();
-        let argument = |cell: [f64; 2], error| curve.intensity(Carried::argument(stage, cell, error));
-        let mut add = |falloff| each_cosine(stage, |cosine| shares.add(&cosine.times_value(falloff)));
+        let argument = |cell: [f64; 2], error| curve.intensity(Carried::argument(pass, cell, error));
+        let mut add = |falloff| each_cosine(pass, |cosine| shares.add(&cosine.times_value(falloff)));
         // The hotspot and the axis.
         add(argument([1.0; 2], 0.0));
         if at_edge >= span / 2.0 || limit <= inner {
@@ -191,21 +188,20 @@ impl<P: Falloff> Edge<P> {
 
 /// Returns the angle of a versine.
 fn angle_of(versine: f64) -> f64 {
-    2.0 * trig::asin(square_root(versine / 2.0) as f32) as f64
+    f64::from(Angle::from_versine(versine as f32).to_radians()) / 2.0
 }
 
 /// Returns the versine of an angle.
 fn versine_of(angle: f64) -> f64 {
-    let sine = f64::from(trig::sin((angle / 2.0) as f32));
-    2.0 * sine * sine
+    Angle::radians(2.0 * angle as f32).versine().into()
 }
 
 /// Calls a function with the cosine of each cell of angles of incidence.
-fn each_cosine(stage: &Stage, mut call: impl FnMut(Carried<'_>)) {
+fn each_cosine(pass: &Pass, mut call: impl FnMut(Carried<'_>)) {
     let (mut low, mut high) = (FINER, 1.0);
     for class in 0..CLASSES {
         let low_end = if class + 1 < CLASSES { low } else { 0.0 };
-        call(Carried::number(stage, [low_end, high], stage.stages.cosine.of(high)));
+        call(Carried::number(pass, [low_end, high], pass.stages.cosine.of(high)));
         (low, high) = (low * FINER, low);
     }
 }
@@ -213,7 +209,7 @@ fn each_cosine(stage: &Stage, mut call: impl FnMut(Carried<'_>)) {
 /// Returns the largest measure of the light of all shares between two distances.
 fn largest<A: Attenuation>(
     attenuation: A,
-    stage: &mut Stage,
+    pass: &mut Pass,
     shares: &Shares,
     [near, far]: [f64; 2],
     measure: &dyn Fn(Lit) -> f64,
@@ -224,12 +220,12 @@ fn largest<A: Attenuation>(
     let (mut from, mut most) = (near, 0.0_f64);
     while from < far {
         let to = if from * LONGER < far { from * LONGER } else { far };
-        stage.distances = [from, to];
+        pass.distances = [from, to];
         for class in shares.0.iter().filter(|class| class.high > 0.0) {
-            let share = Carried::number(stage, [class.low, class.high], class.error);
-            stage.lit.set(Lit::default());
-            A::light::<f32, _, _>(&constants, &offset, &Way(stage), share, 1.0);
-            most = most.max(measure(stage.lit.get()));
+            let share = Carried::number(pass, [class.low, class.high], class.error);
+            pass.lit.set(Lit::default());
+            A::light::<f32, _, _>(&constants, &offset, &Way(pass), share, 1.0);
+            most = most.max(measure(pass.lit.get()));
         }
         from = to;
     }
@@ -255,7 +251,7 @@ fn derived<P: Falloff, A: Attenuation>(
 ) -> ErrorBound {
     let (mut light, mut edge, mut shell) = (0.0_f64, 0.0_f64, 0.0_f64);
     for Followed { stages, zoom, is_kept, distances: [near, mut far] } in evaluations {
-        let mut stage = Stage {
+        let mut pass = Pass {
             stages,
             distances: [near, far],
             intensity: intensity.into(),
@@ -266,9 +262,9 @@ fn derived<P: Falloff, A: Attenuation>(
         if let Some((falloff, versines)) = cone {
             let [inner, outer, limit] = versines.map(f64::from);
             let cone = Edge { falloff, inner, outer, limit, stages, zoom };
-            edge = edge.max(cone.shares(&stage, &mut shares));
+            edge = edge.max(cone.shares(&pass, &mut shares));
         } else {
-            each_cosine(&stage, |cosine| shares.add(&cosine.value()));
+            each_cosine(&pass, |cosine| shares.add(&cosine.value()));
         }
         if let Some(range) = attenuation.range().map(f64::from) {
             // The squared fraction of the range is wrong by this much where it is 1.
@@ -279,7 +275,7 @@ fn derived<P: Falloff, A: Attenuation>(
             }
             far = far.min(range);
         }
-        light = light.max(largest(attenuation, &mut stage, &shares, [near, far], measure));
+        light = light.max(largest(attenuation, &mut pass, &shares, [near, far], measure));
     }
     ErrorBound { light: above(light), edge: above(edge), range: above(shell) }
 }
@@ -366,12 +362,11 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     ) -> Result<ErrorBound, Error> {
         let distances = checked::<S>(distances)?;
         check_reach::<S>(self.position())?;
-        let (cone, attenuation, intensity) = (self.cone(), self.attenuation(), self.intensity());
+        let cone = self.cone();
         let (_, error) = cone.compile_with_error::<S>()?;
-        let fine_within = S::fine_within(error, intensity, attenuation.growth());
+        let fine_within = S::fine_within(error, self.intensity(), self.attenuation().growth());
         let zoom = S::magnification(cone.outer_versine());
-        let followed = evaluations::<S>(distances, fine_within, zoom);
-        Ok(derived(Some((cone.falloff(), cone.versines())), attenuation, intensity, followed, measure))
+        Ok(self.derived(evaluations::<S>(distances, fine_within, zoom), measure))
     }
 
     /// Returns an upper bound of the error of the light compiled for the quick evaluation of the format
@@ -395,15 +390,21 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     ) -> Result<ErrorBound, Error> {
         let distances = checked::<S>(distances)?;
         check_reach::<S>(self.position())?;
-        let cone = self.cone();
-        cone.compile_quick::<S>()?;
+        self.cone().compile_quick::<S>()?;
         let followed = |distances: [f64; 2]| {
             let stages = S::quick_stages(distances[0]);
             Followed { stages, zoom: 1.0, is_kept: false, distances }
         };
-        let quick = divided::<S>(distances).map(followed);
-        let described = Some((cone.falloff(), cone.versines()));
-        Ok(derived(described, self.attenuation(), self.intensity(), quick, measure))
+        Ok(self.derived(divided::<S>(distances).map(followed), measure))
+    }
+
+    fn derived(
+        &self,
+        evaluations: impl Iterator<Item = Followed>,
+        measure: &dyn Fn(Lit) -> f64,
+    ) -> ErrorBound {
+        let cone = Some((self.cone().falloff(), self.cone().versines()));
+        derived(cone, self.attenuation(), self.intensity(), evaluations, measure)
     }
 }
 

@@ -35,6 +35,7 @@ mod real;
 mod step;
 mod table;
 
+pub(crate) use self::real::STRIP;
 use crate::{number::Scalar, source::Source};
 
 pub use self::{

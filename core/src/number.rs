@@ -57,6 +57,7 @@ pub(crate) use self::{
 pub(crate) use self::{
     arithmetic::{HALF_A_CODE, STEPS},
     float::BRIGHTEST,
+    stages::KEPT,
 };
 pub use self::{knot::Knot, real::InversePower};
 use crate::{

@@ -3,14 +3,14 @@
 use core::{cell::Cell, cmp::Ordering};
 
 use crate::{
-    number::{Fraction, InversePower, Knot, Offset, Ray, RealExponent, Rounding, Share, Stages},
+    number::{Fraction, InversePower, KEPT, Knot, Offset, Ray, RealExponent, Rounding, Share, Stages},
     trig::real_power,
     vec3::Vec3,
 };
 
-/// The evaluation that is followed, and the light that it ends with.
+/// One pass of an evaluation over a cell of distances, and the light that it ends with.
 #[derive(Debug)]
-pub(super) struct Stage {
+pub(super) struct Pass {
     pub(super) stages: Stages,
     /// The nearest and the farthest distance of a cell.
     pub(super) distances: [f64; 2],
@@ -38,7 +38,7 @@ pub struct Lit {
 /// the error of the falloff's argument, and by at most `error` more.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Carried<'a> {
-    stage: Option<&'a Stage>,
+    pass: Option<&'a Pass>,
     pub(super) low: f64,
     pub(super) high: f64,
     /// The smallest and the largest derivative with respect to the argument of the falloff.
@@ -64,14 +64,14 @@ fn sum(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 impl<'a> Carried<'a> {
     /// Creates the argument of a falloff between two exact values. The cell is widened by the error,
     /// so that derivatives between an exact and a computed value are those of the cell.
-    pub(super) fn argument(stage: &'a Stage, [low, high]: [f64; 2], error: f64) -> Self {
+    pub(super) fn argument(pass: &'a Pass, [low, high]: [f64; 2], error: f64) -> Self {
         let (low, high) = ((low - error).max(0.0), (high + error).min(1.0));
-        Self { stage: Some(stage), low, high, slope: [1.0; 2], argument: error, error: 0.0 }
+        Self { pass: Some(pass), low, high, slope: [1.0; 2], argument: error, error: 0.0 }
     }
 
     /// Creates a number in an interval with an error.
-    pub(super) fn number(stage: &'a Stage, [low, high]: [f64; 2], error: f64) -> Self {
-        Self { stage: Some(stage), low, high, error, ..Self::default() }
+    pub(super) fn number(pass: &'a Pass, [low, high]: [f64; 2], error: f64) -> Self {
+        Self { pass: Some(pass), low, high, error, ..Self::default() }
     }
 
     /// Returns the error of the result.
@@ -90,31 +90,29 @@ impl<'a> Carried<'a> {
         Self { error: self.total(), slope: [0.0; 2], argument: 0.0, ..self }
     }
 
-    fn stages(&self) -> Stages {
-        // A number without a stage is the constant zero, whose operations are exact.
-        self.stage.map_or(Stages::EXACT, |stage| stage.stages)
-    }
-
-    fn rounded(self, rounding: Rounding) -> Self {
+    /// Returns the same number with the rounding of a stage. One without an evaluation is the constant
+    /// zero, whose operations are exact.
+    fn rounded(self, stage: impl Fn(&Stages) -> Rounding) -> Self {
+        let rounding = self.pass.map_or(Rounding::NONE, |pass| stage(&pass.stages));
         Self { error: self.error + rounding.of(self.high), ..self }
     }
 
     /// Returns a monotone function of this number from its values at both ends and its derivative.
-    fn mapped(self, ends: [f64; 2], derivative: [f64; 2], rounding: Rounding) -> Self {
+    fn mapped(self, ends: [f64; 2], derivative: [f64; 2], stage: impl Fn(&Stages) -> Rounding) -> Self {
         let (low, high) = (ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1]).min(1.0));
         let error =
             if self.error > 0.0 { self.error * derivative[0].abs().max(derivative[1].abs()) } else { 0.0 };
-        Self { low, high, slope: product(self.slope, derivative), error, ..self }.rounded(rounding)
+        Self { low, high, slope: product(self.slope, derivative), error, ..self }.rounded(stage)
     }
 
-    fn multiplied(self, other: Self, rounding: Rounding) -> Self {
+    fn multiplied(self, other: Self, stage: impl Fn(&Stages) -> Rounding) -> Self {
         let slope =
             sum(product(self.slope, [other.low, other.high]), product(other.slope, [self.low, self.high]));
         // Two numbers that depend on the same argument have the same error of it.
         let argument = self.argument.max(other.argument);
         let error = self.error * (other.high + other.error) + other.error * self.high;
         let (low, high) = (self.low * other.low, self.high * other.high);
-        Self { stage: self.stage.or(other.stage), low, high, slope, argument, error }.rounded(rounding)
+        Self { pass: self.pass.or(other.pass), low, high, slope, argument, error }.rounded(stage)
     }
 
     /// `t^2 (3 - 2 t)`.
@@ -123,7 +121,7 @@ impl<'a> Carried<'a> {
         let [a, b] = [derivative(self.low), derivative(self.high)];
         let most = if self.low < 0.5 && self.high > 0.5 { 1.5 } else { a.max(b) };
         let ends = [self.low, self.high].map(|t| t * t * (3.0 - 2.0 * t));
-        self.mapped(ends, [a.min(b), most], self.stages().smooth)
+        self.mapped(ends, [a.min(b), most], |stages| stages.smooth)
     }
 
     /// `t (1 + u (g + h t))`, where this many coefficients and sums of two are rounded.
@@ -137,10 +135,11 @@ impl<'a> Carried<'a> {
         if vertex > self.low && vertex < self.high {
             (least, most) = (least.min(derivative(vertex)), most.max(derivative(vertex)));
         }
-        let Stages { lift, weight, value: rounding, .. } = self.stages();
-        let of_factor = lift + weight * rounded * (1.0 - self.low);
-        let rounding = Rounding { absolute: rounding.absolute + self.high * of_factor, ..rounding };
-        self.mapped([value(self.low), value(self.high)], [least, most], rounding)
+        let lifted = self.mapped([value(self.low), value(self.high)], [least, most], |stages| {
+            let of_factor = stages.lift + stages.weight * rounded * (1.0 - self.low);
+            Rounding::absolute(self.high * of_factor)
+        });
+        lifted.rounded(|stages| stages.value)
     }
 
     /// The linear interpolation over `u = 1 - t` between points `(u, value)` in the order of `u`.
@@ -160,37 +159,37 @@ impl<'a> Carried<'a> {
             derivative = [derivative[0].min(-rise), derivative[1].max(-rise)];
         }
         if high < low || derivative[0] > derivative[1] {
-            return self.mapped([0.0; 2], [0.0; 2], self.stages().sample);
+            return self.mapped([0.0; 2], [0.0; 2], |stages| stages.sample);
         }
-        self.mapped([low, high], derivative, self.stages().sample)
+        self.mapped([low, high], derivative, |stages| stages.sample)
     }
 
     /// Ends the evaluation with this share of the intensity, times a factor in an interval and with a
     /// relative error.
     fn lit_by(self, [least, most]: [f64; 2], relative: f64) -> f32 {
         let share = self.settled();
-        let Some(stage) = self.stage else { return 0.0 };
-        let [least, most] = [least, most].map(|factor| factor * stage.intensity);
-        let (of_share, step) = (share.error + stage.stages.given, stage.stages.light.of(1.0));
+        let Some(pass) = self.pass else { return 0.0 };
+        let [least, most] = [least, most].map(|factor| factor * pass.intensity);
+        let (of_share, step) = (share.error + pass.stages.given, pass.stages.light.of(1.0));
         let exact = share.low * least;
-        let error = if stage.is_kept {
-            // The coarse light is kept if it is over 1.125 and its share is over 1/32.
+        let error = if pass.is_kept {
+            let [least_share, least_light] = KEPT.map(|steps| f64::from(steps) / 16_384.0);
             let share = share.high + of_share;
-            if share <= 1.0 / 32.0 || share * most * (1.0 + relative) + step <= 1.125 {
+            if share <= least_share || share * most * (1.0 + relative) + step <= least_light {
                 0.0
             } else {
-                let kept = (1.125 - step) / (1.0 + relative) - of_share * most;
-                1.0 - exact.max(kept).max((1.0 / 32.0 - of_share) * least)
+                let kept = (least_light - step) / (1.0 + relative) - of_share * most;
+                1.0 - exact.max(kept).max((least_share - of_share) * least)
             }
         } else if (share.low - of_share) * least * (1.0 - relative) - step >= 1.0 {
             // Even the least computed light is over full scale.
             0.0
         } else {
             let size = (share.high * most).min(1.0);
-            of_share * most * (1.0 + relative) + size * relative + stage.stages.light.of(size)
+            of_share * most * (1.0 + relative) + size * relative + pass.stages.light.of(size)
         };
         let [from, to] = [exact, share.high * most].map(|light| light.clamp(0.0, 1.0));
-        stage.lit.set(Lit { from, to, error: error.clamp(0.0, 1.0) });
+        pass.lit.set(Lit { from, to, error: error.clamp(0.0, 1.0) });
         0.0
     }
 }
@@ -216,15 +215,15 @@ impl Fraction<f32> for Carried<'_> {
     }
 
     fn times(self, other: Self) -> Self {
-        self.multiplied(other, self.stages().product)
+        self.multiplied(other, |stages| stages.product)
     }
 
     fn times_to_value(self, other: Self) -> Self {
-        self.multiplied(other, self.stages().value)
+        self.multiplied(other, |stages| stages.value)
     }
 
     fn times_value(self, value: Self) -> Self {
-        self.multiplied(value, self.stages().value)
+        self.multiplied(value, |stages| stages.value)
     }
 
     fn real_power(self, exponent: RealExponent) -> Self {
@@ -236,14 +235,15 @@ impl Fraction<f32> for Carried<'_> {
             _ => f64::INFINITY,
         };
         let [a, b] = [slope(self.low), slope(self.high)];
-        let rounding = self.stages().power;
-        let rounding = Rounding { absolute: rounding.absolute + 2e-9 + 6.5e-10 * p, ..rounding };
-        self.mapped([power(self.low), power(self.high)], [a.min(b), a.max(b)], rounding)
+        // The error of the power itself: see `Fraction::real_power`.
+        let own = |_: &Stages| Rounding::absolute(2e-9 + 6.5e-10 * p);
+        let mapped = self.mapped([power(self.low), power(self.high)], [a.min(b), a.max(b)], own);
+        mapped.rounded(|stages| stages.power)
     }
 
     fn value(self) -> Self {
         // The rounding of a product to a value is at least that of a fraction.
-        self.rounded(self.stages().value)
+        self.rounded(|stages| stages.value)
     }
 
     fn step(self) -> Self {
@@ -297,11 +297,12 @@ impl Share<f32> for Carried<'_> {
 
     fn complement(self) -> Self {
         let (low, high) = (1.0 - self.high, 1.0 - self.low);
-        Self { low, high, slope: [-self.slope[1], -self.slope[0]], ..self }.rounded(self.stages().complement)
+        Self { low, high, slope: [-self.slope[1], -self.slope[0]], ..self }
+            .rounded(|stages| stages.complement)
     }
 
     fn times(self, other: Self) -> Self {
-        self.multiplied(other, self.stages().share)
+        self.multiplied(other, |stages| stages.share)
     }
 
     fn smooth(self) -> Self {
@@ -315,7 +316,7 @@ impl Share<f32> for Carried<'_> {
 
 /// The ray of a cell of distances.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Way<'a>(pub(super) &'a Stage);
+pub(super) struct Way<'a>(pub(super) &'a Pass);
 
 impl<'a> Way<'a> {
     /// Returns a function of the distance that does not fall, at most 1.
@@ -332,6 +333,7 @@ impl<'a> Way<'a> {
     }
 }
 
+/// An attenuation computes with the last five operations alone.
 impl<'a> Ray<f32> for Way<'a> {
     type Fraction = Carried<'a>;
     type Share = Carried<'a>;

@@ -44,7 +44,7 @@ stored!(InvertedRealPower { exponent: f32, floor: f32 } by Self::floored(exponen
 /// Width of the strip next to an infinite derivative that [`Falloff::steepness`] ignores, in outer
 /// half angles. Within this strip a format bounds the error of the position, and not of the
 /// intensity, as at a step.
-const STRIP: f64 = 1.0 / 510.0;
+pub(crate) const STRIP: f64 = 1.0 / 510.0;
 
 fn checked(exponent: f32) -> Result<f32, Error> {
     check_up_to(Parameter::Exponent, exponent, MOST as f32)?;

@@ -1,6 +1,16 @@
 //! The errors of the stages of an evaluation, from which [`bound`](crate::bound) derives the error of
 //! a light.
 
+/// Returns `2^exponent`.
+#[cfg(feature = "fixed")]
+pub(super) const fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1_023 + exponent) as u64) << 52)
+}
+
+/// The share and the light, in steps of 2^-14, over which `Fx16` keeps the light of its coarse
+/// evaluation, which is clipped in any case.
+pub(crate) const KEPT: [u32; 2] = [1 << 9, 9 << 11];
+
 /// An upper bound of a rounding error: an absolute part, and a part relative to the result.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounding {
@@ -81,32 +91,4 @@ pub struct Stages {
     pub inverse_power: [f64; 2],
     /// The rounding of light.
     pub light: Rounding,
-}
-
-impl Stages {
-    /// Stages without errors.
-    pub const EXACT: Self = Self {
-        length: 0.0,
-        turn: 0.0,
-        difference: 0.0,
-        versine: Rounding::NONE,
-        set_up: 0.0,
-        ramp: Rounding::NONE,
-        complement: Rounding::NONE,
-        product: Rounding::NONE,
-        value: Rounding::NONE,
-        lift: 0.0,
-        weight: 0.0,
-        smooth: Rounding::NONE,
-        sample: Rounding::NONE,
-        power: Rounding::NONE,
-        cosine: Rounding::NONE,
-        share: Rounding::NONE,
-        near: Rounding::NONE,
-        inverse_square: 0.0,
-        given: 0.0,
-        inverse_polynomial: 0.0,
-        inverse_power: [0.0; 2],
-        light: Rounding::NONE,
-    };
 }

@@ -3,11 +3,7 @@
 //! `V` is the offset, scaled to 17 bits and not rounded, `v` the truncated offset of 15 bits, and `r`
 //! its reciprocal length `2^30 / |v|`.
 
-use crate::number::{Rounding, Stages, fx32};
-
-const fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1_023 + exponent) as u64) << 52)
-}
+use crate::number::{Rounding, Stages, fx32, stages::power_of_two};
 
 /// A step of a scalar, and of light.
 const STEP: f64 = power_of_two(-14);

@@ -4,8 +4,8 @@
 use super::{Fraction16, Frame16, Gain16, Offset16, WAY_BITS, errors, factor, thirty_two_bits, versine};
 use crate::{
     number::{
-        Arithmetic, Fx16, Fx32, HALF_A_CODE, Length, Light16, Offset, Ray, Rise, Scalar, Slopes, Stages,
-        Versine, Weight16, Word,
+        Arithmetic, Fx16, Fx32, HALF_A_CODE, KEPT, Length, Light16, Offset, Ray, Rise, Scalar, Slopes,
+        Stages, Versine, Weight16, Word,
         fx32::{Fine, FineRay},
         raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
@@ -244,7 +244,8 @@ impl Arithmetic for Fx16 {
     fn is_clipped(share: Self, light: Light16) -> bool {
         // The relative error of a share of 1/32 or more is at most 6 %, so light above 1.125
         // exceeds full scale.
-        share.to_bits() > 1 << 9 && light.to_bits() > 9 << 11
+        let [least_share, least_light] = KEPT;
+        i32::from(share.to_bits()) > least_share as i32 && light.to_bits() > least_light
     }
 
     fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Frame16 {

@@ -1,10 +1,6 @@
 //! The errors of the stages of the 32-bit format, where each of them comes from.
 
-use crate::number::{Rounding, Stages};
-
-const fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1_023 + exponent) as u64) << 52)
-}
+use crate::number::{Rounding, Stages, stages::power_of_two};
 
 /// A step of a scalar; a fraction has half of it.
 const STEP: f64 = power_of_two(-30);
