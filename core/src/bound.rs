@@ -39,10 +39,10 @@ use crate::{
 
 /// An upper bound of the error of a compiled light.
 ///
-/// The bound holds for every point within the distances for which it was asked, every unit normal, and
-/// every position and axis of the light. The exact light is that of the coordinates as the format has
-/// rounded them, and of the normal as the format has rounded it. The bound is that of the diffuse
-/// light, without colours.
+/// The bound holds for every point within the given distances, every unit normal, and every position and
+/// axis of the light. The exact light is that of the coordinates and of the normal as the format has
+/// rounded them; a cosine of more than 1, of a normal that is rounded up, counts as 1. The bound is that
+/// of the diffuse light, without colours.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ErrorBound {
     /// The error of the irradiance, clipped to full scale; 1 is full scale and 1/255 a linear code.

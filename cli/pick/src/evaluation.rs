@@ -150,23 +150,28 @@ macro_rules! bounded {
     };
 }
 
-impl Evaluation {
-    /// Compiles a light.
-    pub(crate) fn compile(self, light: &Light, cone: &Shaped) -> Result<Box<dyn Kernel>, Error> {
-        shaped!(cone, cone => {
-            let spot = light.spot(*cone)?;
-            Ok(match light.attenuation {
+/// Evaluates an expression with the spotlight of a light, by its cone and its attenuation.
+macro_rules! spotlight {
+    ($light:expr, $cone:expr, $spot:ident => $answer:expr) => {
+        shaped!($cone, cone => {
+            let $spot = $light.spot(*cone)?;
+            match $light.attenuation {
                 Attenuation::None => {
-                    let spot = spot.with_attenuation(NoAttenuation);
-                    evaluations!(compiled; self, spot;)
+                    let $spot = $spot.with_attenuation(NoAttenuation);
+                    $answer
                 }
-                Attenuation::InverseSquare => evaluations!(compiled; self, spot;),
-            })
+                Attenuation::InverseSquare => $answer,
+            }
         })
-    }
+    };
 }
 
 impl Evaluation {
+    /// Compiles a light.
+    pub(crate) fn compile(self, light: &Light, cone: &Shaped) -> Result<Box<dyn Kernel>, Error> {
+        Ok(spotlight!(light, cone, spot => evaluations!(compiled; self, spot;)))
+    }
+
     /// Returns the bound of the error of a light between its distances, by a measure of an error.
     pub(crate) fn bound(
         self,
@@ -175,16 +180,7 @@ impl Evaluation {
         measure: &dyn Fn(Lit) -> f64,
     ) -> Result<f64, Error> {
         let distances = light.near..=light.far;
-        let bound = shaped!(cone, cone => {
-            let spot = light.spot(*cone)?;
-            match light.attenuation {
-                Attenuation::None => {
-                    let spot = spot.with_attenuation(NoAttenuation);
-                    evaluations!(bounded; self, spot, distances, measure;)
-                }
-                Attenuation::InverseSquare => evaluations!(bounded; self, spot, distances, measure;),
-            }
-        });
+        let bound = spotlight!(light, cone, spot => evaluations!(bounded; self, spot, distances, measure;));
         Ok(bound.light.into())
     }
 }

@@ -121,13 +121,16 @@ impl Request {
         let measure = |lit| self.tolerance.measure(self.display, lit);
         let (mut offers, mut refused) = (Vec::new(), None);
         for &evaluation in Evaluation::ALL {
-            let bound = evaluation.bound(light, &cone, &measure);
-            match bound.and_then(|bound| Ok((bound, evaluation.compile(light, &cone)?))) {
+            match evaluation.compile(light, &cone) {
                 Ok(_) if farthest > evaluation.farthest() => {}
-                Ok((bound, kernel)) => {
+                Ok(kernel) => {
                     let share = search.fine_share(&*kernel);
                     let price = Price::of(self.chip, light, &cone, evaluation, share);
-                    offers.push(Offer { evaluation, price, bound });
+                    offers.push(Offer {
+                        evaluation,
+                        price,
+                        bound: evaluation.bound(light, &cone, &measure)?,
+                    });
                 }
                 Err(error) => refused = Some(error),
             }
