@@ -27,6 +27,8 @@ pub(crate) mod fx16;
 #[cfg(feature = "fixed")]
 pub(crate) mod fx32;
 mod knot;
+#[cfg(all(test, feature = "fixed"))]
+mod proofs;
 #[cfg(feature = "fixed")]
 pub(crate) mod ramp;
 pub(crate) mod real;

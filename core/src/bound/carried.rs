@@ -136,8 +136,8 @@ impl<'a> Carried<'a> {
             (least, most) = (least.min(derivative(vertex)), most.max(derivative(vertex)));
         }
         let lifted = self.mapped([value(self.low), value(self.high)], [least, most], |stages| {
-            let of_factor = stages.lift + stages.weight * rounded * (1.0 - self.low);
-            Rounding::absolute(self.high * of_factor)
+            let of_weights = stages.weight * rounded * (1.0 - self.low);
+            Rounding::absolute(stages.lift.of(self.high) + self.high * of_weights)
         });
         lifted.rounded(|stages| stages.value)
     }

@@ -241,7 +241,7 @@ pub struct Ray16 {
 ///
 /// The ideal bias is half the reciprocal length, so between 2,365 and 8,192. Of the constants in
 /// this range, 6,144 had the smallest error (measured).
-const CUT_OFF: i32 = 6_144;
+pub(super) const CUT_OFF: i32 = 6_144;
 
 /// Returns the versine of the angle between a direction and an axis, in the scale of a ramp.
 #[inline]
@@ -328,7 +328,7 @@ impl Fraction16 {
     const BITS: u32 = 15;
     const ONE: u32 = 1 << Self::BITS;
     /// Half a step of a scalar, in units of a product of two fractions.
-    const HALF: u32 = 1 << Self::BITS;
+    pub(super) const HALF: u32 = 1 << Self::BITS;
 
     /// Returns `t (1 + lift)` for this fraction `t`, capped at 1. The lift has as many fraction bits
     /// as `t`.
@@ -746,7 +746,7 @@ const QUICK_DROPPED: u32 = 16;
 /// Rounding bias added to a direction of the quick evaluation for the truncated bits of `v`.
 ///
 /// The bias is three eighths of the largest reciprocal length, as in the standard evaluation.
-const QUICK_CUT_OFF: i32 = 24_576;
+pub(super) const QUICK_CUT_OFF: i32 = 24_576;
 
 /// Offset from a light to a point: `v`, and the bit length of its largest component before scaling.
 #[derive(Clone, Copy, Debug)]

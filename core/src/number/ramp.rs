@@ -273,6 +273,7 @@ mod tests {
     use super::*;
     use crate::number::fx16::Fraction16;
     use crate::number::fx32::Fine;
+    use crate::number::proofs::model::{Constants, Number as _};
 
     extern crate std;
 
@@ -394,5 +395,30 @@ mod tests {
             (3e-5..=4e-5).contains(&of_coarse),
             "error of a coarse t {of_coarse:.2e}, expected 3e-5 to 4e-5"
         );
+    }
+
+    /// The proofs are about a model of the ramp. It has the bits of the kernel, and raises by no more than
+    /// they assume.
+    #[test]
+    fn the_model_of_the_proofs_has_the_bits_of_a_ramp() {
+        let model = Constants::KERNEL;
+        for (i, ramp) in ramps().enumerate() {
+            let up = 1 << 16_u32.saturating_sub(ramp.fine_shift);
+            let mantissa = model.ramp_mantissa(i128::from(ramp.fine_mantissa), up);
+            assert_eq!(i128::from(ramp.mantissa), mantissa, "{ramp:?}");
+            let step = 1 << ramp.shift;
+            let raised = i128::from(ramp.one) - model.risen(mantissa, step, 0, 0);
+            assert!((0..=32_769).contains(&raised), "{ramp:?}: raised by {raised}");
+            let past = (i as u32).wrapping_mul(0x9e37_79b9) % ramp.width.max(1);
+            if ramp.width > 0 {
+                let t = model.risen(mantissa, step, i128::from(past) / step, raised) >> 16;
+                let found = ramp.rise(Versine::from_bits(ramp.inner + past)).0;
+                assert_eq!(i128::from(found), t, "{ramp:?} {past}");
+            }
+            let short = 32_u32.saturating_sub(ramp.fine_shift);
+            let long = ramp.fine_shift.saturating_sub(32);
+            let fallen = model.fallen(i128::from(past) << short, ramp.fine_mantissa.into(), 1 << long);
+            assert_eq!(i128::from(ramp.fallen(past)), fallen, "{ramp:?} {past}");
+        }
     }
 }

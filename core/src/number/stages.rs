@@ -65,8 +65,8 @@ pub struct Stages {
     /// A fraction as a value, and the product of two fractions or of a fraction and a value.
     pub value: Rounding,
     /// `1 + u (g + h t)` in `t (1 + u (g + h t))`, without the error of its coefficients. The result is
-    /// rounded to a value.
-    pub lift: f64,
+    /// rounded to a value. The relative part is that of `t`.
+    pub lift: Rounding,
     /// A coefficient, and the sum of two.
     pub weight: f64,
     /// `t^2 (3 - 2 t)`.

@@ -15,6 +15,8 @@ pub(crate) enum Request {
     /// Run the tests with the long sweeps, on all boards, in all browsers, with all feature sets, and
     /// from the packed crates
     Full(TestOptions),
+    /// Prove the errors of the fixed-point stages, by Gappa and Coq
+    Prove,
     /// Take the pictures of the demo for the documents again
     Pictures,
     /// Draw the pictures of renderers that are not the project's, and compare the spotlight of

@@ -8,6 +8,7 @@ mod features;
 mod msrv;
 mod package;
 mod pictures;
+mod prove;
 mod renderers;
 mod scripts;
 mod semver;
@@ -17,6 +18,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use measure::{conform, device, rivals};
+use tools::suite::Suite;
 
 use arguments::Request;
 
@@ -25,6 +27,11 @@ fn main() -> ExitCode {
     let outcome = match Request::parse() {
         Request::Test(options) => Ok(test::run(options, false)),
         Request::Full(options) => Ok(test::run(options, true)),
+        Request::Prove => {
+            let mut suite = Suite::new(None);
+            prove::step(&mut suite);
+            Ok(suite.finish())
+        }
         Request::Pictures => pictures::run().map(done),
         Request::Renderers => renderers::run().map(done),
         Request::Board(options) => device::run(&options).map(done),

@@ -14,7 +14,7 @@ use tools::toolchain::Toolchain;
 use tools::{compilers, install, project};
 
 use crate::features::{self, ALL, BARE_METAL, SETS, STD};
-use crate::{browsers, contributing, msrv, package, renderers, scripts, semver};
+use crate::{browsers, contributing, msrv, package, prove, renderers, scripts, semver};
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
 const TOOLS: [&str; 5] = ["lab", "luminaire-counter", "measure", "tools", "xtask"];
@@ -74,6 +74,7 @@ fn host(suite: &mut Suite, full: bool) {
             "export: C compiles for small processors, and has the bits of the kernel",
             by_all_compilers,
         );
+        prove::step(suite);
         bare_metal(suite);
         contributing::run(suite);
         dependencies(suite);

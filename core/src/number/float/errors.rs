@@ -22,7 +22,7 @@ pub(super) const STAGES: Stages = Stages {
     product: Rounding::relative(UNIT),
     value: Rounding::relative(UNIT),
     // Up to five operations, each of a result up to 4; a coefficient is rounded.
-    lift: 5.0 * 4.0 * UNIT,
+    lift: Rounding::relative(5.0 * 4.0 * UNIT),
     weight: 4.0 * UNIT,
     smooth: Rounding::relative(5.0 * UNIT),
     sample: Rounding::absolute(5.0 * UNIT),

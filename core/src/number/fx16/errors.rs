@@ -54,9 +54,9 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         length: ROOT[0] + 1.363e-4 + 1.66e-5 + AXIS_LENGTH,
         // A component is truncated by up to `r / 4` units of 2^-30, less `CUT_OFF`; `r / 4` is at most
         // 2^14 times the largest component of the direction. Across the direction that is at most
-        // 1.46e-5, where the largest component is 0.95. Of up to 19 bits no more than 3/4 of it is
+        // 1.463e-5, where the largest component is 0.95. Of up to 19 bits no more than 3/4 of it is
         // lost, so that `CUT_OFF` is the most: `sqrt(3)` of 6,144 units.
-        turn: AXIS_TURN + if bits > 19 { 1.46e-5 } else { 9.92e-6 },
+        turn: AXIS_TURN + if bits > 19 { 1.47e-5 } else { 9.92e-6 },
         // Three components are rounded to integers, in units of 2^-14.
         difference: 0.866_1 * STEP,
         versine: Rounding::NONE,
@@ -67,7 +67,7 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         complement: Rounding::NONE,
         product: Rounding::absolute(FINER / 2.0),
         value: Rounding::absolute(STEP / 2.0),
-        lift: FINER / 2.0,
+        lift: Rounding::relative(FINER / 2.0),
         // Half a unit of 2^-14.
         weight: FINER,
         // The square is rounded to a fraction and multiplied by up to 3.
@@ -104,9 +104,12 @@ pub(super) const FINE: Stages = Stages {
     complement: Rounding::NONE,
     product: Rounding::absolute(power_of_two(-30)),
     value: Rounding::absolute(power_of_two(-30)),
-    lift: power_of_two(-27),
+    // The product with a slope is rounded down by 16 units of 2^-31, and its factor by 2, of which a slope
+    // makes 6.
+    lift: Rounding::absolute(22.0 * power_of_two(-31)),
     weight: FINER,
-    smooth: Rounding::absolute(3.0 * power_of_two(-30)),
+    // A square that is rounded down by 2 units of 2^-31, three times, and twice a product.
+    smooth: Rounding::absolute(5.0 * power_of_two(-30)),
     sample: Rounding::absolute(power_of_two(-28)),
     power: Rounding::absolute(power_of_two(-30)),
     // A direction, and three products that are rounded down. The direction's length is that of the
@@ -134,10 +137,11 @@ pub(super) const FAR: Stages = Stages {
 pub(super) const fn quick(bits: u32) -> Stages {
     let lost = lost(bits, 15);
     Stages {
-        // The root's 2.0e-4 (exhaustive), and the truncation along the direction.
-        length: ROOT[1] + 6.63e-5 + AXIS_LENGTH,
+        // The product of `v` and its reciprocal length has the length 1, but for the root's 2.0e-4
+        // (exhaustive). Of the bias at most `sqrt(3)` of `QUICK_CUT_OFF` is along the direction.
+        length: ROOT[1] + 3.97e-5 + AXIS_LENGTH,
         // Four times the truncation of the coarse evaluation: `v` has two bits less than `V`.
-        turn: 4.0 * if bits > 17 { 1.46e-5 } else { 9.92e-6 } + AXIS_TURN,
+        turn: 4.0 * if bits > 17 { 1.47e-5 } else { 9.92e-6 } + AXIS_TURN,
         cosine: Rounding { absolute: lost * TURNED + 2.0 * FINER, relative: ROOT[1] },
         near: near(lost, ROOT[1]),
         inverse_square: 2.0 * ROOT[1] + 2.45e-4 + MANTISSA[1] + 9.2e-5,

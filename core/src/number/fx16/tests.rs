@@ -3,7 +3,10 @@
 use super::*;
 use crate::{
     falloff::{Cubic, Curve, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft},
-    number::{Arithmetic, HALF_A_CODE, Scalar},
+    number::{
+        Arithmetic, HALF_A_CODE, Scalar,
+        proofs::model::{Constants, Number as _},
+    },
 };
 
 extern crate std;
@@ -174,5 +177,82 @@ fn the_cosine_of_a_long_normal_wraps() {
         let along = (product(ray.direction.x) + product(ray.direction.y) + product(ray.direction.z)) as i32;
         let normal = Vec3::new(n, n, n).map(Fx16::from_bits);
         assert_eq!(ray.cosine(0, normal), Fine::capped(along.min(0).unsigned_abs(), -1), "{n}");
+    }
+}
+
+/// The proofs are about a model of the stages. It has the bits of the kernel.
+#[test]
+fn the_model_of_the_proofs_has_the_bits_of_the_coarse_stages() {
+    let model = Constants::KERNEL;
+    let mut random = fastrand::Rng::with_seed(1);
+    for _ in 0..200_000 {
+        let bits = random.u32(1..=32);
+        let way = Vec3::new(random.i32(..), random.i32(..), random.i32(..)).map(|c| c >> (32 - bits));
+        let offset = Offset16::new(way);
+        let ray = offset.ray();
+        let reciprocal = i128::from(ray.reciprocal);
+        let components = |direction: Vec3<Fx32>, way: Vec3<i32>, multiplier: i128, cut_off: i64| {
+            let exact = way.map(|c| i128::from(c) * multiplier + i128::from(cut_off));
+            assert_eq!(direction.map(|c| i128::from(c.to_bits())), exact, "{way:?}");
+        };
+        components(ray.direction(), offset.way(), model.fourteen_bits(reciprocal), model.cut_off);
+        let quick = QuickOffset16 { way: offset.coarse(), bits: offset.bits }.ray();
+        let multiplier = i128::from(quick.reciprocal);
+        components(quick.direction(), offset.coarse(), multiplier, model.quick_cut_off);
+
+        let normal =
+            Vec3::new(random.i16(..), random.i16(..), random.i16(..)).map(|c| Fx16::from_bits(c / 2));
+        let facing = offset.facing(normal).min(0);
+        let cosine = model.cosine(-i128::from(facing), reciprocal).min(1 << 15);
+        assert_eq!(i128::from(ray.cosine(facing, normal).0), cosine, "{way:?} {normal:?}");
+
+        let mantissa = random.u32(1 << 31..);
+        let rounded = model.normalised(i128::from(mantissa));
+        let gain = Gain16::normalised(mantissa, 0);
+        assert_eq!(i128::from(gain.mantissa) << -gain.shift, rounded << 16, "{mantissa}");
+        let share = random.u32(0..=1 << 14);
+        let squared = model.squared_reciprocal(reciprocal);
+        let product = i128::from(share) * model.attenuated(i128::from(gain.factor()), squared);
+        let shift = gain.scale() + 2 * offset.bits as i32 - 32;
+        let light = ray.light(Fx16::from_bits(share as i16), gain);
+        assert_eq!(light, Light16::shifted(product as u32, shift), "{way:?} {gain:?} {share}");
+    }
+}
+
+/// For all fractions, with random second arguments.
+#[test]
+fn the_model_of_the_proofs_has_the_bits_of_coarse_falloffs() {
+    let model = Constants::KERNEL;
+    let mut random = fastrand::Rng::with_seed(2);
+    let bits = |value: Fx16| i128::from(value.to_bits());
+    for t in 0..=1_u32 << 15 {
+        let (fraction, t) = (Fraction16(t), i128::from(t));
+        let other = random.u32(0..=1 << 15);
+        let (b, share) = (i128::from(other), Fx16::from_bits(random.i16(0..=1 << 14)));
+        assert_eq!(i128::from(fraction.times(Fraction16(other)).0), model.times(t, b));
+        assert_eq!(bits(fraction.times_to_value(Fraction16(other))), model.times_to_value(t, b));
+        assert_eq!(bits(fraction.times_value(share)), model.times(t, bits(share)));
+        assert_eq!(bits(fraction.value()), model.value(t));
+        assert_eq!(bits(fraction.smooth()), model.smooth(t));
+        let (g, h) = (random.f32() * 4.0 - 1.0, random.f32() * 6.0 - 4.0);
+        if Cubic::with_slopes(1.0 + g, 1.0 - g - h).is_ok() {
+            let [g, h] = [g, h].map(Fx16::weight);
+            let bend = model.bend(t, g.to_bits().into(), h.to_bits().into());
+            let value = model.quadratic(t, (1 << 15) - t, bend);
+            assert_eq!(bits(fraction.cubic(g, h)), value.min(1 << 14), "{t} {g:?} {h:?}");
+        }
+        let samples = [random.u16(..), random.u16(..)];
+        let [here, next] = samples.map(i128::from);
+        if t > 0 {
+            let value = model.interpolated(here, next - here, (1 << 15) - t);
+            assert_eq!(bits(fraction.sample(&samples)), model.of_sixteen_bits(value), "{t} {samples:?}");
+        }
+    }
+    // A value of 16 bits is within the error that remains of a sample's, beside half a unit of 2^-16.
+    let stated = (Fx16::stages(1.0).sample.absolute * 16_384.0) - 0.125 * 65_536.0 / 65_535.0;
+    for value in 0..=65_535_i32 {
+        let error =
+            f64::from(Fraction16::of_sixteen_bits(value).to_bits()) - f64::from(value) * 16_384.0 / 65_535.0;
+        assert!(error.abs() <= stated, "{value}: {error}, expected up to {stated}");
     }
 }

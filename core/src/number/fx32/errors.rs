@@ -14,7 +14,7 @@ pub(in crate::number) const STAGES: Stages = Stages {
     length: 2.4e-8 + 0.866_1 * STEP,
     // A component is within a step, and that of the axis within half a step. An offset with a
     // component of more than 32,768 units is halved, which turns it by 0.71 steps.
-    turn: (1.5 * 1.732_1 + 0.71) * STEP,
+    turn: (1.51 * 1.732_1 + 0.71) * STEP,
     difference: 0.0,
     // Three squares are rounded down, in units of 2^-29.
     versine: Rounding::absolute(3.0 * power_of_two(-29)),
@@ -23,25 +23,28 @@ pub(in crate::number) const STAGES: Stages = Stages {
     complement: Rounding::NONE,
     product: Rounding::absolute(STEP),
     value: Rounding::absolute(STEP),
-    lift: power_of_two(-27),
-    // A coefficient is truncated to 28 bits.
-    weight: power_of_two(-28),
-    smooth: Rounding::absolute(3.0 * STEP),
+    // The product with a slope is rounded down by 16 units of 2^-31, and its factor by 2, of which a slope
+    // makes 6.
+    lift: Rounding::absolute(22.0 * power_of_two(-31)),
+    // A coefficient is truncated to 28 bits, and a product of one is rounded down by two units.
+    weight: power_of_two(-27),
+    // A square that is rounded down by 2 units of 2^-31, three times, and twice a product.
+    smooth: Rounding::absolute(5.0 * STEP),
     sample: Rounding::absolute(power_of_two(-28)),
     power: Rounding::absolute(STEP),
     // Three products of half a component are rounded down in units of 2^-27; a component of the
-    // direction is within a step, and half of one of the normal loses half a step. The direction's
-    // length is that of the cosine itself.
-    cosine: Rounding { absolute: power_of_two(-27) * 3.0 + 1.5 * 1.732_1 * STEP, relative: 2.4e-8 },
+    // direction is within a step, and half of one of the normal loses half a unit, which is a step. The
+    // direction's length is that of the cosine itself.
+    cosine: Rounding { absolute: power_of_two(-27) * 3.0 + 2.01 * 1.732_1 * STEP, relative: 2.4e-8 },
     share: Rounding::absolute(STEP),
-    // Three squares that are rounded down, two roundings to a mantissa, and a constant of a range, of which
-    // `f32` rounds the square and the reciprocal.
-    near: Rounding { absolute: STEP, relative: 1.1e-8 + 2.0 * MANTISSA + 1.2e-7 },
-    // Twice the excess' 2.05e-8. Its product with the gain has 11 bits at least, which lose up to 7.4e-4
-    // of an excess of 4.8e-4; three results are rounded down.
-    inverse_square: 4.1e-8 + 3.6e-7 + 1.0e-8,
+    // The direction's 2.4e-8, three squares and three products that are rounded down, two roundings to a
+    // mantissa, and a constant of a range, of which `f32` rounds the square and the reciprocal.
+    near: Rounding { absolute: STEP, relative: 4.6e-8 + 2.0 * MANTISSA + 1.2e-7 },
+    // Twice the excess' 2.4e-8. Its product with the gain has 11 bits at least, which lose up to 7.4e-4 of
+    // twice an excess of 2.85e-4; four results are rounded down.
+    inverse_square: 5.0e-7,
     // The product is rounded down: by 2 of a gain that is at least `2^31 / 12` if it is attenuated.
-    given: 2.0 * 12.0 * power_of_two(-31),
+    given: 2.0 * 12.1 * power_of_two(-31),
     inverse_polynomial: 2.0 * 6.0e-8 + 8.0 * MANTISSA,
     inverse_power: [2e-8, 1.4e-8 + 6.0e-8],
     light: Rounding::absolute(STEP),

@@ -4,6 +4,7 @@ use super::{set_up::inner, *};
 use crate::number::{
     Fx16,
     fx16::{Gain16, Offset16},
+    proofs::model::{Constants, Number as _},
 };
 
 extern crate std;
@@ -147,5 +148,48 @@ fn a_short_mantissa_is_the_same_gain() {
         assert_eq!(Gain32::from_bits([1 << bits, bits]), Gain32::ONE);
         assert_eq!(Gain16::normalised(1 << bits, bits), Gain16::ONE);
         assert_eq!(Gain32::normalised(1 << bits, bits), Gain32::ONE);
+    }
+}
+
+/// The proofs are about a model of the stages. It has the bits of the kernel.
+#[test]
+fn the_model_of_the_proofs_has_the_bits_of_the_fine_stages() {
+    let model = Constants::KERNEL;
+    let mut random = fastrand::Rng::with_seed(3);
+    for _ in 0..200_000 {
+        let bits = random.u32(1..=32);
+        let way = Vec3::new(random.i32(..), random.i32(..), random.i32(..)).map(|c| c >> (32 - bits));
+        if way == Vec3::default() {
+            continue;
+        }
+        let Offset32 { way, bits } = Offset32::new(way);
+        let ray = Offset32 { way, bits }.ray();
+        let (estimate, gain) = (i128::from(ray.estimate), random.u32(1 << 31..));
+        let nearly = way.map(|c| (i128::from(c) * estimate) >> 16);
+        let squares = nearly.map(|c| model.high_square(c));
+        let excess = model.excess(squares.x + squares.y + squares.z - (1 << 28));
+        assert_eq!(i128::from(ray.excess), excess, "{way:?}");
+        let direction = nearly.map(|c| model.corrected(c, excess));
+        assert_eq!(ray.direction.map(i128::from), direction, "{way:?}");
+        let here = model.finely_attenuated(gain.into(), estimate, excess);
+        assert_eq!(i128::from(ray.attenuated(gain)), here, "{way:?} {gain}");
+        let length = model.length(ray.squared.into(), estimate, excess);
+        assert_eq!(i128::from(ray.length()), length, "{way:?}");
+        let normal = Vec3::new(random.i32(..), random.i32(..), random.i32(..)).map(|c| c / 2);
+        let sum = |products: Vec3<i128>| (products.x + products.y + products.z).min(0).unsigned_abs();
+        let products = direction.zip(normal, |d, n| model.finest_component(d, n.into()));
+        let cosine = Ray::<Fx32>::cosine(&ray, 0, normal.map(Fx32::from_bits));
+        assert_eq!(u128::from(cosine.0), sum(products).min(1 << 27) << 4, "{way:?} {normal:?}");
+        let normal = normal.map(|c| Fx16::from_bits((c >> 16) as i16));
+        let products = direction.zip(normal, |d, n| model.fine_component(d, n.to_bits().into()));
+        let cosine = Ray::<Fx16>::cosine(&ray, 0, normal);
+        assert_eq!(u128::from(cosine.0), (sum(products) << 1).min(1 << 31), "{way:?} {normal:?}");
+
+        let [t, b] = [0; 2].map(|_: u32| random.u32(0..=1 << 31));
+        let (fraction, t, u) = (Fine(t), i128::from(t), i128::from((1 << 31) - t));
+        assert_eq!(i128::from(fraction.times(Fine(b)).0), model.fine_times(t, b.into()));
+        assert_eq!(i128::from(fraction.smooth().0), model.fine_smooth(t, u).min(1 << 31));
+        let slope = random.i32(0..=1 << 28);
+        assert_eq!(i128::from(fraction.lifted(slope).0), t + model.lift(t, u, slope.into()));
     }
 }

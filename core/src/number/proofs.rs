@@ -1,0 +1,222 @@
+//! Proofs of the errors of the fixed-point stages.
+//!
+//! The bound of a light ([`bound`](crate::bound)) is a sum of the errors that [`Stages`] states. Here each
+//! of them is proved, for every ramp, offset, normal and gain, by one of three machines:
+//!
+//! - **Gappa** proves bounds of integer operations: products, shifts and roundings. The operations are those
+//!   of [`model`], which the tests compare with the kernel, bit by bit; the same functions write the scripts.
+//!   Each script also shows that every word fits 32 bits, so that nothing wraps. **Coq** checks Gappa's
+//!   proofs, and proves the equations that Gappa takes for granted and the lemma of `versine.v`.
+//! - **Boxes**, halved until intervals show the bound: what truncations do to the length and the direction of
+//!   a vector depends on the direction, which Gappa loses.
+//! - **Exhaustion**: square roots, reciprocals and samples, in the tests of `root.rs` and here.
+//!
+//! `cargo xtask prove` runs all of them; a plain `cargo test` leaves out Coq, and Gappa where it is not installed. Not proved are the
+//! power of a real exponent, of which `real.rs` states the error, and the set-up in `f32`.
+
+mod boxes;
+mod gappa;
+mod geometry;
+pub(super) mod model;
+mod scripts;
+
+extern crate std;
+
+use std::collections::BTreeSet;
+use std::env;
+use std::path::{Path, PathBuf};
+use std::string::{String, ToString};
+use std::vec::Vec;
+use std::{format, fs, println};
+
+use self::gappa::{Script, checked, coq, proved};
+use self::model::Constants;
+use super::{Arithmetic, Fx16, Fx32, Quick, Stages};
+
+/// A step of a fraction and of a scalar of 16 bits, and of 32 bits.
+const FINER: f64 = 1.0 / 32_768.0;
+const STEP: f64 = 1.0 / 16_384.0;
+const FINE_STEP: f64 = 1.0 / 1_073_741_824.0;
+
+/// An evaluation in fixed point, of which the stages are proved.
+struct Evaluation {
+    name: String,
+    stages: Stages,
+    /// The relative error of its reciprocal square root (exhaustive: see `root.rs`).
+    root: f64,
+    kind: Kind,
+}
+
+impl Evaluation {
+    /// The relative error of the estimate of a reciprocal length, of 15 bits of an offset.
+    fn estimate(&self) -> f64 {
+        if self.kind == Kind::Fine16 { 1.75e-4 } else { 2.85e-4 }
+    }
+
+    /// The relative error of the length of a direction after a step of Newton.
+    fn newton(&self) -> f64 {
+        self.stages.cosine.relative
+    }
+
+    /// The relative error of a distance.
+    fn length(&self) -> f64 {
+        self.newton() + 2.1e-8
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Kind {
+    /// 15 bits of an offset, and 17 for the direction; of offsets of this bit length.
+    Coarse(u32),
+    /// 15 bits of an offset of this bit length.
+    Quick(u32),
+    /// All bits of an offset of `Fx16`.
+    Fine16,
+    /// All bits of an offset of `Fx32`.
+    Fine32,
+}
+
+/// Returns all evaluations: a coarse offset has up to 32 bits, of which those beyond 20 change little.
+fn evaluations() -> Vec<Evaluation> {
+    let at = |bits: u32| 1.5 * f64::from(bits - 17).exp2();
+    let lengths = || (14..=20).chain([32]);
+    let coarse = lengths().map(|bits| Evaluation {
+        name: format!("fx16_coarse_{bits}"),
+        stages: Fx16::stages(1.5 * (f64::from(bits) - 17.0).exp2()),
+        root: 9.0e-5,
+        kind: Kind::Coarse(bits),
+    });
+    let quick = lengths().map(|bits| Evaluation {
+        name: format!("fx16_quick_{bits}"),
+        stages: Fx16::quick_stages(1.5 * (f64::from(bits) - 17.0).exp2()),
+        root: 2.0e-4,
+        kind: Kind::Quick(bits),
+    });
+    let fine = [
+        Evaluation {
+            name: "fx16_fine".to_string(),
+            stages: Fx16::fine_stages(at(17)),
+            root: 9.0e-5,
+            kind: Kind::Fine16,
+        },
+        Evaluation { name: "fx32".to_string(), stages: Fx32::stages(1.0), root: 2.0e-4, kind: Kind::Fine32 },
+    ];
+    coarse.chain(quick).chain(fine).collect()
+}
+
+/// Returns the folder of the scripts and proofs.
+fn folder() -> PathBuf {
+    let target = env::var_os("CARGO_TARGET_DIR")
+        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../target"), PathBuf::from);
+    target.join("proofs")
+}
+
+/// The scripts of all evaluations. The bit length of an offset changes none of them.
+fn all_scripts(constants: &Constants) -> Vec<(Script, String)> {
+    let is_one =
+        |evaluation: &Evaluation| !matches!(evaluation.kind, Kind::Coarse(14..32) | Kind::Quick(14..32));
+    let mut known = BTreeSet::new();
+    let scripts = evaluations().into_iter().filter(is_one).flat_map(|it| scripts::of(&it, constants));
+    scripts.filter(|(_, text)| known.insert(text.clone())).collect()
+}
+
+/// Whether Gappa runs: if it is installed, and if `LUMINAIRE_COQ` asks for both programs.
+fn has_gappa() -> bool {
+    env::var_os("LUMINAIRE_COQ").is_some() || gappa::is_installed()
+}
+
+/// Runs Gappa, and with `LUMINAIRE_COQ` also Coq, over all scripts.
+#[test]
+fn scripts_are_proved() {
+    let folder = folder();
+    let is_checked = env::var_os("LUMINAIRE_COQ").is_some();
+    let mut failed = Vec::new();
+    let scripts = all_scripts(&Constants::KERNEL);
+    assert!(scripts.len() > 20, "{} scripts", scripts.len());
+    if !has_gappa() {
+        return;
+    }
+    for (script, text) in &scripts {
+        let outcome = proved(&script.name, text, &folder);
+        let outcome = outcome.and_then(|path| if is_checked { checked(&path) } else { Ok(()) });
+        failed.extend(outcome.err().map(|error| format!("{}: {error}", script.name)));
+    }
+    assert!(failed.is_empty(), "{} of {} scripts:\n{}", failed.len(), scripts.len(), failed.join("\n"));
+    println!("{} scripts proved", scripts.len());
+    if is_checked {
+        let path = folder.join("versine.v");
+        fs::write(&path, include_str!("proofs/versine.v")).unwrap();
+        coq(&path).unwrap();
+    }
+}
+
+/// Each of these changes, of one constant alone, makes a proof fail.
+#[test]
+fn a_constant_that_is_changed_is_noticed() {
+    if !has_gappa() {
+        return;
+    }
+    let folder = folder().join("changed");
+    let kernel = Constants::KERNEL;
+    let changed = [
+        ("reciprocal_half", Constants { reciprocal_half: 0, ..kernel }),
+        ("cut_off", Constants { cut_off: 4_096, ..kernel }),
+        ("quick_cut_off", Constants { quick_cut_off: 16_384, ..kernel }),
+        ("difference_half", Constants { difference_half: 0, ..kernel }),
+        ("mantissa_bits", Constants { mantissa_bits: 17, ..kernel }),
+        ("ramp_half", Constants { ramp_half: 0, ..kernel }),
+        ("value_half", Constants { value_half: 0, ..kernel }),
+        ("fraction_half", Constants { fraction_half: 0, ..kernel }),
+        ("along", Constants { along: 14, ..kernel }),
+        ("squared", Constants { squared: 15, ..kernel }),
+        ("mantissa", Constants { mantissa: 13, ..kernel }),
+        ("gain_half", Constants { gain_half: 0, ..kernel }),
+        ("newton", Constants { newton: 2, ..kernel }),
+        ("newton_bits", Constants { newton_bits: 24, ..kernel }),
+        ("excess_bits", Constants { excess_bits: 4, ..kernel }),
+        ("nearly_bits", Constants { nearly_bits: 18, ..kernel }),
+    ];
+    for (name, constants) in changed {
+        let is_proved = evaluations().iter().all(|it| geometry::prove(it, &constants).is_ok())
+            && all_scripts(&constants)
+                .iter()
+                .all(|(script, text)| proved(&script.name, text, &folder).is_ok());
+        assert!(!is_proved, "with another {name} all is proved");
+    }
+}
+
+#[test]
+fn boxes_show_what_truncation_does_to_a_vector() {
+    for evaluation in evaluations() {
+        geometry::prove(&evaluation, &Constants::KERNEL)
+            .unwrap_or_else(|error| panic!("{}: {error}", evaluation.name));
+    }
+}
+
+/// The errors that the fine evaluations state of a direction are the sums of those that scripts prove.
+#[test]
+fn fine_stages_are_sums_of_what_is_proved() {
+    let at_least =
+        |stated: f64, proved: f64, name: &str| assert!(stated >= proved, "{name}: {stated:e} of {proved:e}");
+    // A component is within 1.001 steps.
+    let turned = 1.001 * 3_f64.sqrt() * FINE_STEP;
+    // A constant of a range, of which `f32` rounds the square, the reciprocal and the result.
+    let range = geometry::RANGE;
+    for evaluation in evaluations() {
+        let (stages, newton) = (&evaluation.stages, evaluation.newton());
+        let (axis_length, axis_turn, halved, mantissa) = match evaluation.kind {
+            Kind::Fine16 => (geometry::AXIS_LENGTH, geometry::AXIS_TURN, 0.0, 0.0),
+            // The axis is rounded to half a step, and an offset beyond 32,768 units is halved.
+            Kind::Fine32 => (0.866_1 * FINE_STEP, 0.866_1 * FINE_STEP, 0.71 * FINE_STEP, FINE_STEP * 4.0),
+            _ => continue,
+        };
+        at_least(stages.length, newton + axis_length, "length");
+        at_least(stages.turn, turned + axis_turn + halved, "turn");
+        at_least(stages.near.relative, evaluation.length() + range + 2.0 * mantissa + 1e-12, "near");
+    }
+    // From 256 units on, a component of an offset of 2^23 loses up to half a unit.
+    let (far, near) = (Fx16::fine_stages(300.0), Fx16::fine_stages(1.0));
+    let halved = 3_f64.sqrt() / 16_777_216.0;
+    at_least(far.turn, near.turn + halved, "far turn");
+    at_least(far.cosine.absolute, near.cosine.absolute + halved, "far cosine");
+}
