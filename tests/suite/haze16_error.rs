@@ -59,7 +59,7 @@ impl Lights {
     fn light(&self, seed: u64) -> (SpotLight<AnyFalloff>, Haze) {
         let mut rng = Rng::with_seed(seed);
         let spot = sweep::spot(&mut rng, self.cone);
-        let body = Fx16::length(0.01 * 100.0_f32.powf(rng.f32()));
+        let body = Fx16::length(0.001 * 1_000.0_f32.powf(rng.f32()));
         let haze = Haze::new(0.5).and_then(|haze| haze.with_source_radius(body.to_f32()));
         (spot, haze.expect("sound haze"))
     }
@@ -148,8 +148,8 @@ fn in_scattering_keeps_its_bound() {
     };
     let falloffs: [(AnyFalloff, oracle::Falloff, f64); 3] = [
         (Soft.into(), oracle::soft, 0.6),
-        (Hard.into(), oracle::hard, 0.45),
-        (Smooth.into(), oracle::smooth, 0.5),
+        (Hard.into(), oracle::hard, 0.8),
+        (Smooth.into(), oracle::smooth, 0.8),
     ];
     for (falloff, truth, bound) in falloffs {
         let measured = HALF_ANGLES.map(|half| Lights::new(falloff, truth, half).largest(search));

@@ -137,11 +137,17 @@ impl Chord {
         let more = (body.leading_zeros() as i32 - 36).clamp(0, 12);
         let body = body << more;
         let direction = Polar::of(self.way).fine_direction();
-        let along = |offset: Vec3<i64>| {
+        let dot = |offset: Vec3<i64>| {
             let products = offset.zip(direction, times);
             products.x + products.y + products.z
         };
         let moved = |offset: Vec3<i64>, by: i64| offset.zip(direction, |o, d| o + times(by, d));
+        // Orthogonalises twice: the length of the direction has an error of up to 3e-8, and after one step
+        // twice this part of a long offset is left along the ray, which may be longer than the body.
+        let along = |offset: Vec3<i64>| {
+            let nearly = dot(offset);
+            nearly + dot(moved(offset, -nearly))
+        };
         let [eye, surface] = [self.eye, self.surface].map(|offset| offset.map(|c| i64::from(c) << more));
         let [first, last] = [eye, surface].map(along);
         let foot = moved(eye, -first);

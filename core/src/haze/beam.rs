@@ -118,7 +118,10 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     #[inline(always)] // Filtered haze of a spotlight with a range, on x86-64: +7 % without.
     pub(super) fn by_way(&self, arc: &Arc, (place, way): (f32, f32)) -> f32 {
         let distance = arc.distance(place);
-        let intensity = self.falloff.at(arc.versine_at(place, distance));
+        // Beyond the outer versine there is no light, as `can_meet` and `sides` assume: an end of the ray's part
+        // within it is rounded.
+        let versine = arc.versine_at(place, distance);
+        let intensity = if versine <= self.cone[1] { self.falloff.at(versine) } else { 0.0 };
         let offset = at_distance(distance);
         way * A::light(&self.attenuation, &offset, &offset.ray(), intensity, 1.0)
     }
