@@ -112,7 +112,8 @@
 //! [`SpotLight::error_bound`] derives a bound of it for the distances of the surfaces. If the bound is
 //! too large, divide the intensity and multiply the sum of all lights by an
 //! [`Exposure`](display::Exposure), or keep the surfaces in regions where the irradiance is at most
-//! full scale.
+//! full scale. The bound is that of diffuse light: a highlight adds the error of its lobe, up to 1.5e-3 in
+//! `Fx16` for exponents up to 256, times the light that a facing surface would receive.
 //!
 //! # Half or full angle
 //!

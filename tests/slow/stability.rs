@@ -1,5 +1,5 @@
-//! Stability in time: while a light pans, moves or dims by one quantum a frame, or a point moves
-//! so, no pixel goes far against its true trend.
+//! Stability in time: while a light pans, moves, dims or follows a point by one quantum a frame, or a
+//! point moves so, no pixel goes far against its true trend.
 //!
 //! While the exact light of a pixel rises, the largest fall of the pixel from its highest value so
 //! far is a reversal, and so is the largest rise while it falls: in linear codes, clipped at full
@@ -38,9 +38,11 @@ enum Motion {
     Point,
     /// The intensity falls by 2^-16 of itself.
     Dim,
+    /// The position of the light, which is aimed anew at a point that stays.
+    Follow,
 }
 
-const MOTIONS: [Motion; 4] = [Motion::Pan, Motion::Light, Motion::Point, Motion::Dim];
+const MOTIONS: [Motion; 5] = [Motion::Pan, Motion::Light, Motion::Point, Motion::Dim, Motion::Follow];
 
 /// How far a pixel went against its trend.
 #[derive(Clone, Copy)]
@@ -73,6 +75,8 @@ struct Scene {
     intensity: f32,
     points: [Vec3<f32>; PIXELS],
     normals: [Vec3<f32>; PIXELS],
+    /// Where a light that follows is aimed: a point on its axis.
+    target: Vec3<f32>,
 }
 
 /// A component of a vector, and a direction along it.
@@ -210,7 +214,15 @@ impl<A: Attenuation> Kind<A> {
             sweep::single(sweep::direction_off(rng, back, radians))
         });
         let axis = sweep::single(axis.expect("there is a point"));
-        Scene { light: sweep::single(light), axis, intensity, points: points.map(sweep::single), normals }
+        let target = sweep::single(light + self.distances[0] * f32::exact_point(axis));
+        Scene {
+            light: sweep::single(light),
+            axis,
+            intensity,
+            points: points.map(sweep::single),
+            normals,
+            target,
+        }
     }
 
     /// The largest reversal of a pixel.
@@ -250,6 +262,11 @@ impl<A: Attenuation> Kind<A> {
                 Motion::Light => scene.light = way.moved::<S>(scene.light),
                 Motion::Point => scene.points = scene.points.map(|point| way.moved::<S>(point)),
                 Motion::Dim => scene.intensity *= 1.0 - QUANTUM,
+                Motion::Follow => {
+                    scene.light = way.moved::<S>(scene.light);
+                    let [from, to] = [scene.light, scene.target].map(|place| f32::exact_point(place));
+                    scene.axis = sweep::single((to - from).normalize());
+                }
             }
             if motion != Motion::Point {
                 spot = compile(&scene);

@@ -139,7 +139,7 @@ fn exact(point: Vec3<Length>) -> DVec3 {
     DVec3::from([point.x, point.y, point.z].map(|c| f64::from(c.to_bits()) / 65_536.0))
 }
 
-/// The bounds of the errors by falloff, in linear codes, at each of [`HALF_ANGLES`].
+/// The bounds of the errors by falloff, in linear codes, in cones of all [`HALF_ANGLES`].
 #[test]
 fn in_scattering_keeps_its_bound() {
     let search = match is_full() {
@@ -154,12 +154,8 @@ fn in_scattering_keeps_its_bound() {
     for (falloff, truth, bound) in falloffs {
         let measured = HALF_ANGLES.map(|half| Lights::new(falloff, truth, half).largest(search));
         println!("{falloff:?} {}", bounds::shown(&measured));
-        for measured in measured {
-            let kept = if is_full() { bounds::check("haze16", measured, bound) } else { Ok(()) };
-            assert!(
-                measured <= bound && kept.is_ok(),
-                "{falloff:?}: {measured:.3}, expected {bound}: {kept:?}"
-            );
-        }
+        let largest = measured.into_iter().fold(0.0, f64::max);
+        let kept = if is_full() { bounds::check("haze16", largest, bound) } else { Ok(()) };
+        assert!(largest <= bound && kept.is_ok(), "{falloff:?}: {largest:.3}, expected {bound}: {kept:?}");
     }
 }

@@ -1,14 +1,19 @@
 //! The errors of the kernels against f64.
 
-use luminaire_kernels::scene::Site;
+use fastrand::Rng;
+use luminaire_kernels::scene::{Population, Site};
 use luminaire_kernels::truth::{Point, widened};
 use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, points};
+use luminaire_oracle::climb::{Worst, climb, ulp_step};
 use luminaire_oracle::{Cone, half_degrees, linear_codes};
 
 use crate::{Lines, four_digits, site};
 
 /// Number of versines per cone.
 const VERSINES: u32 = 1 << 18;
+/// Number of climbs from the worst of the evenly spread inputs, and their steps.
+const CLIMBS: usize = 8;
+const STEPS: usize = 4_000;
 
 /// Returns the errors of every kernel in a cone, as lines, after the cone's half angle: the largest in linear codes, 1/255 of full scale
 /// or of the exact light where that is over full scale, and in steps of the format at 1; the input with
@@ -50,6 +55,18 @@ impl<P: Copy> Tally<P> {
             self.worst = (error, Some(place));
         }
         error
+    }
+
+    /// Climbs from the worst input so far.
+    fn climb(&mut self, moved: impl Fn(&mut Rng, P) -> P, error: impl Fn(P) -> f64) {
+        let (largest, Some(place)) = self.worst else { return };
+        for seed in 0..CLIMBS {
+            let worst = Worst { input: place, error: largest };
+            let found = climb(&mut Rng::with_seed(seed as u64), worst, STEPS, &moved, &error);
+            if found.error > self.worst.0 {
+                self.worst = (found.error, Some(found.input));
+            }
+        }
     }
 
     /// Records one of the evenly spread inputs, which also count for mean and percentile.
@@ -106,6 +123,15 @@ impl Visitor for Search {
                 tally.glance(versine, kernel.evaluate(&input), truth.falloff(versine));
             }
         });
+        if !is_whole {
+            let error = |versine: f64| {
+                let result = kernel.evaluate(&kernel.input(&(versine as f32)));
+                if looked_at(versine) { linear_codes(result.exact(), truth.falloff(versine)) } else { -1.0 }
+            };
+            let moved =
+                |rng: &mut Rng, versine: f64| f64::from(ulp_step(rng)(versine as f32).clamp(0.0, outer));
+            tally.climb(moved, error);
+        }
         let kind = if is_whole { "exhaustive" } else { "searched" };
         let describe = |versine| vec![(half_degrees(versine), "degrees_off_axis")];
         tally.write::<K::Output>(&mut self.lines, row, kind, describe);
@@ -115,6 +141,16 @@ impl Visitor for Search {
         let mut tally = Tally::new();
         for site in site::about(truth) {
             tally.look(site, kernel.evaluate(&kernel.input(&site)), truth.at(&site));
+        }
+        if truth.population == Population::Lit {
+            tally.climb(site::moved, |site| {
+                let result = kernel.evaluate(&kernel.input(&site));
+                if site::is_counted(truth, &site) {
+                    linear_codes(result.exact(), truth.at(&site))
+                } else {
+                    -1.0
+                }
+            });
         }
         let describe = |site: Site| {
             let point = widened(site.point);

@@ -4,7 +4,8 @@
 //! themselves. With `clip` a bright orange turns yellow and then white.
 //!
 //! [`compress_keep_hue`] divides all channels by the largest channel if the largest exceeds full
-//! scale. Orange then stays orange at any brightness. This policy costs a reciprocal, and
+//! scale. Orange then stays orange at any brightness that the format holds: in `Fx16` a channel of
+//! the sum of all lights saturates at 2^18. This policy costs a reciprocal, and
 //! overexposed surfaces do not become brighter with more light.
 
 use crate::{

@@ -46,8 +46,9 @@ impl Rgb565Ramp {
     /// product of its colour and the light's.
     ///
     /// The sum is clipped at full scale. Before the dither, the error of a channel is at most 0.42
-    /// steps of RGB565, and at most 0.21 steps where `base` is at least 0.01 (searched). Without
-    /// the light it is at most 1/64 step.
+    /// steps of RGB565 (searched), and at most 0.24 steps where `base` is at least 0.01: half of a level
+    /// over the narrowest step of green that it can meet, and the 1/64 step of the dither. Without the
+    /// light it is at most 1/64 step.
     ///
     /// # Errors
     /// A channel outside 0 to 1.

@@ -48,8 +48,9 @@ const RECORD: &str = "
 ## How it is measured
 
 **Errors** are the largest difference from f64 in linear codes, 1/255 of full scale; half a code is visible on a
-display. They are searched: the largest of 65,536 points, at incidences up to 80°. A kernel gets the nearest
-input of its format, so the rounding of the input is part of the error.
+display. They are searched: the largest of 65,536 points and of climbs from the worst by bits, at incidences up to
+90°, and up to 84° with a highlight. A kernel gets the nearest input of its format, so the rounding of the input is
+part of the error.
 
 **Costs** on microcontrollers are instructions a call, counted exactly under QEMU as
 [benches/firmware/README.md](../benches/firmware/README.md) describes. The light is a constant of the program, as a
@@ -215,7 +216,8 @@ fn errors(record: &Record) -> String {
          codes of 8 bits and in units of the format's last place of one; then the largest, in codes, of narrower cones. A format \
          that does not hold a cone refuses it, and says from which half angle on it would not. *Exhaustive* errors are bounds: \
          the 16-bit ramp is constant over intervals of versines, the exact value is monotone, and both ends of every interval of \
-         the cone are tried. The others are *searched*: the largest of 262,144 angles, or of 65,536 points, hence lower bounds. \
+         the cone are tried. The others are *searched*: the largest of 262,144 angles or 65,536 points, and of climbs from the worst by bits, hence \
+         lower bounds; the bounds of lit points are in [ACCURACY-VS-COST.md](ACCURACY-VS-COST.md). \
          Each kernel is compared with its own model: `powf` with the power of the cosine, `gltf` with the formula without its \
          `max(0.001, ...)`.\n\n{}",
         table(&heads, rows)
