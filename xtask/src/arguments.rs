@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn a_refused_word_is_named_with_what_is_expected() {
         for (line, name) in [
-            ("", "expected demo, test, full, board"),
+            ("", "expected demo, test, full, prove, board"),
             ("tset", "tset"),
             ("--fast", "fast"),
             ("demo --prot 1", "--prot"),
