@@ -28,10 +28,11 @@ pub use self::carried::Lit;
 use self::carried::{Carried, Pass, Way};
 use crate::{
     angle::Angle,
-    attenuation::Attenuation,
+    any_light::AnyLight,
+    attenuation::{Attenuation, NoAttenuation},
     error::{Error, Expected, Parameter},
     falloff::{Curve, Falloff, Formula, STRIP, Soft},
-    light::{PointLight, SpotLight, check_reach},
+    light::{DirectionalLight, PointLight, SpotLight, check_reach},
     number::{Arithmetic, Fraction, Offset, Quick, Scalar, Stages},
     trig::square_root,
     vec3::Vec3,
@@ -218,7 +219,7 @@ fn largest<A: Attenuation>(
     let nowhere = Vec3::default();
     let offset = <f32 as Arithmetic>::Offset::between(nowhere, nowhere);
     let (mut from, mut most) = (near, 0.0_f64);
-    while from < far {
+    while from <= far {
         let to = if from * LONGER < far { from * LONGER } else { far };
         pass.distances = [from, to];
         for class in shares.0.iter().filter(|class| class.high > 0.0) {
@@ -226,6 +227,9 @@ fn largest<A: Attenuation>(
             pass.lit.set(Lit::default());
             A::light::<f32, _, _>(&constants, &offset, &Way(pass), share, 1.0);
             most = most.max(measure(pass.lit.get()));
+        }
+        if to >= far {
+            break;
         }
         from = to;
     }
@@ -424,6 +428,32 @@ impl<A: Attenuation> PointLight<A> {
     }
 }
 
+impl DirectionalLight {
+    /// Returns an upper bound of the error of the light compiled for the format `S`.
+    pub fn error_bound<S: Scalar>(&self) -> ErrorBound {
+        let stages = S::stages(1.0);
+        let stages = Stages { cosine: stages.incidence, ..stages };
+        let followed = Followed { stages, zoom: 1.0, is_kept: false, distances: [1.0; 2] };
+        let followed = core::iter::once(followed);
+        derived::<Soft, NoAttenuation>(None, NoAttenuation, self.intensity(), followed, &linear)
+    }
+}
+
+impl AnyLight {
+    /// Returns an upper bound of the error of the light compiled for the format `S`, at surfaces
+    /// within these distances from the light. A directional light has no distance.
+    ///
+    /// # Errors
+    /// The errors of [`SpotLight::error_bound`].
+    pub fn error_bound<S: Scalar>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        match self {
+            Self::Directional(light) => Ok(light.error_bound::<S>()),
+            Self::Point(light) => light.error_bound::<S>(distances),
+            Self::Spot(light) => light.error_bound::<S>(distances),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -454,6 +484,13 @@ mod tests {
         {
             assert_eq!(refusal(distances).parameter, Parameter::Distance);
         }
+    }
+
+    #[test]
+    fn one_distance_has_a_bound() {
+        let spot = spot(Cone::soft(Angle::degrees(30.0)));
+        let at = |from, to| spot.error_bound::<f32>(from..=to).unwrap().light;
+        assert!(at(2.0, 2.0) > 1e-7 && at(2.0, 2.0) <= at(1.9, 2.1));
     }
 
     #[test]

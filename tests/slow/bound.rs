@@ -7,7 +7,7 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Cone, Error, Fx16, Fx32, HalfAngle, Scalar, SpotLight, Vec3,
+    Cone, DirectionalLight, Error, Fx16, Fx32, HalfAngle, Scalar, SpotLight, Vec3,
     attenuation::{AnyAttenuation, Attenuation},
     bound::ErrorBound,
     falloff::{AnyFalloff, Falloff, Formula},
@@ -18,7 +18,7 @@ use support::{
     format::Format,
     oracle::{
         self, DVec3,
-        climb::{self, Worst},
+        climb::{self, Search, Worst},
         sweep::{SurfacePoint, Surfaces},
     },
     shapes::tables,
@@ -238,4 +238,43 @@ fn fx16_keeps_its_bound() {
 #[test]
 fn quick_fx16_keeps_its_bound() {
     assert_bound::<Fast<Fx16>>(0.9, 0.25);
+}
+
+/// Directional lights of any direction and intensity, over random normals and climbs by bits.
+fn assert_directional<S: Format>(least: f64) {
+    let mut worst = 0.0_f64;
+    let mut rng = Rng::with_seed(1969);
+    for _ in 0..400 {
+        let direction = sweep::single(sweep::direction(&mut rng));
+        let intensity = if rng.bool() { 1.0 } else { 10.0_f32.powf(4.0 * rng.f32() - 3.0) };
+        let light = DirectionalLight::new(direction).and_then(|light| light.with_intensity(intensity));
+        let light = light.expect("a sound light");
+        let (compiled, bound) = (light.compile::<S>(), f64::from(light.error_bound::<S>().light));
+        let axis = f32::exact_direction(light.direction()).normalize();
+        let error = |normal: Vec3<f32>| {
+            let normal = S::normal(normal);
+            let cosine = -axis.dot(S::exact_normal(normal));
+            let exact = (f64::from(intensity) * cosine.clamp(0.0, 1.0)).min(1.0);
+            oracle::counted((S::exact_light(compiled.irradiance(normal)).min(1.0) - exact).abs()) / bound
+        };
+        let search = Search { starts: 200, climbs: 4, steps: 500, seed: rng.u64(..) };
+        let somewhere = |rng: &mut Rng| sweep::single(sweep::direction(rng));
+        let moved = |rng: &mut Rng, normal: Vec3<f32>| {
+            let size = climb::size(rng);
+            let bent: [f32; 3] = climb::one_of(rng, normal, |c| c + size).into();
+            sweep::single(DVec3::from_array(bent.map(f64::from)).normalize())
+        };
+        let found = search.worst(somewhere, moved, error).map_or(0.0, |worst| worst.error);
+        assert!(found <= 1.0, "{}: {found:.3} of the bound for {light:?}", S::NAME);
+        worst = worst.max(found);
+    }
+    println!("{}: directional lights reach {worst:.3} of their bound", S::NAME);
+    assert!(worst >= least, "{}: {worst:.3}", S::NAME);
+}
+
+#[test]
+fn directional_lights_keep_their_bound() {
+    assert_directional::<f32>(0.3);
+    assert_directional::<Fx32>(0.4);
+    assert_directional::<Fx16>(0.4);
 }

@@ -38,7 +38,7 @@ enum Motion {
     Point,
     /// The intensity falls by 2^-16 of itself.
     Dim,
-    /// The position of the light, which is aimed anew at a point that stays.
+    /// The position of the light, which is aimed again at a point that stays.
     Follow,
 }
 

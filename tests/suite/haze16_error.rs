@@ -149,7 +149,7 @@ fn in_scattering_keeps_its_bound() {
     let falloffs: [(AnyFalloff, oracle::Falloff, f64); 3] = [
         (Soft.into(), oracle::soft, 0.6),
         (Hard.into(), oracle::hard, 0.8),
-        (Smooth.into(), oracle::smooth, 0.8),
+        (Smooth.into(), oracle::smooth, 0.5),
     ];
     for (falloff, truth, bound) in falloffs {
         let measured = HALF_ANGLES.map(|half| Lights::new(falloff, truth, half).largest(search));

@@ -310,7 +310,8 @@ impl Share<f32> for Carried<'_> {
     }
 
     fn light(self, _: f32) -> f32 {
-        self.lit_by([1.0; 2], 0.0)
+        let gain = self.pass.map_or(0.0, |pass| pass.stages.gain);
+        self.lit_by([1.0; 2], gain)
     }
 }
 

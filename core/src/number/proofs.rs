@@ -120,7 +120,7 @@ fn all_scripts(constants: &Constants) -> Vec<(Script, String)> {
     scripts.filter(|(_, text)| known.insert(text.clone())).collect()
 }
 
-/// Whether Gappa runs: if it is installed, and if `LUMINAIRE_COQ` asks for both programs.
+/// Whether Gappa runs: if it is installed, and if `LUMINAIRE_COQ` requires both programs.
 fn has_gappa() -> bool {
     env::var_os("LUMINAIRE_COQ").is_some() || gappa::is_installed()
 }

@@ -77,10 +77,14 @@ pub struct Stages {
     pub power: Rounding,
     /// The cosine of the angle of incidence.
     pub cosine: Rounding,
+    /// The cosine of the angle of incidence of light that has the same direction everywhere.
+    pub incidence: Rounding,
     /// The product of two shares.
     pub share: Rounding,
     /// A distance or a squared distance, relative to a range.
     pub near: Rounding,
+    /// The relative error of a gain.
+    pub gain: f64,
     /// The relative error of a gain, attenuated by the inverse square of the distance.
     pub inverse_square: f64,
     /// The error of a share by its product with a gain.

@@ -31,8 +31,11 @@ pub(super) const STAGES: Stages = Stages {
     // most 1, and the first sum is at most half of it. Of the cosine itself: two sums, the reciprocal
     // length and the product.
     cosine: Rounding { absolute: 2.5 * UNIT, relative: 6.5 * UNIT },
+    // Three products and two sums of magnitudes of at most 1; the axis.
+    incidence: Rounding { absolute: 4.0 * UNIT, relative: 3.5 * UNIT },
     share: Rounding::relative(UNIT),
     near: Rounding { absolute: 0.0, relative: 10.0 * UNIT },
+    gain: 0.0,
     inverse_square: 12.0 * UNIT,
     given: 0.0,
     inverse_polynomial: 16.0 * UNIT,

@@ -78,8 +78,11 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         // The truncation turns `v`, and two results are rounded down. The reciprocal's 9.0e-5 is that of
         // the cosine itself.
         cosine: Rounding { absolute: lost * TURNED + 2.0 * FINER, relative: ROOT[0] },
+        // A component of the direction is rounded to a step, and the sum, too.
+        incidence: Rounding::absolute((0.866_2 + 0.5) * STEP + AXIS_LENGTH + AXIS_TURN),
         share: Rounding::absolute(STEP / 2.0),
         near: near(lost, ROOT[0]),
+        gain: MANTISSA[1],
         // Twice the reciprocal's error. The truncation of `v` and that of the square of the reciprocal,
         // `2^16 / r^2`, have a sum of at most 2.45e-4. The gain and its product are truncated.
         inverse_square: 2.0 * ROOT[0] + 2.45e-4 + MANTISSA[1] + 9.2e-5,
@@ -115,8 +118,10 @@ pub(super) const FINE: Stages = Stages {
     // A direction, and three products that are rounded down. The direction's length is that of the
     // cosine itself.
     cosine: Rounding { absolute: 2.65e-9 + 3.0 * power_of_two(-30), relative: 2.4e-8 },
+    incidence: Rounding::absolute((0.866_2 + 0.5) * STEP + AXIS_LENGTH + AXIS_TURN),
     share: Rounding::absolute(power_of_two(-30)),
     near: Rounding { absolute: power_of_two(-30), relative: 5e-7 },
+    gain: 0.0,
     // That of `Fx32`, and an offset that is halved.
     inverse_square: 4.2e-7 + 4.2e-7,
     given: fx32::errors::STAGES.given,

@@ -36,10 +36,14 @@ pub(in crate::number) const STAGES: Stages = Stages {
     // direction is within a step, and half of one of the normal loses half a unit, which is a step. The
     // direction's length is that of the cosine itself.
     cosine: Rounding { absolute: power_of_two(-27) * 3.0 + 2.01 * 1.732_1 * STEP, relative: 2.4e-8 },
+    // A component of the axis is within half a step, products lose less than a hundredth, and the sum is
+    // rounded.
+    incidence: Rounding::absolute((0.866_2 + 0.51) * STEP),
     share: Rounding::absolute(STEP),
     // The direction's 2.4e-8, three squares and three products that are rounded down, two roundings to a
     // mantissa, and a constant of a range, of which `f32` rounds the square and the reciprocal.
     near: Rounding { absolute: STEP, relative: 4.6e-8 + 2.0 * MANTISSA + 1.2e-7 },
+    gain: 0.0,
     // Twice the excess' 2.4e-8. Its product with the gain has 11 bits at least, which lose up to 7.4e-4 of
     // twice an excess of 2.85e-4; four results are rounded down.
     inverse_square: 5.0e-7,
