@@ -11,8 +11,9 @@
 //!   a vector depends on the direction, which Gappa loses.
 //! - **Exhaustion**: square roots, reciprocals and samples, in the tests of `root.rs` and here.
 //!
-//! `cargo xtask prove` runs all of them; a plain `cargo test` leaves out Coq, and Gappa where it is not installed. Not proved are the
-//! power of a real exponent, of which `real.rs` states the error, and the set-up in `f32`.
+//! `cargo xtask prove` runs all of them; a plain `cargo test` leaves out Coq, and Gappa where it is not
+//! installed. Not proved are the power of a real exponent, of which `real.rs` states the error, the knots of
+//! a table, and the set-up in `f32`.
 
 mod boxes;
 mod gappa;
@@ -78,17 +79,18 @@ enum Kind {
 
 /// Returns all evaluations: a coarse offset has up to 32 bits, of which those beyond 20 change little.
 fn evaluations() -> Vec<Evaluation> {
-    let at = |bits: u32| 1.5 * f64::from(bits - 17).exp2();
+    // A distance at which an offset has this bit length.
+    let at = |bits: u32| 1.5 * (f64::from(bits) - 17.0).exp2();
     let lengths = || (14..=20).chain([32]);
     let coarse = lengths().map(|bits| Evaluation {
         name: format!("fx16_coarse_{bits}"),
-        stages: Fx16::stages(1.5 * (f64::from(bits) - 17.0).exp2()),
+        stages: Fx16::stages(at(bits)),
         root: 9.0e-5,
         kind: Kind::Coarse(bits),
     });
     let quick = lengths().map(|bits| Evaluation {
         name: format!("fx16_quick_{bits}"),
-        stages: Fx16::quick_stages(1.5 * (f64::from(bits) - 17.0).exp2()),
+        stages: Fx16::quick_stages(at(bits)),
         root: 2.0e-4,
         kind: Kind::Quick(bits),
     });
@@ -120,40 +122,39 @@ fn all_scripts(constants: &Constants) -> Vec<(Script, String)> {
     scripts.filter(|(_, text)| known.insert(text.clone())).collect()
 }
 
-/// Whether Gappa runs: if it is installed, and if `LUMINAIRE_COQ` requires both programs.
-fn has_gappa() -> bool {
-    env::var_os("LUMINAIRE_COQ").is_some() || gappa::is_installed()
+/// Whether `cargo xtask prove` runs the tests, and has installed both programs.
+fn is_required() -> bool {
+    env::var_os("LUMINAIRE_COQ").is_some()
 }
 
 /// Runs Gappa, and with `LUMINAIRE_COQ` also Coq, over all scripts.
 #[test]
 fn scripts_are_proved() {
     let folder = folder();
-    let is_checked = env::var_os("LUMINAIRE_COQ").is_some();
     let mut failed = Vec::new();
     let scripts = all_scripts(&Constants::KERNEL);
     assert!(scripts.len() > 20, "{} scripts", scripts.len());
-    if !has_gappa() {
+    if !is_required() && !gappa::is_installed() {
         return;
     }
     for (script, text) in &scripts {
         let outcome = proved(&script.name, text, &folder);
-        let outcome = outcome.and_then(|path| if is_checked { checked(&path) } else { Ok(()) });
+        let outcome = outcome.and_then(|path| if is_required() { checked(&path) } else { Ok(()) });
         failed.extend(outcome.err().map(|error| format!("{}: {error}", script.name)));
     }
     assert!(failed.is_empty(), "{} of {} scripts:\n{}", failed.len(), scripts.len(), failed.join("\n"));
     println!("{} scripts proved", scripts.len());
-    if is_checked {
+    if is_required() {
         let path = folder.join("versine.v");
         fs::write(&path, include_str!("proofs/versine.v")).unwrap();
         coq(&path).unwrap();
     }
 }
 
-/// Each of these changes, of one constant alone, makes a proof fail.
+/// Each of these changes, of one constant alone, makes a proof fail: `cargo xtask prove` tries them.
 #[test]
 fn a_constant_that_is_changed_is_noticed() {
-    if !has_gappa() {
+    if !is_required() {
         return;
     }
     let folder = folder().join("changed");
@@ -177,10 +178,9 @@ fn a_constant_that_is_changed_is_noticed() {
         ("nearly_bits", Constants { nearly_bits: 18, ..kernel }),
     ];
     for (name, constants) in changed {
-        let is_proved = evaluations().iter().all(|it| geometry::prove(it, &constants).is_ok())
-            && all_scripts(&constants)
-                .iter()
-                .all(|(script, text)| proved(&script.name, text, &folder).is_ok());
+        let is_proved =
+            all_scripts(&constants).iter().all(|(script, text)| proved(&script.name, text, &folder).is_ok())
+                && evaluations().iter().all(|it| geometry::prove(it, &constants).is_ok());
         assert!(!is_proved, "with another {name} all is proved");
     }
 }

@@ -273,7 +273,7 @@ mod tests {
     use super::*;
     use crate::number::fx16::Fraction16;
     use crate::number::fx32::Fine;
-    use crate::number::proofs::model::{Constants, Number as _};
+    use crate::number::proofs::model::Constants;
 
     extern crate std;
 

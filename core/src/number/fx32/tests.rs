@@ -4,7 +4,7 @@ use super::{set_up::inner, *};
 use crate::number::{
     Fx16,
     fx16::{Gain16, Offset16},
-    proofs::model::{Constants, Number as _},
+    proofs::model::Constants,
 };
 
 extern crate std;

@@ -12,14 +12,19 @@ pub(super) struct Interval {
     pub(super) high: f64,
 }
 
-/// Returns the least interval around these numbers, each of which may be wrong by a rounding.
-fn around(numbers: [f64; 4]) -> Interval {
-    let (low, high) =
-        numbers.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), n| (l.min(n), h.max(n)));
-    Interval { low: low.next_down(), high: high.next_up() }
-}
-
 impl Interval {
+    /// Returns an interval whose ends are results of one rounding each.
+    fn rounded(low: f64, high: f64) -> Self {
+        Self { low: low - f64::EPSILON * low.abs(), high: high + f64::EPSILON * high.abs() }
+    }
+
+    /// Returns the least interval around these results.
+    fn around(numbers: [f64; 4]) -> Self {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = numbers.into_iter().fold(ends, |(low, high), n| (low.min(n), high.max(n)));
+        Self::rounded(low, high)
+    }
+
     pub(super) const fn new(low: f64, high: f64) -> Self {
         Self { low, high }
     }
@@ -32,11 +37,11 @@ impl Interval {
         let most = self.low.abs().max(self.high.abs());
         let least =
             if self.low <= 0.0 && self.high >= 0.0 { 0.0 } else { self.low.abs().min(self.high.abs()) };
-        Self { low: (least * least).next_down().max(0.0), high: (most * most).next_up() }
+        Self::rounded(least * least, most * most)
     }
 
     pub(super) fn root(self) -> Self {
-        Self { low: self.low.max(0.0).sqrt().next_down(), high: self.high.sqrt().next_up() }
+        Self::rounded(self.low.max(0.0).sqrt(), self.high.sqrt())
     }
 
     pub(super) fn magnitude(self) -> f64 {
@@ -44,17 +49,11 @@ impl Interval {
     }
 }
 
-impl From<f64> for Interval {
-    fn from(value: f64) -> Self {
-        Self::exactly(value)
-    }
-}
-
 impl Add for Interval {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        around([self.low + other.low, self.high + other.high, self.low + other.low, self.high + other.high])
+        Self::rounded(self.low + other.low, self.high + other.high)
     }
 }
 
@@ -79,7 +78,7 @@ impl Mul for Interval {
 
     fn mul(self, other: Self) -> Self {
         let Self { low, high } = other;
-        around([self.low * low, self.low * high, self.high * low, self.high * high])
+        Self::around([self.low * low, self.low * high, self.high * low, self.high * high])
     }
 }
 
@@ -89,7 +88,7 @@ impl Div for Interval {
     /// The divisor is positive.
     fn div(self, other: Self) -> Self {
         let Self { low, high } = other;
-        around([self.low / low, self.low / high, self.high / low, self.high / high])
+        Self::around([self.low / low, self.low / high, self.high / low, self.high / high])
     }
 }
 
@@ -102,7 +101,7 @@ pub(super) fn at_most<const N: usize>(
     /// Width of a box, relative to the whole, that is not halved.
     const NARROW: f64 = 1.0 / 65_536.0;
     /// Number of parts after which a bound is given up.
-    const MANY: u32 = 1_000_000;
+    const MANY: u32 = 250_000;
     let (mut boxes, mut count) = (Vec::from([whole]), 0);
     while let Some(part) = boxes.pop() {
         count += 1;
