@@ -357,6 +357,12 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     fn is_outside(&self, _axis: Vec3<S::Direction>, _bound: S) -> bool {
         false
     }
+    /// Returns the result of [`is_outside`](Self::is_outside) for the centre of a sphere, which may
+    /// be farther from the light than any lit point: `false` if the squared distance overflows.
+    #[inline]
+    fn is_center_outside(&self, axis: Vec3<S::Direction>, bound: S) -> bool {
+        self.is_outside(axis, bound)
+    }
     /// Returns the squared distance.
     fn squared_distance(&self) -> S::Gain;
     /// Computes the direction and the distance, with one square root.

@@ -92,6 +92,11 @@ impl Offset<f32> for FloatOffset {
     }
 
     #[inline]
+    fn is_center_outside(&self, axis: Vec3<f32>, bound: f32) -> bool {
+        self.squared.is_normal() && self.is_outside(axis, bound)
+    }
+
+    #[inline]
     fn squared_distance(&self) -> f32 {
         self.squared
     }

@@ -203,7 +203,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
         let tip = S::moved_back(self.position, self.axis, self.outside, radius);
-        tip.is_none_or(|tip| !S::Offset::between(tip, center).is_outside(self.axis, self.outside))
+        tip.is_none_or(|tip| !S::Offset::between(tip, center).is_center_outside(self.axis, self.outside))
     }
 }
 
