@@ -3,18 +3,22 @@
 
 use super::scene::{self};
 use super::words::Words;
-use luminaire::{Angle, Cone, Error, Fx16, Fx32, Scalar, error::Expected, falloff::Falloff};
+use luminaire::{
+    Angle, Cone, Error, Scalar,
+    error::{Expected, Parameter},
+    falloff::Falloff,
+};
 
-/// A cone made from any numbers has its angles in order: inner, beam, field, outer. Each format
-/// supports the cone, or its error names an angle that the format supports.
-pub fn descriptions_are_taken_or_refused(words: &[u32]) {
-    let _: Option<()> = description(&mut Words::new(words));
+/// A cone made from any numbers has its angles in order: inner, beam, field, outer. A format
+/// supports the cone, or its error names an angle that the format supports. It supports the narrowest
+/// cone of a falloff, and none below.
+pub fn descriptions_are_taken_or_refused<S: Scalar>(words: &[u32]) {
+    let _: Option<()> = description::<S>(&mut Words::new(words));
 }
 
-fn description(words: &mut Words<'_>) -> Option<()> {
+fn description<S: Scalar>(words: &mut Words<'_>) -> Option<()> {
     let falloff = scene::falloff(words)?;
-
-    let cone = scene::cone(words, falloff)?;
+    let cone = scene::cone::<S, _>(words, falloff)?;
     let (inner, beam, field, outer) = (cone.inner(), cone.beam(), cone.field(), cone.outer());
     assert!(
         inner <= beam && beam <= field && field <= outer,
@@ -28,9 +32,15 @@ fn description(words: &mut Words<'_>) -> Option<()> {
         cone.lumens(1.0) >= 0.0 && cone.lumens(1.0).is_finite(),
         "{cone:?}, expected cone.lumens(1.0) >= 0.0 and cone.lumens(1.0).is_finite()"
     );
-    assert_held::<f32, _>(cone);
-    assert_held::<Fx32, _>(cone);
-    assert_held::<Fx16, _>(cone);
+    assert_held::<S, _>(cone);
+    let narrowest = scene::narrowest::<S, _>(falloff).to_degrees();
+    if narrowest <= 180.0 {
+        let [held, refused] = [1.0, 0.999_9].map(|part| {
+            let cone = Cone::from_outer(falloff, Angle::degrees(narrowest * part)).ok();
+            cone.is_some_and(|cone| cone.compile::<S>().is_ok())
+        });
+        assert!(held && !refused, "{falloff:?} {narrowest}: held {held}, just below refused {}", !refused);
+    }
     Some(())
 }
 
@@ -39,12 +49,7 @@ fn description(words: &mut Words<'_>) -> Option<()> {
 fn assert_held<S: Scalar, P: Falloff>(cone: Cone<P>) {
     let Err(error) = cone.compile::<S>() else { return };
     assert!(!error.to_string().is_empty());
-    if let Error {
-        parameter: luminaire::error::Parameter::OuterAngle,
-        accepted: Expected::AngleFrom(least),
-        ..
-    } = error
-    {
+    if let Error { parameter: Parameter::OuterAngle, accepted: Expected::AngleFrom(least), .. } = error {
         let plain = Cone::from_outer(cone.falloff(), Angle::degrees((least * 1.000_01).min(180.0)));
         if cone.inner() < cone.outer() {
             let is_held = plain.is_ok_and(|plain| plain.compile::<S>().is_ok());
@@ -54,7 +59,7 @@ fn assert_held<S: Scalar, P: Falloff>(cone: Cone<P>) {
 }
 
 /// A cone designed from beam and field angle has these angles, or the error names a range of field
-/// angles, of which both ends are accepted.
+/// angles, of which both ends are accepted, or refuses the beam angle.
 pub fn two_angles_come_back(words: &[u32]) {
     let words = &mut Words::new(words);
     let beam = words.number(-8.0, 7.5).exp2();
@@ -69,7 +74,9 @@ pub fn two_angles_come_back(words: &[u32]) {
         }
         Err(error) => {
             assert!(!error.to_string().is_empty());
-            if let Expected::AngleBetween(least, most) = error.accepted {
+            if let (Parameter::FieldAngle, Expected::AngleBetween(least, most)) =
+                (error.parameter, error.accepted)
+            {
                 // The conversion between versine and degrees rounds a few times.
                 for nearest in [least * 1.000_001, most * 0.999_999] {
                     let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(nearest));

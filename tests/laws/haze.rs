@@ -18,9 +18,9 @@ pub fn beams_that_are_not_met_are_dark(words: &[u32]) {
 
 fn not_met(words: &mut Words<'_>) -> Option<()> {
     let falloff = scene::falloff(words)?;
-
-    let cone = scene::cone(words, falloff)?;
-    let spot = SpotLight::new(words.numbers(-8.0, 8.0), words.direction(), cone).ok()?;
+    let cone = scene::cone::<f32, _>(words, falloff)?;
+    let [position, _] = scene::places::<f32>(words);
+    let spot = SpotLight::new(position, words.direction(), cone).ok()?;
     let model = scene::attenuation(words)?;
     assert_not_met(words, spot.with_attenuation(model))
 }

@@ -5,23 +5,25 @@ use super::scene;
 use super::words::Words;
 use luminaire::{Rgb, falloff::Soft};
 
-/// Up to full scale, a light of twice the intensity gives twice the light: exactly in f32, and
-/// within the roundings of both values in fixed point.
+/// Up to full scale, a light of twice the intensity gives twice the light: exactly in f32 unless
+/// the light is subnormal, and within the roundings of both values in fixed point.
 pub fn twice_is_twice<S: Format>(words: &[u32]) {
     let _: Option<()> = twice::<S>(&mut Words::tame(words));
 }
 
 fn twice<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let cone = scene::cone(words, Soft)?;
-    let place = words.place();
-    let spot = scene::spot(words, cone, place)?;
-    let (point, normal) = (words.point::<S>(place), words.normal::<S>());
+    let cone = scene::cone::<S, _>(words, Soft)?;
+    let places = scene::places::<S>(words);
+    let spot = scene::spot(words, cone, places)?;
+    let spot = spot.with_intensity(spot.intensity().min(5e8)).ok()?;
+    let (point, normal) = (words.point::<S>(places[1]), words.normal::<S>());
     let light = |factor: f32| {
         let light = spot.with_intensity(factor * spot.intensity()).ok()?.compile::<S>().ok()?;
         Some(S::exact_light(light.irradiance(point, normal)))
     };
     let (once, twice) = (light(1.0)?, light(2.0)?);
-    if twice <= 1.0 {
+    let underflows = S::NAME == "f32" && once.min(f64::from(spot.intensity())) < f64::from(f32::MIN_POSITIVE);
+    if twice <= 1.0 && !underflows {
         let (from, to) = (S::exact_point(spot.position().map(S::length)), S::exact_point(point));
         let gain = 2.0 * f64::from(spot.intensity()) / from.distance_squared(to);
         // In 16 bits one of the two may be evaluated finely and the other not, each within half a

@@ -17,12 +17,14 @@ pub mod display;
 pub mod haze;
 pub mod linearity;
 pub mod monotony;
+pub mod reach;
 pub mod symmetry;
 pub mod totality;
 
-pub use design::{descriptions_are_taken_or_refused, two_angles_come_back};
+pub use design::two_angles_come_back;
 pub use haze::beams_that_are_not_met_are_dark;
 use luminaire::{Fx16, Fx32};
+pub use reach::quick_rows_have_the_light_of_their_points;
 
 /// Runs laws that are generic over the format in all three formats.
 macro_rules! in_every_format {
@@ -36,6 +38,7 @@ macro_rules! in_every_format {
 }
 
 in_every_format! {
+    design::descriptions_are_taken_or_refused,
     totality::spotlights_answer,
     totality::distances_answer,
     totality::highlights_answer,
@@ -46,4 +49,6 @@ in_every_format! {
     linearity::twice_is_twice,
     linearity::order_does_not_matter,
     display::fitting_keeps_what_fits,
+    reach::lit_spheres_are_reached,
+    reach::rows_have_the_light_of_their_points,
 }

@@ -19,7 +19,7 @@ pub fn falloffs_fall<S: Format>(words: &[u32]) {
 
 fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let falloff = scene::falloff(words)?;
-    let cone = scene::cone(words, falloff)?;
+    let cone = scene::cone::<S, _>(words, falloff)?;
     let compiled = cone.compile::<S>().ok()?;
     let is_strict = matches!(
         falloff,
@@ -60,8 +60,9 @@ pub fn distances_fall<S: Format>(words: &[u32]) {
 }
 
 fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let range = words.between(0.01, 64.0);
-    let (near, step) = (words.between(0.0, 80.0), words.between(0.0, 1.0).powi(8));
+    let range = if words.is_end() { scene::range(words) } else { words.between(0.01, 64.0) };
+    let most = words.one_of([80.0, 1.25 * range]);
+    let (near, step) = (words.between(0.0, most), words.between(0.0, 1.0).powi(8));
     let [near, far] = [near, near + step].map(|distance| (distance * 65_536.0).round() / 65_536.0);
     let source = PointLight::new(Vec3::default()).ok()?;
     let toward = Vec3::new(S::from_f32(-1.0), S::ZERO, S::ZERO);
@@ -102,11 +103,11 @@ pub fn intensity_adds<S: Format>(words: &[u32]) {
 }
 
 fn intensity<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let cone = scene::cone(words, Soft)?;
-    let place = words.place();
-    let spot = scene::spot(words, cone, place)?;
-    let (point, normal) = (words.point::<S>(place), words.normal::<S>());
-    let (a, b) = words.pair(1e3);
+    let cone = scene::cone::<S, _>(words, Soft)?;
+    let places = scene::places::<S>(words);
+    let spot = scene::spot(words, cone, places)?;
+    let (point, normal) = (words.point::<S>(places[1]), words.normal::<S>());
+    let (a, b) = if words.is_end() { (scene::intensity(words), 1e9) } else { words.pair(1e3) };
     let (less, more) = (a.min(b), a.max(b));
     let light = |intensity: f32| {
         let light = spot.with_intensity(intensity).ok()?.compile::<S>().ok()?;

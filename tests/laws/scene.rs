@@ -2,9 +2,10 @@
 
 use super::words::Words;
 use luminaire::{
-    Angle, Cone, HalfAngle, Material, Rgb, SpotLight, Vec3,
+    Angle, Cone, HalfAngle, Material, Rgb, Scalar, SpotLight, Vec3,
     attenuation::AnyAttenuation,
     falloff::{AnyFalloff, Falloff, Table},
+    models::Parameters,
     specular::SpecularLobe,
 };
 
@@ -23,7 +24,35 @@ pub fn falloff(words: &mut Words<'_>) -> Option<AnyFalloff> {
 /// An attenuation of the list.
 pub fn attenuation(words: &mut Words<'_>) -> Option<AnyAttenuation> {
     let index = words.choice(AnyAttenuation::COUNT as u32) as usize;
-    AnyAttenuation::drawn(index, || words.number(0.0, 1.0)).ok()
+    AnyAttenuation::built(index, words).ok()
+}
+
+impl Parameters for Words<'_> {
+    fn number(&mut self, most: f32) -> f32 {
+        Words::number(self, 0.0, most)
+    }
+
+    fn range(&mut self) -> Option<f32> {
+        (self.choice(10) > 0).then(|| range(self))
+    }
+
+    fn end(&mut self) -> f32 {
+        range(self)
+    }
+}
+
+/// A range of an attenuation: up to 40, or from the shortest that is accepted to 2^14.
+pub fn range(words: &mut Words<'_>) -> f32 {
+    if words.is_end() {
+        let middle = words.between(-9.9, 14.0).exp2();
+        return words.one_of([0.001, middle, 16_384.0]);
+    }
+    words.number(0.0, 40.0)
+}
+
+/// An intensity: up to 100, or at the ends of what is accepted.
+pub fn intensity(words: &mut Words<'_>) -> f32 {
+    if words.is_end() { words.one_of([0.0, f32::from_bits(1), 1e9, 1e9]) } else { words.number(0.0, 100.0) }
 }
 
 /// Evaluates an expression with one of all specular lobes. Each lobe has its own type.
@@ -45,12 +74,16 @@ macro_rules! with_any_highlight {
 }
 pub(crate) use with_any_highlight;
 
-/// A cone that is given by its outer, field or beam angle, with or without a hotspot and a cutoff.
-pub fn cone<P: Falloff>(words: &mut Words<'_>, falloff: P) -> Option<Cone<P>> {
-    let design = [Cone::from_outer, Cone::from_field, Cone::from_beam][words.choice(3) as usize];
-    // The logarithm of the angle is uniform, because narrow cones are the hard cases.
-    let angle = words.number(-16.0, 7.5);
-    let mut cone = design(falloff, Angle::degrees(angle.exp2())).ok()?;
+/// A cone that is given by its outer, field or beam angle, or the narrowest or the widest of a
+/// format; with or without a hotspot and a cutoff.
+pub fn cone<S: Scalar, P: Falloff>(words: &mut Words<'_>, falloff: P) -> Option<Cone<P>> {
+    let mut cone = if words.is_end() {
+        Cone::from_outer(falloff, words.one_of([narrowest::<S, P>(falloff), Angle::degrees(180.0)])).ok()?
+    } else {
+        let design = words.one_of([Cone::from_outer, Cone::from_field, Cone::from_beam]);
+        // The logarithm of the angle is uniform, because narrow cones are the hard cases.
+        design(falloff, Angle::degrees(words.number(-16.0, 7.5).exp2())).ok()?
+    };
     let outer = cone.outer().to_degrees();
     if words.choice(4) == 0 {
         cone = cone.with_inner(Angle::degrees(words.number(0.0, outer))).ok()?;
@@ -61,14 +94,50 @@ pub fn cone<P: Falloff>(words: &mut Words<'_>, falloff: P) -> Option<Cone<P>> {
     Some(cone)
 }
 
-/// A spotlight that is aimed roughly at `target`.
-pub fn spot<P: Falloff>(words: &mut Words<'_>, cone: Cone<P>, target: Vec3<f32>) -> Option<SpotLight<P>> {
-    let position = words.numbers(-8.0, 8.0);
+/// The narrowest accepted outer angle, plus a margin for the rounding of an angle.
+pub fn narrowest<S: Scalar, P: Falloff>(falloff: P) -> Angle {
+    Angle::degrees(Cone::narrowest::<S>(falloff).to_degrees() * 1.000_01)
+}
+
+/// The position of a light, and a place that it lights. Both are within 8 of the origin, or the
+/// light is at the farthest coordinates of the format, and the place within 8 of it, of the origin
+/// or of the opposite end of the coordinates.
+pub fn places<S: Scalar>(words: &mut Words<'_>) -> [Vec3<f32>; 2] {
+    let (place, position) = (words.place(), words.numbers(-8.0, 8.0));
+    if !words.is_end() {
+        return [position, place];
+    }
+    // In f32 nothing is lit over a distance of more than 1.8e19.
+    let (farthest, opposite) = match S::NAME {
+        "f32" => words.one_of([(S::FARTHEST, S::FARTHEST), (1e18, 1e18), (32_768.0, 32_768.0)]),
+        _ => (S::FARTHEST, 32_768.0),
+    };
+    let end = position.map(|c| words.one_of([c, farthest, -farthest]));
+    let place = match words.choice(3) {
+        0 => place,
+        1 => end.zip(place, |end, place| end + place),
+        _ => end.zip(place, |end, place| match end.abs() == farthest {
+            true => place - opposite.copysign(end),
+            false => place,
+        }),
+    };
+    [end, place]
+}
+
+/// A spotlight at a position, aimed roughly at a place.
+pub fn spot<P: Falloff>(
+    words: &mut Words<'_>,
+    cone: Cone<P>,
+    [position, place]: [Vec3<f32>; 2],
+) -> Option<SpotLight<P>> {
     let off = words.numbers(-1.0, 1.0).map(|c| c * HalfAngle::from(cone.outer()).to_radians());
-    let way = target.zip(position, |t, p| t - p);
+    // Neither the difference of the farthest coordinates nor its square is infinite.
+    let way = place.zip(position, |to, from| to / 4.0 - from / 4.0);
+    let most = way.x.abs().max(way.y.abs()).max(way.z.abs());
+    let way = way.map(|c| c / most);
     let distance = way.dot(way).sqrt();
     let axis = way.zip(off, |way, off| way + distance * off);
-    SpotLight::new(position, axis, cone).ok()?.with_intensity(words.number(0.0, 100.0)).ok()
+    SpotLight::new(position, axis, cone).ok()?.with_intensity(intensity(words)).ok()
 }
 
 /// A colour.

@@ -2,6 +2,7 @@
 //! before.
 
 use super::format::Format;
+use super::scene;
 use super::words::Words;
 use luminaire::{
     Cone, HalfAngle, PointLight, SpotLight, Vec3,
@@ -51,16 +52,21 @@ pub fn turned_scenes_are_the_same<S: Format>(words: &[u32]) {
 fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let turn = Turn::of(words);
     let falloff = Quadratic::new(words.between(0.0, 2.0)).ok()?;
-    let half = words.between(-10.0, 6.49).exp2();
+    let mut half = words.between(-10.0, 6.49).exp2();
+    if words.is_end() {
+        half = words.one_of([scene::narrowest::<S, _>(falloff).to_degrees() / 2.0, 90.0]);
+    }
     let cone = Cone::from_outer(falloff, HalfAngle::degrees(half)).ok()?;
-    let (position, normal) = (words.place(), words.direction());
+    let ([position, _], normal) = (scene::places::<S>(words), words.direction());
     let off = words.numbers(-1.0, 1.0).map(|c| c * half.to_radians());
     // The components have so few bits that the squared length is exact in any order of summation.
     // Both lights then have the same axis.
     let axis = words.direction().map(|c| (c * 1_000.0).round());
-    let distance = words.between(0.5, 16.0);
+    let distance = if words.is_end() { 32_768.0 } else { words.between(0.5, 16.0) };
     let point = axis.map(|c| c / 1_000.0).zip(off, |axis, off| distance * (axis + off));
     let point = point.zip(position, |w, p| ((w + p) * 65_536.0).round() / 65_536.0);
+    // Lengths end one step earlier above zero than below.
+    let point = point.map(|c| if S::NAME == "f32" { c } else { c.clamp(-32_767.0, 32_767.0) });
 
     let spot = |turn: &dyn Fn(Vec3<f32>) -> Vec3<f32>| {
         let light = SpotLight::new(turn(position), turn(axis), cone).ok()?.compile::<S>().ok()?;

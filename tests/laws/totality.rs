@@ -19,11 +19,11 @@ pub fn spotlights_answer<S: Format>(words: &[u32]) {
 
 fn spotlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let falloff = scene::falloff(words)?;
-    let cone = scene::cone(words, falloff)?;
-    let place = words.place();
-    let spot = scene::spot(words, cone, place)?;
+    let cone = scene::cone::<S, _>(words, falloff)?;
+    let places = scene::places::<S>(words);
+    let spot = scene::spot(words, cone, places)?;
     let light = spot.compile::<S>().ok()?;
-    let (point, normal) = (words.point::<S>(place), words.normal::<S>());
+    let (point, normal) = (words.point::<S>(places[1]), words.normal::<S>());
     assert_within_one(light.falloff_at(point), "falloff");
     let arrived = light.irradiance(point, normal);
     assert_eq!(arrived, light.irradiance_unskipped(point, normal), "{spot:?} {point:?} {normal:?}");
@@ -40,12 +40,12 @@ pub fn distances_answer<S: Format>(words: &[u32]) {
 }
 
 fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let place = words.place();
-    let spot = scene::cone(words, AnyFalloff::from(Soft)).and_then(|cone| scene::spot(words, cone, place));
-    let position = words.numbers(-8.0, 8.0);
+    let cone = scene::cone::<S, _>(words, AnyFalloff::from(Soft));
+    let [position, place] = scene::places::<S>(words);
+    let spot = cone.and_then(|cone| scene::spot(words, cone, [position, place]));
     let model = scene::attenuation(words)?;
 
-    let point = PointLight::new(position).ok()?.with_intensity(words.number(0.0, 100.0)).ok()?;
+    let point = PointLight::new(position).ok()?.with_intensity(scene::intensity(words)).ok()?;
     let matte = Material::new(Rgb::new(1.0, 0.5, 0.25)).ok()?;
     let surface = words.surface::<S>(place);
     if let Ok(light) = point.with_attenuation(model).compile::<S>() {
@@ -69,7 +69,7 @@ fn highlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let place = words.place();
         let surface = words.surface::<S>(place);
         let direction = words.numbers(-1.0, 1.0);
-        let sun = DirectionalLight::new(direction).and_then(|sun| sun.with_intensity(words.number(0.0, 100.0)));
+        let sun = DirectionalLight::new(direction).and_then(|sun| sun.with_intensity(scene::intensity(words)));
         let mut sum = Rgb::default();
         if let Ok(sun) = sun {
             sum = assert_reflects(material, &sun.compile::<S>(), &surface);

@@ -44,6 +44,16 @@ impl<'a> Words<'a> {
         self.next() % count
     }
 
+    /// Whether the next value is an end of its domain: true for one draw in four.
+    pub fn is_end(&mut self) -> bool {
+        self.choice(4) == 3
+    }
+
+    /// One of these values.
+    pub fn one_of<T: Copy, const N: usize>(&mut self, values: [T; N]) -> T {
+        values[self.choice(N as u32) as usize]
+    }
+
     /// Whether the next number is any bit pattern.
     fn is_wild(&mut self) -> bool {
         self.wild = self.wild.rotate_right(1);

@@ -70,4 +70,7 @@ hold! {
     order_does_not_matter,
     fitting_keeps_what_fits,
     beams_that_are_not_met_are_dark,
+    lit_spheres_are_reached,
+    rows_have_the_light_of_their_points,
+    quick_rows_have_the_light_of_their_points,
 }

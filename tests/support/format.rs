@@ -12,6 +12,8 @@ pub trait Format: Scalar {
     /// The exact value of a versine in the scale of a cone. The scale follows from the versine that
     /// the cone stores for 2^-28.
     fn exact_versine<P: Falloff>(falloff: &CompiledCone<Self, P>, versine: Self::Versine) -> f64;
+    /// The nearest length. `Scalar::length` takes an f32, which has 24 bits.
+    fn nearest_length(value: f64) -> Self::Length;
     /// The scalar, length, unit and versine with these bits, truncated to the width of the format.
     fn scalar_from_bits(bits: u64) -> Self;
     fn length_from_bits(bits: u64) -> Self::Length;
@@ -56,6 +58,10 @@ impl Format for f32 {
         f64::from(versine)
     }
 
+    fn nearest_length(value: f64) -> f32 {
+        value as f32
+    }
+
     fn scalar_from_bits(bits: u64) -> f32 {
         f32::from_bits(bits as u32)
     }
@@ -96,6 +102,10 @@ macro_rules! fixed_format {
             fn exact_versine<P: Falloff>(falloff: &CompiledCone<Self, P>, versine: Self::Versine) -> f64 {
                 let unit: f64 = falloff.versine(0.5_f32.powi(28)).to_f64();
                 versine.to_f64() * 0.5_f64.powi(28) / unit
+            }
+
+            fn nearest_length(value: f64) -> Self::Length {
+                Self::Length::from_bits((value * 65_536.0).round() as $length)
             }
 
             fn scalar_from_bits(bits: u64) -> Self {

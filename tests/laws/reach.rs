@@ -1,0 +1,97 @@
+//! What a light does not reach is dark: spheres, and the points of rows.
+
+use super::format::Format;
+use super::scene;
+use super::words::Words;
+use luminaire::{
+    Fx16, Rgb, SpotLight, Vec3,
+    attenuation::AnyAttenuation,
+    falloff::AnyFalloff,
+    light::{LightModel, Row, SurfacePoint},
+    number::Quick,
+    specular::NoSpecular,
+};
+use luminaire_oracle::DVec3;
+
+/// A light reaches every sphere that contains a lit point. The point is near the edge of the cone,
+/// and the sphere touches the cone there from outside.
+pub fn lit_spheres_are_reached<S: Format>(words: &[u32]) {
+    let _: Option<()> = sphere::<S>(&mut Words::new(words));
+}
+
+fn sphere<S: Format>(words: &mut Words<'_>) -> Option<()> {
+    let falloff = scene::falloff(words)?;
+    let cone = scene::cone::<S, _>(words, falloff)?;
+    let places = scene::places::<S>(words);
+    let spot = scene::spot(words, cone, places)?;
+    let light = spot.compile::<S>().ok()?;
+    let [from, to] = places.map(|place| S::exact_point(place.map(S::length)));
+    let axis = S::exact_direction(light.axis()).normalize();
+    let across = axis.cross(double(words.direction())).normalize();
+    let half = f64::from(cone.outer().to_radians()) / 2.0;
+    let (sine, cosine) = (half * (1.0 - f64::from(words.between(-24.0, 0.0).exp2()))).sin_cos();
+    let distance = from.distance(to) * f64::from(words.between(-12.0, 0.0).exp2());
+    let point = nearest::<S>(from + distance * (cosine * axis + sine * across));
+    let exact = S::exact_point(point);
+    let size = distance * f64::from(words.between(-14.0, 7.0).exp2());
+    let center = nearest::<S>(exact + size * (cosine * across - sine * axis));
+    // More than the distance by less than two steps.
+    let radius = exact.distance(S::exact_point(center)) * (1.0 + f64::from(f32::EPSILON));
+    let radius = S::nearest_length(radius + 0.5_f64.powi(17));
+    if exact.distance(S::exact_point(center)) <= S::exact_length(radius) {
+        let is_lit = light.falloff_at(point) != S::ZERO;
+        assert!(!is_lit || light.can_reach(center, radius), "{spot:?} {point:?} in {center:?} {radius:?}");
+    }
+    Some(())
+}
+
+/// The pixels of a row have the light of single calls without early-outs.
+pub fn rows_have_the_light_of_their_points<S: Format>(words: &[u32]) {
+    let _: Option<()> = row::<S, _>(&mut Words::new(words), |spot| spot.compile::<S>().ok());
+}
+
+/// The same law for the quick evaluation.
+pub fn quick_rows_have_the_light_of_their_points(words: &[u32]) {
+    fn quick_row<S: Format + Quick>(words: &[u32]) {
+        let _: Option<()> = row::<S, _>(&mut Words::new(words), |spot| spot.compile_quick::<S>().ok());
+    }
+    quick_row::<f32>(words);
+    quick_row::<Fx16>(words);
+}
+
+fn row<S: Format, L: LightModel<S>>(
+    words: &mut Words<'_>,
+    compile: impl Fn(SpotLight<AnyFalloff, AnyAttenuation>) -> Option<L>,
+) -> Option<()> {
+    let falloff = scene::falloff(words)?;
+    let cone = scene::cone::<S, _>(words, falloff)?;
+    let [position, first] = scene::places::<S>(words);
+    let [_, last] = scene::places::<S>(words);
+    let length = f64::from(words.between(-12.0, 0.0).exp2());
+    let at = |part: f64| double(first).lerp(double(last), part * length);
+    let aim = at(words.between(0.0, 1.0).into()).as_vec3();
+    let spot = scene::spot(words, cone, [position, Vec3::new(aim.x, aim.y, aim.z)])?;
+    let light = compile(spot.with_attenuation(scene::attenuation(words)?))?;
+    let normal = words.direction();
+    let normal = normal.map(|c| S::from_f32(-c * normal.dot(spot.axis()).signum()));
+    let count = words.choice(96) as usize;
+    let point = |i: usize| nearest::<S>(at(i as f64 / 96.0));
+    let mut pixels = vec![Rgb::default(); count];
+    Row::new(normal, point).light(&[light], &mut pixels, |pixel, _, light| *pixel = light);
+    for (i, pixel) in pixels.into_iter().enumerate() {
+        let arrived =
+            light.evaluate::<NoSpecular>(&SurfacePoint::matte(point(i), normal), &(), false).diffuse;
+        let single = Rgb::default().plus::<S>(Rgb::lit::<S>(arrived, light.colors()[0]));
+        assert_eq!(pixel, single, "{light:?} at {:?}, point {i} of {count}", point(i));
+    }
+    Some(())
+}
+
+fn double(v: Vec3<f32>) -> DVec3 {
+    let Vec3 { x, y, z } = v.map(f64::from);
+    DVec3::new(x, y, z)
+}
+
+fn nearest<S: Format>(place: DVec3) -> Vec3<S::Length> {
+    Vec3::new(place.x, place.y, place.z).map(S::nearest_length)
+}
