@@ -54,13 +54,14 @@ fn falloff<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// Along an axis the tested attenuations never rise with the distance by more than [`rise_steps`].
+/// Along an axis the tested attenuations never rise with the distance by more than [`rise_steps`],
+/// and end at their range.
 pub fn distances_fall<S: Format>(words: &[u32]) {
     let _: Option<()> = distance::<S>(&mut Words::tame(words));
 }
 
 fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
-    let range = if words.is_end() { scene::range(words) } else { words.between(0.01, 64.0) };
+    let range = scene::range(words);
     let most = words.one_of([80.0, 1.25 * range]);
     let (near, step) = (words.between(0.0, most), words.between(0.0, 1.0).powi(8));
     let [near, far] = [near, near + step].map(|distance| (distance * 65_536.0).round() / 65_536.0);
@@ -76,6 +77,10 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
         let light = source.with_attenuation(model).compile::<S>().ok()?;
         [near, far].map(|distance| light.irradiance(place(distance), toward))
     };
+    assert!(
+        far < 1.001 * range || far_light == S::Irradiance::default(),
+        "{far_light:?} at {far} of {range}"
+    );
     // At the position of the light, a point receives no light.
     if near > 0.0 {
         let (near_light, far_light) = (S::exact_light(near_light), S::exact_light(far_light));

@@ -92,6 +92,6 @@ fn double(v: Vec3<f32>) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
-fn nearest<S: Format>(place: DVec3) -> Vec3<S::Length> {
+pub fn nearest<S: Format>(place: DVec3) -> Vec3<S::Length> {
     Vec3::new(place.x, place.y, place.z).map(S::nearest_length)
 }

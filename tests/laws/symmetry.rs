@@ -1,7 +1,8 @@
 //! Light has no preferred direction: a scene that is turned by right angles or mirrored is lit as
-//! before.
+//! before. A falloff has no preferred distance.
 
 use super::format::Format;
+use super::reach::nearest;
 use super::scene;
 use super::words::Words;
 use luminaire::{
@@ -79,12 +80,24 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
         Some(S::exact_light(light))
     };
     let exact = S::NAME == "f32" && turn.is_mirror_alone();
-    let cone_error = f64::from(S::DIRECTION_ERROR * falloff.steepness(0.0) / half.to_radians());
+    let steepness = f64::from(falloff.steepness(0.0) / half.to_radians());
+    let cone_error = f64::from(S::DIRECTION_ERROR) * steepness;
     // The lengths of the directions of `Fx32` have an error of 26 steps.
     let step = if S::NAME == "fx32" { 26.0 } else { 1.0 } * f64::from(S::STEP);
-    let within = if exact { 0.0 } else { 2.0 * (cone_error + 3.0 * step) };
+    let any_error = 2.0 * (cone_error + 3.0 * step);
+    let within = if exact { 0.0 } else { any_error };
     let (straight, turned) = (spot(&|v| v)?, spot(&|v| turn.turned(v))?);
     assert!((straight - turned).abs() <= within, "{turn:?} {half}: {straight} and {turned}, not {within}");
+    // The place halfway to the point, rounded to the format.
+    let [from, to] = [position, point].map(|place| S::exact_point(place.map(S::length)));
+    let middle = nearest::<S>(from.midpoint(to));
+    let off = from.midpoint(to).distance(S::exact_point(middle)) / from.distance(to) * 2.0;
+    if off.is_finite() {
+        let light = SpotLight::new(position, axis, cone).ok()?.compile::<S>().ok()?;
+        // The steepness is that of a narrow cone; a wide one is up to 1.24 times as steep.
+        let (halfway, within) = (light.falloff_at(middle).exact(), 1.25 * (any_error + off * steepness));
+        assert!((straight - halfway).abs() <= within, "{half}: {straight} and {halfway}, not {within}");
+    }
     let within = if exact { 0.0 } else { 2.0 * 3.0 * step };
     let (straight, turned) = (point_light(&|v| v)?, point_light(&|v| turn.turned(v))?);
     assert!((straight - turned).abs() <= within, "{turn:?}: {straight} and {turned}, not {within}");
