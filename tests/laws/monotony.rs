@@ -112,7 +112,8 @@ fn intensity<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let places = scene::places::<S>(words);
     let spot = scene::spot(words, cone, places)?;
     let (point, normal) = (words.point::<S>(places[1]), words.normal::<S>());
-    let (a, b) = if words.is_end() { (scene::intensity(words), 1e9) } else { words.pair(1e3) };
+    let most = if words.is_end() { 1e9 } else { 1e3 };
+    let (a, b) = words.pair(most);
     let (less, more) = (a.min(b), a.max(b));
     let light = |intensity: f32| {
         let light = spot.with_intensity(intensity).ok()?.compile::<S>().ok()?;

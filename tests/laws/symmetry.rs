@@ -59,6 +59,8 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     }
     let cone = Cone::from_outer(falloff, HalfAngle::degrees(half)).ok()?;
     let ([position, _], normal) = (scene::places::<S>(words), words.direction());
+    let on_grid = |c: f32| if c.abs() < 32_768.0 { (c * 65_536.0).round() / 65_536.0 } else { c };
+    let position = position.map(on_grid);
     let off = words.numbers(-1.0, 1.0).map(|c| c * half.to_radians());
     // The components have so few bits that the squared length is exact in any order of summation.
     // Both lights then have the same axis.
@@ -88,15 +90,17 @@ fn turned<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let within = if exact { 0.0 } else { any_error };
     let (straight, turned) = (spot(&|v| v)?, spot(&|v| turn.turned(v))?);
     assert!((straight - turned).abs() <= within, "{turn:?} {half}: {straight} and {turned}, not {within}");
-    // The place halfway to the point, rounded to the format.
+    // A place on the way to the point, rounded to the format. Half of the way would have the same
+    // bits as the way.
     let [from, to] = [position, point].map(|place| S::exact_point(place.map(S::length)));
-    let middle = nearest::<S>(from.midpoint(to));
-    let off = from.midpoint(to).distance(S::exact_point(middle)) / from.distance(to) * 2.0;
+    let middle = from.lerp(to, 0.6);
+    let nearer = nearest::<S>(middle);
+    let off = middle.distance(S::exact_point(nearer)) / from.distance(middle);
     if off.is_finite() {
         let light = SpotLight::new(position, axis, cone).ok()?.compile::<S>().ok()?;
         // The steepness is that of a narrow cone; a wide one is up to 1.24 times as steep.
-        let (halfway, within) = (light.falloff_at(middle).exact(), 1.25 * (any_error + off * steepness));
-        assert!((straight - halfway).abs() <= within, "{half}: {straight} and {halfway}, not {within}");
+        let (nearer, within) = (light.falloff_at(nearer).exact(), 1.25 * (any_error + off * steepness));
+        assert!((straight - nearer).abs() <= within, "{half}: {straight} and {nearer}, not {within}");
     }
     let within = if exact { 0.0 } else { 2.0 * 3.0 * step };
     let (straight, turned) = (point_light(&|v| v)?, point_light(&|v| turn.turned(v))?);
