@@ -1,4 +1,5 @@
-//! Light falls, adds, has no preferred direction, and is none where a beam is not met or a sphere not reached.
+//! Light falls, adds, has no preferred direction, and is none where a beam is not met or a sphere
+//! not reached.
 #![no_main]
 
 #[path = "../../laws/mod.rs"]
