@@ -29,18 +29,22 @@ use slope::{Slope, depth_error};
 /// centimetres of the light, along its axis, cast no shadow; otherwise the fixture's own housing
 /// would cast one.
 ///
-/// **No surface shadows itself.** The depth of a texel is compared with the depths of points up to
-/// one texel away, where the same surface has another depth. Two steps prevent false shadows. Each
-/// triangle is drawn with the largest depth of its plane within one texel, and then each texel gets
-/// the largest depth of the 3 x 3 texels around it that belong to the same surface. Points without
-/// an occluder are fully lit: on a flat surface at any angle of incidence, on a convex surface if
-/// the angle between the light and the surface is at least 11 degrees.
+/// **Self-shadowing.** The depth of a texel is compared with the depths of points up to one texel
+/// away, where the same surface has another depth. Two steps prevent false shadows. Each triangle is
+/// drawn with the largest depth of its plane within one texel, and then each texel gets the largest
+/// depth of the 3 x 3 texels around it that belong to the same surface. Points without an occluder
+/// are fully lit: on a flat surface at any angle of incidence, on a convex body if the point is more
+/// than one texel inside the body's outline as seen from the light. Closer to the outline, a face
+/// can be in the shadow of its neighbour.
 ///
 /// These steps cause two errors. The edge of a shadow is wrong by up to two texels. The shadow of a
-/// sheet begins up to one and a half texel widths behind the sheet, measured at right angles to the
-/// sheet. This distance is `3 tan(outer half angle) / side` times the depth: 2 centimetres in a map
-/// of 512 texels per side, at 6 metres from a light with a cone of 60 degrees. Behind a closed
-/// solid a shadow begins without a gap, because the solid's front face casts the shadow.
+/// sheet begins up to `b / (1 - b / h)` behind the sheet, measured at right angles to the sheet,
+/// where `b = 3 w (|nx| + |ny|)`. The width of a texel `w` is `2 tan(outer half angle) / side` times
+/// the depth of the sheet, `nx` and `ny` are the components of the sheet's unit normal along the
+/// sides of the map, and `h` is the distance of the light from the plane of the sheet. So `b` is at
+/// most `3 sqrt(2) w`: 6 centimetres in a map of 512 texels per side, at 6 metres from a light with
+/// a cone of 60 degrees. A sheet with `b >= h`, nearly edge-on, may cast no shadow. Behind a closed
+/// solid a shadow begins without a gap if the solid is thicker than that distance.
 ///
 /// ```
 /// use luminaire::{Vec3, projector::Projection};

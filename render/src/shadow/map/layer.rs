@@ -127,7 +127,7 @@ impl Texel {
 impl End {
     /// Returns the smaller of `least` and the neighbour's `hiding`.
     ///
-    /// If the neighbour shows a different surface and `hiding` is at least `edge`, `edge` replaces
+    /// If the neighbour shows a different surface and `hiding` is at most `edge`, `edge` replaces
     /// `hiding`.
     #[inline(always)]
     fn with(self, neighbor: Texel, hiding: f32, least: f32) -> f32 {

@@ -26,7 +26,7 @@ const EDGE_ON: f32 = 0.4;
 /// Returns the largest position error of a projected point, in sides of the square.
 ///
 /// `tests/bounds.csv` contains the measured values.
-fn place_error<S: Scalar>(tangent: f32) -> f32 {
+pub(super) fn place_error<S: Scalar>(tangent: f32) -> f32 {
     (2.0 + tangent) * S::STEP + S::DIRECTION_ERROR / tangent + 1.0 / 65_536.0
 }
 

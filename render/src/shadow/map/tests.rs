@@ -4,7 +4,8 @@ mod ray;
 
 use super::*;
 use crate::{Camera, Format, Material, Mesh, Outline, Renderer, scenes::stage};
-use core::f32::consts::PI;
+use core::f32::consts::{PI, TAU};
+use fastrand::Rng;
 use glam::DVec3;
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Rgb, SpotLight, Vec3, falloff::SoftOrHard, light::CompiledSpotLight,
@@ -16,9 +17,6 @@ use std::string::ToString;
 
 /// Largest error of a shadow edge, in texels.
 const TEXELS: f64 = 2.0;
-
-/// Expected range of the result of [`steepest_shadowed`] for convex bodies.
-const GRAZING: core::ops::Range<f64> = 0.17..0.19;
 
 /// A format whose lengths convert exactly to f64.
 trait Exact: Format {
@@ -56,7 +54,16 @@ fn scene(meshes: impl IntoIterator<Item = Mesh>) -> Scene {
 }
 
 fn sphere(radius: f32, center: Vec3<f32>) -> Mesh {
-    Mesh::lathe(&Outline::start(0.0, -radius).arc(0.0, 0.0, PI, 28), 56).moved(center)
+    ellipsoid([radius; 2], 28, 56).moved(center)
+}
+
+/// The ends of the outline are exactly on the axis, so that no triangle is degenerate.
+fn ellipsoid([width, height]: [f32; 2], lines: u8, segments: usize) -> Mesh {
+    let angles = (1..lines).map(|line| PI * f32::from(line) / f32::from(lines));
+    let outline = angles.fold(Outline::start(0.0, -height), |outline, angle| {
+        outline.line_to(width * angle.sin(), -height * angle.cos())
+    });
+    Mesh::lathe(&outline.line_to(0.0, height), segments)
 }
 
 fn floor(half: f32) -> Mesh {
@@ -170,14 +177,50 @@ fn wide_and_narrow_cones_have_the_shadows_of_rays() {
     }
 }
 
-/// Tests six points of every triangle that faces the light. Returns the largest cosine of the angle
-/// of incidence at which such a point is not fully lit; 0 if all points are fully lit.
-fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &SpotLight, side: usize) -> f64 {
+/// Returns a random light 1 to 10 metres from the origin that shines on the origin, the side of a
+/// map, and the width of a texel at the origin in metres.
+fn random_map(rng: &mut Rng) -> (Projection, usize, f32) {
+    let (way, aim) = (glam::Vec3::from(random_vector(rng)).normalize(), random_vector(rng));
+    let (distance, half) = (10.0_f32.powf(rng.f32()), Angle::degrees(1.5 * 45.0_f32.powf(rng.f32())));
+    let wide = distance * half.to_radians().tan();
+    let spot = spot((distance * way).into(), aim.map(|c| wide * c), 2.0 * half.to_degrees());
+    let projection = Projection::of(&spot).unwrap().turned(Angle::degrees(360.0 * rng.f32())).unwrap();
+    let side = (16.0 * 64.1_f32.powf(rng.f32())) as usize;
+    (projection, side, 2.0 * wide / side as f32)
+}
+
+fn random_vector(rng: &mut Rng) -> Vec3<f32> {
+    Vec3::new(rng.f32() - 0.5, rng.f32() - 0.5, rng.f32() - 0.5)
+}
+
+/// Returns a random cuboid, frustum or ellipsoid of revolution, whose sides are up to `size`.
+fn random_body(rng: &mut Rng, size: f32) -> Mesh {
+    let [a, b, c] = [(); 3].map(|()| size * (0.1 + 0.9 * rng.f32()));
+    let segments = rng.usize(3..40);
+    match rng.u8(..3) {
+        0 => Mesh::cuboid(a, b, c),
+        1 => ellipsoid([a / 2.0, b / 2.0], rng.u8(2..16), segments),
+        _ => {
+            let top = rng.f32() * c / 2.0;
+            let outline = Outline::start(0.0, 0.0).line_to(a / 2.0, 0.0).line_to(top, b).line_to(0.0, b);
+            Mesh::lathe(&outline, segments)
+        }
+    }
+}
+
+/// Returns the number of random cases of a test.
+fn cases() -> usize {
+    if std::env::var_os("LUMINAIRE_FULL").is_some() { 3_000 } else { 80 }
+}
+
+/// Asserts that a convex body is fully lit wherever it is more than `within` texels inside its
+/// outline; everywhere, if that is 0. Returns the number of points tested: six of every triangle
+/// that faces the light.
+fn assert_is_lit<S: Exact>(mesh: Mesh, projection: &Projection, side: usize, within: f64) -> usize {
     let scene = scene([mesh]);
-    let projection = Projection::of(spot).unwrap();
-    let map = drawn::<S>(&scene, &projection, side);
-    let (shadow, light) = (map.shadow().unwrap(), Light::new(&scene, &projection));
-    let (mut worst, mut lit) = (0.0_f64, 0);
+    let map = drawn::<S>(&scene, projection, side);
+    let (shadow, light) = (map.shadow().unwrap(), Light::new(&scene, projection));
+    let mut tested = 0;
     for triangle in ray::triangles(&scene).flatten() {
         for parts in [
             [0.98, 0.01, 0.01],
@@ -188,46 +231,40 @@ fn steepest_shadowed<S: Exact>(mesh: Mesh, spot: &SpotLight, side: usize) -> f64
             [0.49, 0.5, 0.01],
         ] {
             let point: DVec3 = triangle.iter().zip(parts).map(|(&corner, part)| part * corner).sum();
-            let cosine = light.cosine(triangle, point);
-            if cosine > 0.0 && light.has(light.place(point)) {
-                lit += 1;
+            let place = light.place(point);
+            if light.slope(triangle).0 > 0.0 && light.has(place) {
+                tested += 1;
                 let point = Vec3::from(point.as_vec3()).map(S::length);
-                if shadow.visibility(point) != S::ONE {
-                    worst = worst.max(cosine);
-                }
+                let is_lit = shadow.visibility(point) == S::ONE;
+                let is_outer = || within > 0.0 && light.around(place, within, side).contains(&None);
+                assert!(is_lit || is_outer(), "{} {side}: {place:?} of {projection:?}", S::NAME);
             }
         }
     }
-    assert!(lit > 10, "{lit} points face the light");
-    worst
+    tested
 }
 
 fn assert_no_surface_shadows_itself<S: Exact>() {
-    let axis = Vec3::new(0.3, 1.0, 0.2);
-    let mut steepest = 0.0_f64;
     for side in [64, 512] {
         for elevation in [0.02_f32, 0.3, 1.0, 1.5] {
             let (sine, cosine) = elevation.sin_cos();
             let light = spot(Vec3::new(4.0 * cosine, 4.0 * sine, 1.0), Vec3::new(0.0, 0.1, 0.0), 40.0);
             let flat = Mesh::extrude(&Outline::start(2.5, 0.0).line_to(-2.5, 0.0), 5.0, 40);
-            let flat = steepest_shadowed::<S>(flat.moved(Vec3::new(0.0, 0.0, -2.5)), &light, side);
-            assert_eq!(flat, 0.0, "{} {side}: a floor under a light at {elevation}", S::NAME);
-            let column = Outline::start(0.0, 0.0).line_to(0.3, 0.0).line_to(0.3, 0.9).line_to(0.0, 0.9);
-            for mesh in [
-                sphere(0.5, Vec3::new(0.0, 0.1, 0.0)),
-                Mesh::cuboid(0.7, 0.5, 0.6).turned(axis, 0.7),
-                Mesh::lathe(&column, 40).turned(axis, 1.1),
-                Mesh::lathe(&Outline::start(0.0, 0.0).line_to(0.4, 0.0).line_to(0.0, 1.0), 48),
-            ] {
-                steepest = steepest.max(steepest_shadowed::<S>(mesh, &light, side));
-            }
+            let flat = flat.moved(Vec3::new(0.0, 0.0, -2.5));
+            let tested = assert_is_lit::<S>(flat, &Projection::of(&light).unwrap(), side, 0.0);
+            assert!(tested > 10, "{tested} points face the light");
         }
     }
-    assert!(
-        GRAZING.contains(&steepest),
-        "{}: a point met with a cosine of {steepest:.3} is in shadow",
-        S::NAME
-    );
+    let (mut rng, mut tested) = (Rng::with_seed(7), 0);
+    for _ in 0..cases() {
+        let (light, side, texel) = random_map(&mut rng);
+        let size = texel * (side as f32).powf(rng.f32());
+        for (mesh, within) in [(random_body(&mut rng, size), 1.01), (floor(size), 0.0)] {
+            let mesh = mesh.turned(random_vector(&mut rng), TAU * rng.f32());
+            tested += assert_is_lit::<S>(mesh, &light, side, within);
+        }
+    }
+    assert!(tested > 100 * cases(), "{tested} points face the light");
 }
 
 #[test]
@@ -284,6 +321,64 @@ fn a_sheet_hides_whichever_side_it_shows() {
             [0.0, 0.0, 1.0, 1.0]
         );
     }
+}
+
+/// Tests random sheets and boards. Three texels within their edges, the shadow begins within the
+/// distance that the documentation of [`ShadowMap`] states or, if the board is thicker, right
+/// behind the board. Some shadows begin beyond nine tenths of the distance.
+fn assert_shadows_begin_as_stated<S: Exact>() {
+    let (mut rng, [mut tested, mut late]) = (Rng::with_seed(3), [0; 2]);
+    for _ in 0..cases() {
+        let (projection, side, texel) = random_map(&mut rng);
+        let half = texel * side as f32 * (0.05 + 0.5 * rng.f32());
+        let thickness = if rng.bool() { half * rng.f32().powi(3) } else { 0.0 };
+        let mesh =
+            if thickness > 0.0 { Mesh::cuboid(2.0 * half, thickness, 2.0 * half) } else { floor(half) };
+        let scene = scene([mesh.turned(random_vector(&mut rng), TAU * rng.f32())]);
+        let map = drawn::<S>(&scene, &projection, side);
+        let (shadow, light) = (map.shadow().unwrap(), Light::new(&scene, &projection));
+        let tangent = projection.tangent();
+        let texels = 3.01 + 2.0 * side as f64 * f64::from(slope::place_error::<S>(tangent));
+        for triangle in ray::triangles(&scene).flatten() {
+            let (height, across) = light.slope(triangle);
+            let nearest = triangle.iter().map(|&corner| light.place(corner).depth).fold(9e9, f64::min);
+            for _ in 0..8 {
+                let parts = [(); 3].map(|()| rng.f64());
+                let sum: DVec3 = triangle.iter().zip(parts).map(|(&corner, part)| part * corner).sum();
+                let point = sum / parts.iter().sum::<f64>();
+                let place = light.place(point);
+                let width = 2.0 * f64::from(tangent) / side as f64 * place.depth;
+                let bias = texels * across * width / height;
+                let is_on = |hit: DVec3| light.is_on(triangle, hit);
+                if height <= 0.0
+                    || place.depth > 4.0 * nearest.max(0.05)
+                    || bias > 0.5
+                    || !light.around(place, 3.01, side).into_iter().all(|hit| hit.is_some_and(is_on))
+                {
+                    continue;
+                }
+                // A millimetre for the error of points, twice that at this bias.
+                let rounding = 2e-3 / height + 2.0 * f64::from(depth_error::<S>(tangent));
+                let visibility = |part: f64, least: f32| {
+                    let behind = (part * bias / (1.0 - bias)).max(f64::from(least) / height) + rounding;
+                    let point = light.beyond(point, 1.0 + behind).as_vec3();
+                    shadow.visibility(Vec3::from(point).map(S::length))
+                };
+                let found = visibility(1.0, 1.001 * thickness);
+                assert_eq!(found, S::ZERO, "{} {side} {thickness}: {place:?} of {projection:?}", S::NAME);
+                tested += 1;
+                late += usize::from(visibility(0.9, 0.0) > S::ZERO);
+            }
+        }
+    }
+    assert!(tested > 5 * cases() && late > tested / 100, "{late} of {tested} points are late");
+}
+
+#[test]
+fn shadows_of_sheets_and_boards_begin_as_stated() {
+    assert_shadows_begin_as_stated::<f32>();
+    assert_shadows_begin_as_stated::<Fx32>();
+    assert_shadows_begin_as_stated::<Fx16>();
 }
 
 #[test]

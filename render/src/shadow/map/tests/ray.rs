@@ -29,7 +29,7 @@ pub(super) struct Light {
 pub(super) struct Place {
     column: f64,
     row: f64,
-    depth: f64,
+    pub(super) depth: f64,
 }
 
 /// Hit of a ray: its depth, the triangle, and whether nothing is in front of the hit.
@@ -99,10 +99,23 @@ impl Light {
         Place { column: part(self.right), row: part(self.down), depth }
     }
 
-    /// Returns the cosine of the angle of incidence at a point of a triangle, on its front face.
-    pub(super) fn cosine(&self, triangle: Triangle, point: DVec3) -> f64 {
-        let (normal, back) = (normal(triangle), self.position - point);
-        normal.dot(back) / (normal.length() * back.length())
+    /// Returns the height of the light above the plane of a triangle, and `|nx| + |ny|` of its unit
+    /// normal on the square.
+    pub(super) fn slope(&self, triangle: Triangle) -> (f64, f64) {
+        let normal = normal(triangle).normalize();
+        let across = normal.dot(self.right).abs() + normal.dot(self.down).abs();
+        (normal.dot(self.position - triangle[0]), across)
+    }
+
+    /// Returns whether a point is on the plane of a triangle.
+    pub(super) fn is_on(&self, triangle: Triangle, point: DVec3) -> bool {
+        let normal = normal(triangle).normalize();
+        normal.dot(point - triangle[0]).abs() < 1e-6 * (point - self.position).length()
+    }
+
+    /// Returns the point at `depth` times the distance of a point from the light.
+    pub(super) fn beyond(&self, point: DVec3, depth: f64) -> DVec3 {
+        self.position + depth * (point - self.position)
     }
 
     /// Returns whether a position is on the square.
@@ -134,6 +147,18 @@ impl Light {
     /// Returns whether light arrives at a position.
     pub(super) fn sees(&self, place: Place) -> bool {
         self.nearest(self.way(place.column, place.row), place.depth).is_none_or(|hit| hit.is_first)
+    }
+
+    /// Returns what the rays to the corners of a square meet first: a square of twice `texels`
+    /// around a position. `None` for a ray that meets nothing or is off the map.
+    pub(super) fn around(&self, place: Place, texels: f64, side: usize) -> [Option<DVec3>; 4] {
+        let step = texels / side as f64;
+        [(-step, -step), (-step, step), (step, -step), (step, step)].map(|(right, down)| {
+            let corner = Place { column: place.column + right, row: place.row + down, ..place };
+            let way = self.way(corner.column, corner.row);
+            let hit = self.nearest(way, 0.0).filter(|_| self.has(corner));
+            hit.map(|hit| self.position + hit.depth * way)
+        })
     }
 
     /// Returns whether a position is farther than `texels` from any shadow edge and from the end of
