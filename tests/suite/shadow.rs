@@ -67,8 +67,8 @@ fn visibilities_keep_their_row() {
     }
 }
 
-/// Asserts that the visibility is exactly 1 where no texel is nearer than the point or the point is
-/// outside the projection, and exactly 0 where every texel is nearer.
+/// Asserts that the visibility is exactly 1 where no texel is nearer than the point, and exactly 0
+/// where every texel is nearer, on the projection and off it. Behind the light it is 1.
 fn assert_exact_ends<S: Format>() {
     let mut rng = Rng::with_seed(13);
     for side in [1, 2, 3, 16, 100, 2048] {
@@ -82,7 +82,9 @@ fn assert_exact_ends<S: Format>() {
                 assert_eq!(shadow.at(&place), expected, "{place:?}");
             }
             for (column, row) in [(-1, 9), (9, -1), (65_536, 9), (9, 65_536), (i32::MIN, i32::MAX)] {
-                assert_eq!(shadow.at(&ProjectedPoint { column, row, depth }), S::ONE, "off the square");
+                assert_eq!(shadow.at(&ProjectedPoint { column, row, depth }), expected, "off the square");
+                let behind = ProjectedPoint { column, row, depth: S::Length::default() };
+                assert_eq!(shadow.at(&behind), S::ONE, "behind the light");
             }
         }
     }

@@ -15,8 +15,8 @@ use crate::{
 /// texel, and between four centres the gobo interpolates bilinearly. The interpolation uses
 /// integers, so a position has the same transmission in every format, except for the rounding to
 /// that format. The outermost centres are half a texel from the edge of the square. Beyond these
-/// centres, and off the square, the transmission is the nearest transmission of the border. No
-/// light of the cone is off the square.
+/// centres, and off the square, the transmission is the nearest transmission of the border: the rim
+/// of the cone touches the sides of the square, and the position of a point at the rim is rounded.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, SpotLight, Vec3, falloff::Soft, projector::{Gobo, Projection}};

@@ -4,7 +4,7 @@ use super::CompiledProjection;
 use super::place::ProjectedPoint;
 use crate::{
     error::{Error, Expected, Parameter},
-    number::Scalar,
+    number::{STEPS, Scalar},
     vec3::Vec3,
 };
 
@@ -110,8 +110,9 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     ///
     /// The visibility is exactly 1 if nothing is between the light and the point, so that a
     /// multiplication by the visibility changes no bit. In full shadow the visibility is exactly 0.
-    /// Points off the square or behind the light have visibility 1, because no light of the cone
-    /// reaches these points.
+    /// Off the square the nearest texel of the border applies: the rim of the cone touches the sides
+    /// of the square, and the position of a point at the rim is rounded. Points behind the light have
+    /// depth 0 and visibility 1.
     #[inline]
     pub fn visibility(&self, point: Vec3<S::Length>) -> S {
         self.at(&self.projection.place(point))
@@ -134,15 +135,15 @@ impl<'a, S: Scalar> Shadow<'a, S> {
             if is_hidden { row.shares[i] * column.shares[j] } else { 0 }
         };
         let hidden = hidden(0, 0) + hidden(0, 1) + hidden(1, 0) + hidden(1, 1);
-        S::from_steps(if place.is_inside() { WHOLE * WHOLE - hidden } else { WHOLE * WHOLE })
+        S::from_steps(WHOLE * WHOLE - hidden)
     }
 
-    /// Returns the texel centres around a coordinate on the square.
+    /// Returns the texel centres around a coordinate, clamped to the square.
     #[inline]
     fn between(&self, along: i32) -> Between {
         // Subtracts half a texel, to count from the texel centres, and adds one texel, so that the
         // value is at least 0.
-        let steps = (along as u32).wrapping_mul(self.side).wrapping_add(1 << 15);
+        let steps = (along.clamp(0, STEPS - 1) as u32).wrapping_mul(self.side).wrapping_add(1 << 15);
         let after = steps >> 16;
         let share = steps >> (16 - SHARE_BITS) & (WHOLE - 1);
         let last = self.side.saturating_sub(1);
