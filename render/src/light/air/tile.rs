@@ -246,7 +246,7 @@ impl<'a> TileAir<'a> {
             if !ends.is_flat {
                 let near = nodes();
                 for (far, near) in middle.iter_mut().flatten().zip(near.iter().flatten()) {
-                    gap = gap.max(*far - near);
+                    gap = gap.max((*far - near).abs());
                     *far = 0.5 * (*far + near);
                 }
             }
@@ -292,7 +292,8 @@ impl<'a> TileAir<'a> {
                 let (row, column) = (i / 2, i % 2);
                 let [above, below] =
                     [row, row + 1].map(|row| found.nodes[row][column] + found.nodes[row][column + 1]);
-                (0.5 * (far[i] + near[i]) - 0.25 * (above + below)).abs().max(0.5 * (far[i] - near[i]))
+                let gap = (far[i] - near[i]).abs();
+                (0.5 * (far[i] + near[i]) - 0.25 * (above + below)).abs().max(0.5 * gap)
             });
             if off.fold(0.0, f32::max) <= OFF * beam.tolerance {
                 self.sums.add(&found.cell, &found.nodes, beam.hazy.color);
