@@ -6,7 +6,9 @@ use crate::{
     scenes::{gobos, solids::sphere, stage},
 };
 use core::f32::consts::PI;
+use fastrand::Rng;
 use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, Vec3, falloff::SoftOrHard};
+use luminaire_oracle::climb::{self, Search};
 
 extern crate std;
 
@@ -71,31 +73,24 @@ fn hazy(haze: Haze) -> Scene {
     scene
 }
 
-/// Searches random cases, each built from numbers in [0, 1), and then climbs from the worst of them.
-/// `error` returns `None` for numbers without a case. Returns the largest error, and its numbers.
-fn climb<const N: usize>(
-    seed: u64,
-    (begin, steps): (usize, usize),
-    mut error: impl FnMut(&[f32; N]) -> Option<f32>,
-) -> (f32, [f32; N]) {
-    let mut random = fastrand::Rng::with_seed(seed);
-    let (mut best, mut reach) = ((f32::MIN, [0.0; N]), 0.1);
-    for number in 0..begin + steps {
-        let mut genes: [f32; N] = core::array::from_fn(|_| random.f32());
-        if number >= begin {
-            let moved = |(gene, by): (f32, f32)| (gene + reach * (by - 0.5)).clamp(0.0, 0.999_999);
-            genes = core::array::from_fn(|i| {
-                if random.f32() < 0.2 { moved((best.1[i], genes[i])) } else { best.1[i] }
-            });
-        }
-        let Some(error) = error(&genes) else { continue };
-        if error > best.0 {
-            best = (error, genes);
-        } else if number >= begin {
-            reach = if reach > 1e-5 { 0.97 * reach } else { 0.1 };
-        }
-    }
-    best
+/// Random numbers in [0, 1) that a case is built from.
+fn genes<const N: usize>(rng: &mut Rng) -> [f32; N] {
+    core::array::from_fn(|_| rng.f32())
+}
+
+/// The numbers with one of them changed, down to its last bits.
+fn moved<const N: usize>(rng: &mut Rng, mut genes: [f32; N]) -> [f32; N] {
+    let gene = &mut genes[rng.usize(..N)];
+    let (size, step) = (climb::size(rng), climb::ulp_step(rng));
+    *gene = if rng.bool() { *gene + size } else { step(*gene) }.clamp(0.0, 0.999_999);
+    genes
+}
+
+/// A picture of up to 320 x 180 pixels.
+fn picture(seed: u64) -> Renderer<f32> {
+    let mut rng = Rng::with_seed(seed);
+    let [width, height] = [320.0, 180.0].map(|most: f32| (most * 16.0_f32.powf(-rng.f32())) as usize);
+    Renderer::new(width, height).unwrap()
 }
 
 #[test]

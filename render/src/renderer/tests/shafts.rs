@@ -8,7 +8,10 @@ use crate::{
     light::{air::TileAir, rig::Rig},
     scenes::{Example, gobos},
 };
-use core::f32::consts::TAU;
+use core::{
+    cell::{Cell, RefCell},
+    f32::consts::TAU,
+};
 use glam::DVec3;
 use luminaire::{
     Angle, Cone, SpotLight, Vec3,
@@ -246,29 +249,34 @@ fn case(genes: &Genes) -> Option<(Camera, Fixture)> {
     Some((camera, fixture.with_gobo(gobo, Angle::degrees(360.0 * genes[8])).ok()?))
 }
 
-/// Random views and beams, and climbs from the worst of them.
+/// Random views and beams in pictures of random sizes, and climbs by bits from the worst of them.
 #[test]
-fn shafts_err_by_at_most_a_code_in_a_search() {
-    let (climbs, begin, steps) = if is_full() { (8, 200, 400) } else { (4, 30, 30) };
-    let mut renderer = Renderer::<f32>::new(40, 24).unwrap();
-    let mut all = NONE;
-    for seed in 0..climbs {
+fn shafts_keep_their_bounds_in_a_search() {
+    let (seeds, starts, steps) = if is_full() { (24, 200, 400) } else { (4, 30, 30) };
+    let all = Cell::new(NONE);
+    for seed in 0..seeds {
+        let renderer = RefCell::new(picture(seed));
+        let (width, height) = (renderer.borrow().width, renderer.borrow().height);
         let haze = Haze::new(0.05).unwrap();
-        let is_small = seed < climbs / 4 * 3;
-        let scene = hazy(if is_small { haze } else { haze.with_source_radius(1.2).unwrap() });
-        let (worst, genes) = climb(seed, (begin, steps), |genes| {
-            let (camera, fixture) = case(genes)?;
+        let scene = hazy(if seed % 4 < 3 { haze } else { haze.with_source_radius(1.2).unwrap() });
+        let search = Search { starts, climbs: 1, steps, seed };
+        let worst = search.worst(genes, moved, |genes| {
+            let Some((camera, fixture)) = case(&genes) else { return f64::NEG_INFINITY };
             // Some cones are too narrow to be compiled.
-            fixture.light().compile::<f32>().ok()?;
+            if fixture.light().compile::<f32>().is_err() {
+                return f64::NEG_INFINITY;
+            }
+            let renderer = &mut *renderer.borrow_mut();
             renderer.draw_geometry(&scene, &camera);
-            let found = errors(&mut renderer, &fixture, 31);
-            all = all.and(found);
+            let found = errors(renderer, &fixture, width * height / 31 + 1);
+            all.set(all.get().and(found));
             // Half of the climbs look for errors, the others for those that samples do not have.
-            Some(if seed % 2 == 0 { found.relative } else { found.more })
+            f64::from(if seed % 2 == 0 { found.relative } else { found.more })
         });
-        println!("climb {seed}: {worst:.3} linear codes at {genes:?}");
+        println!("seed {seed}: {width} x {height}, {worst:?}");
     }
-    println!("{climbs} climbs of {} cases: {all:?}", begin + steps);
-    assert!(all.relative <= 1.0 && all.more <= 0.75 && all.shafts < 0.2 * all.samples, "{all:?}");
+    let all = all.get();
+    println!("{seeds} climbs of {} cases: {all:?}", starts + steps);
+    assert!(all.relative <= 2.0 && all.more <= 1.5 && all.shafts < 0.2 * all.samples, "{all:?}");
     assert!(all.rays > 500, "{all:?}");
 }
