@@ -155,7 +155,7 @@
 
 // Modules, lowest first: `error`, `models`, `search`, `source`, `stored`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
-// `haze`, `material`, `row`, `light`, `bound`, `any_light`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
+// `haze`, `material`, `row`, `light`, `any_light`, `bound`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
 
 #![no_std]
