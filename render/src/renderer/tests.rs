@@ -8,10 +8,12 @@ use crate::{
 use core::f32::consts::PI;
 use fastrand::Rng;
 use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, Vec3, falloff::SoftOrHard};
-use luminaire_oracle::climb::{self, Search};
 
 extern crate std;
 
+use climb::Search;
+
+mod climb;
 mod haze;
 mod shafts;
 

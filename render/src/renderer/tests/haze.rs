@@ -194,7 +194,7 @@ fn interpolated_haze_keeps_its_bound_in_a_search() {
         let renderer = RefCell::new(picture(seed));
         let body = 0.001 * 500.0_f32.powf(Rng::with_seed(!seed).f32());
         let scene = hazy(Haze::new(0.05).and_then(|haze| haze.with_source_radius(body)).unwrap());
-        let search = Search { starts, climbs: 1, steps, seed };
+        let search = Search { starts, steps, seed };
         let found = search.worst(genes, moved, |genes| {
             let Some(case) = Case::new(&genes) else { return 0.0 };
             let renderer = &mut *renderer.borrow_mut();

@@ -259,7 +259,7 @@ fn shafts_keep_their_bounds_in_a_search() {
         let (width, height) = (renderer.borrow().width, renderer.borrow().height);
         let haze = Haze::new(0.05).unwrap();
         let scene = hazy(if seed % 4 < 3 { haze } else { haze.with_source_radius(1.2).unwrap() });
-        let search = Search { starts, climbs: 1, steps, seed };
+        let search = Search { starts, steps, seed };
         let worst = search.worst(genes, moved, |genes| {
             let Some((camera, fixture)) = case(&genes) else { return f64::NEG_INFINITY };
             // Some cones are too narrow to be compiled.
