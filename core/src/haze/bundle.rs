@@ -84,19 +84,17 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Returns whether [`in_scattering`](Self::in_scattering) may be more than 0 for any ray of a
     /// bundle.
     ///
-    /// If the result is `false`, the in-scattering of every ray is exactly 0, in a beam of a half angle of
-    /// at least 0.1 degrees. If the result is
-    /// `true`, the in-scattering may still be 0.
+    /// In a beam of a half angle of at least 0.1 degrees, the in-scattering of every ray is exactly 0 if
+    /// the result is `false`. If the result is `true`, the in-scattering may still be 0.
     ///
     /// The result is `false` if a plane through the light separates the beam from the rays, or if
     /// all rays are beyond a plane at the light's range. A plane counts only if the distances of
     /// the rays' ends from the plane exceed a margin of about a hundred rounding errors of a
-    /// distance. For half angles from 0.1 degrees this margin is more than the rounding errors of this
-    /// test and of the evaluation together; a narrower beam may be rejected where its in-scattering is
-    /// up to 2e-4 of the intensity (searched). The candidate planes touch the beam or the bundle. For a
-    /// ray beside the beam, one candidate plane touches the beam between the ray's ends, as seen along
-    /// the axis. The test uses the rounded normal of each plane. So a rounding error can miss a
-    /// separating plane, but `false` remains correct.
+    /// distance. From 0.1 degrees on this margin is more than the rounding errors of this test and of the
+    /// evaluation together; rays at the rim of a narrower beam may be missed. The candidate planes touch
+    /// the beam or the bundle. For a ray beside the beam, one candidate plane touches the beam between the
+    /// ray's ends, as seen along the axis. The test uses the rounded normal of each plane. So a rounding
+    /// error can miss a separating plane, but `false` remains correct.
     pub fn can_meet(&self, bundle: &RayBundle) -> bool {
         let Extent { position, axis, reach_squared, .. } = self.extent();
         let eye = bundle.eye.zip(position, |e, p| e - p);

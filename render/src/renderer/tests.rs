@@ -11,9 +11,6 @@ use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, Vec3, falloff::SoftOrHard};
 
 extern crate std;
 
-use climb::Search;
-
-mod climb;
 mod haze;
 mod shafts;
 
@@ -75,16 +72,37 @@ fn hazy(haze: Haze) -> Scene {
     scene
 }
 
-/// Random numbers in [0, 1) that a case is built from.
-fn genes<const N: usize>(rng: &mut Rng) -> [f32; N] {
-    core::array::from_fn(|_| rng.f32())
+/// Returns the largest error of random cases, each built from numbers in [0, 1), and of a climb by bits from
+/// the worst of them, and its numbers. NaN is an infinite error.
+fn worst<const N: usize>(
+    seed: u64,
+    (starts, steps): (usize, usize),
+    mut error: impl FnMut(&[f32; N]) -> f64,
+) -> (f64, [f32; N]) {
+    let mut rng = Rng::with_seed(seed);
+    let mut worst = (f64::NEG_INFINITY, [0.0; N]);
+    for number in 0..starts + steps {
+        let climbs = number >= starts;
+        let genes = if climbs { moved(&mut rng, worst.1) } else { core::array::from_fn(|_| rng.f32()) };
+        let error = error(&genes);
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        // A climb crosses plateaus.
+        if error > worst.0 || (climbs && error == worst.0) {
+            worst = (error, genes);
+        }
+    }
+    worst
 }
 
-/// The numbers with one of them changed, down to its last bits.
+/// The numbers with one of them changed, by its half or down to its last bits.
 fn moved<const N: usize>(rng: &mut Rng, mut genes: [f32; N]) -> [f32; N] {
     let gene = &mut genes[rng.usize(..N)];
-    let (size, step) = (climb::size(rng), climb::ulp_step(rng));
-    *gene = if rng.bool() { *gene + size } else { step(*gene) }.clamp(0.0, 0.999_999);
+    let sign = if rng.bool() { 1 } else { -1 };
+    *gene = match rng.bool() {
+        true => *gene + sign as f32 * 0.5_f32.powi(rng.i32(1..24)),
+        false => f32::from_bits(gene.to_bits().saturating_add_signed(sign << rng.u8(..24))),
+    }
+    .clamp(0.0, 0.999_999);
     genes
 }
 

@@ -54,7 +54,7 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         length: ROOT[0] + 1.363e-4 + 1.66e-5 + AXIS_LENGTH,
         // A component is truncated by up to `r / 4` units of 2^-30, less `CUT_OFF`; `r / 4` is at most
         // 2^14 times the largest component of the direction. Across the direction that is at most
-        // 1.463e-5, where the largest component is 0.95. Of up to 19 bits no more than 3/4 of it is
+        // 1.47e-5, where the largest component is 0.95. Of up to 19 bits no more than 3/4 of it is
         // lost, so that `CUT_OFF` is the most: `sqrt(3)` of 6,144 units.
         turn: AXIS_TURN + if bits > 19 { 1.47e-5 } else { 9.92e-6 },
         // Three components are rounded to integers, in units of 2^-14.

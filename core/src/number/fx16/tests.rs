@@ -213,6 +213,20 @@ fn the_model_of_the_proofs_has_the_bits_of_the_coarse_stages() {
         let shift = gain.scale() + 2 * offset.bits as i32 - 32;
         let light = ray.light(Fx16::from_bits(share as i16), gain);
         assert_eq!(light, Light16::shifted(product as u32, shift), "{way:?} {gain:?} {share}");
+        let (lit, shift) = (random.u32(..), random.u32(1..=32));
+        let exact = model.quotient(i128::from(lit), 1 << shift, 1);
+        assert_eq!(i128::from(Light16::shifted(lit, shift as i32).to_bits()), exact, "{lit} {shift}");
+
+        let zoom = random.u32(0..=MOST_ZOOM);
+        let ramp = FixedRamp::from_bits([zoom, 0, 0, 0, 0, 0, 0, 0, 0]);
+        let apart =
+            Vec3::new(random.i32(..), random.i32(..), random.i32(..)).map(|c| c >> random.u32(2..=20));
+        let axis = ray.direction().zip(apart, |d, apart| Fx32::from_bits(d.to_bits() - apart));
+        let steps = apart.map(|c| model.difference(i128::from(c), 1 << (16 - zoom)));
+        let is_near = [steps.x, steps.y, steps.z].iter().all(|c| (-32_768..32_768).contains(c));
+        let squared = steps.x * steps.x + steps.y * steps.y + steps.z * steps.z;
+        let exact = if is_near { squared } else { Versine::MAX.to_bits().into() };
+        assert_eq!(i128::from(versine(ray.direction(), axis, ramp).to_bits()), exact, "{apart:?} {zoom}");
     }
 }
 
@@ -230,6 +244,8 @@ fn the_model_of_the_proofs_has_the_bits_of_coarse_falloffs() {
         assert_eq!(bits(fraction.times_to_value(Fraction16(other))), model.times_to_value(t, b));
         assert_eq!(bits(fraction.times_value(share)), model.times(t, bits(share)));
         assert_eq!(bits(fraction.value()), model.value(t));
+        let [a, b] = [0; 2].map(|_: i16| Fx16::from_bits(random.i16(0..=1 << 14)));
+        assert_eq!(bits(a.times(b)), model.share_of(bits(a), bits(b)));
         assert_eq!(bits(fraction.smooth()), model.smooth(t));
         let (g, h) = (random.f32() * 4.0 - 1.0, random.f32() * 6.0 - 4.0);
         if Cubic::with_slopes(1.0 + g, 1.0 - g - h).is_ok() {

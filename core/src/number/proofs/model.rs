@@ -97,11 +97,14 @@ impl Constants {
         (reciprocal + N::from(self.reciprocal_half)).down(2)
     }
 
+    /// A quotient to which `half` halves of a step are added before it is rounded down.
+    pub(in crate::number) fn quotient<N: Number>(&self, value: N, step: N, half: i64) -> N {
+        (value * N::from(2) + N::from(half) * step.clone()).divided(step * N::from(2))
+    }
+
     /// A component of a difference of directions, in the scale of a ramp: dropped bits are rounded.
     pub(in crate::number) fn difference<N: Number>(&self, apart: N, step: N) -> N {
-        (apart * N::from(2) + N::from(self.difference_half) * step.clone())
-            .divided(step * N::from(2))
-            .signed("difference")
+        self.quotient(apart, step, self.difference_half).signed("difference")
     }
 
     /// The mantissa of a ramp from that of its divisor, which is `2^63` divided by the divisor.
@@ -129,6 +132,11 @@ impl Constants {
 
     pub(in crate::number) fn times_to_value<N: Number>(&self, a: N, b: N) -> N {
         ((a * b).word("product") + N::from(self.value_half)).word("sum").down(16).word("value")
+    }
+
+    /// The product of two shares.
+    pub(in crate::number) fn share_of<N: Number>(&self, a: N, b: N) -> N {
+        ((a * b).word("shares") + N::from(1 << 13)).down(14).word("share_of")
     }
 
     pub(in crate::number) fn value<N: Number>(&self, t: N) -> N {

@@ -142,7 +142,7 @@ fn products(evaluation: &Evaluation, constants: &Constants) -> Script {
     script.rounds(&found, "a * b / 65536", &half, "", within(stages.value.absolute / STEP));
     let found = constants.value(a);
     script.rounds(&found, "a / 2", "1 / 2", "", within(stages.value.absolute / STEP));
-    let found = ((share * other).word("shares") + Text::from(1 << 13)).down(14).word("share_of");
+    let found = constants.share_of(share, other);
     script.rounds(&found, "share * other / 16384", "1 / 2", "", within(stages.share.absolute / STEP));
     script
 }
@@ -248,7 +248,7 @@ fn gains(evaluation: &Evaluation, constants: &Constants) -> Script {
     script.equal("rounded * 65536 / m - 1", "(rounded - m / 65536) * 65536 / m", "m");
     let lit = script.integer("lit", [0.0, 4_294_967_295.0]);
     let step = script.given("s", [1.0, 4_294_967_296.0]);
-    let light = (lit * Text::from(2) + step.clone()).divided(step * Text::from(2)).named("light");
+    let light = constants.quotient(lit, step, 1).named("light");
     let bound = evaluation.stages.light.absolute / STEP;
     script.rounds(&light, "lit / s", "1 / 2", "s", [-bound, bound]);
     script
@@ -273,8 +273,9 @@ fn excess(evaluation: &Evaluation, constants: &Constants) -> Script {
     Text::new("over / 268435456").named("x");
     let bound = evaluation.newton();
     script.states("(1 + e) * (1 - excess / 67108864) - 1", [-bound, bound]);
-    let (straight, bits) = (format!("4 / {}", 1 << constants.excess_bits), constants.newton_bits);
-    let curved = format!("{} * 4194304 / {}", constants.newton, 1_u64 << bits);
+    let Constants { newton, newton_bits, excess_bits, .. } = *constants;
+    let (thrice, dropped) = (1_u64 << newton_bits, 1 << excess_bits);
+    let (straight, curved) = (format!("4 / {dropped}"), format!("{newton} * 4194304 / {thrice}"));
     script.equal(
         "(1 + e) * (1 - excess / 67108864) - 1",
         "e * e * e * (5 / 2 + e * (15 / 8 + e * 3 / 8)) + (1 + e) * (y / 2 - y * y * 3 / 8 - excess / 67108864)",
@@ -283,15 +284,10 @@ fn excess(evaluation: &Evaluation, constants: &Constants) -> Script {
     script.equal(
         "y / 2 - y * y * 3 / 8 - excess / 67108864",
         format!(
-            "y * (1 / 2 - {straight}) + (y - x) * {straight} - (straight - over / {}) / 67108864 \
-             + (curved - {} * square / {}) / 67108864 \
-             + {} * (coarse - over / 16) * (coarse + over / 16) / {} / 67108864 \
-             + (x - y) * (x + y) * ({curved}) + y * y * ({curved} - 3 / 8)",
-            1 << constants.excess_bits,
-            constants.newton,
-            1_u64 << bits,
-            constants.newton,
-            1_u64 << bits,
+            "y * (1 / 2 - {straight}) + (y - x) * {straight} - (straight - over / {dropped}) / 67108864 \
+             + (curved - {newton} * square / {thrice}) / 67108864 \
+             + {newton} * (coarse - over / 16) * (coarse + over / 16) / {thrice} / 67108864 \
+             + (x - y) * (x + y) * ({curved}) + y * y * ({curved} - 3 / 8)"
         ),
         "",
     );
@@ -398,13 +394,19 @@ fn fine_cosine(evaluation: &Evaluation, constants: &Constants) -> Script {
     script
 }
 
-/// The gain at a distance. `est = 2^46 / |W| (1 + e)`, whose excess is within `l` of `e`.
-fn fine_light(evaluation: &Evaluation, constants: &Constants) -> Script {
-    let mut script = named(evaluation, "light");
+/// The excess `E` of an estimate with the relative error `e`, which is within `l` of it.
+fn excess_of_estimate(script: &mut Script, evaluation: &Evaluation) -> Text {
     let (estimate, newton) = (evaluation.estimate(), evaluation.newton());
     script.given("e", [-estimate, estimate]);
     script.given("l", [-newton, newton]);
-    let excess = Text::new("(1 - (1 + l) / (1 + e)) * 67108864").named("E");
+    script.equal("E", "(e - l) / (1 + e) * 67108864", "1+e");
+    Text::new("(1 - (1 + l) / (1 + e)) * 67108864").named("E")
+}
+
+/// The gain at a distance. `est = 2^46 / |W| (1 + e)`, whose excess is within `l` of `e`.
+fn fine_light(evaluation: &Evaluation, constants: &Constants) -> Script {
+    let mut script = named(evaluation, "light");
+    let excess = excess_of_estimate(&mut script, evaluation);
     let gain = script.integer("g", [2_147_483_648.0, 4_294_967_295.0]);
     let found = script.integer("est", [18_910.0, 65_536.0]);
     let here = constants.finely_attenuated(gain, found, excess).named("here");
@@ -436,7 +438,6 @@ fn fine_light(evaluation: &Evaluation, constants: &Constants) -> Script {
         "nearly 1+e",
     );
     script.equal("E / 67108864", "(e - l) / (1 + e)", "1+e");
-    script.equal("E", "(e - l) / (1 + e) * 67108864", "1+e");
     script.divided("e", 16);
     script
 }
@@ -444,10 +445,7 @@ fn fine_light(evaluation: &Evaluation, constants: &Constants) -> Script {
 /// The length of an offset. `est = 2^46 / |W| (1 + e)`, whose excess is within `l` of `e`.
 fn fine_length(evaluation: &Evaluation, constants: &Constants) -> Script {
     let mut script = named(evaluation, "length");
-    let (estimate, newton) = (evaluation.estimate(), evaluation.newton());
-    script.given("e", [-estimate, estimate]);
-    script.given("l", [-newton, newton]);
-    let excess = Text::new("(1 - (1 + l) / (1 + e)) * 67108864").named("E");
+    let excess = excess_of_estimate(&mut script, evaluation);
     let found = script.given("est", [18_910.0, 65_536.0]);
     Text::new("70368744177664 / est * (1 + e)").named("W");
     script.given("W", [1_073_741_824.0, 3_719_550_787.0]);
@@ -467,6 +465,5 @@ fn fine_length(evaluation: &Evaluation, constants: &Constants) -> Script {
         "l - (less - est * E / 2048) * W / 2305843009213693952",
         "est 1+e",
     );
-    script.equal("E", "(e - l) / (1 + e) * 67108864", "1+e");
     script
 }

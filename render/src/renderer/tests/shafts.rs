@@ -8,10 +8,7 @@ use crate::{
     light::{air::TileAir, rig::Rig},
     scenes::{Example, gobos},
 };
-use core::{
-    cell::{Cell, RefCell},
-    f32::consts::TAU,
-};
+use core::f32::consts::TAU;
 use glam::DVec3;
 use luminaire::{
     Angle, Cone, SpotLight, Vec3,
@@ -253,29 +250,26 @@ fn case(genes: &Genes) -> Option<(Camera, Fixture)> {
 #[test]
 fn shafts_keep_their_bounds_in_a_search() {
     let (seeds, starts, steps) = if is_full() { (24, 200, 400) } else { (4, 30, 30) };
-    let all = Cell::new(NONE);
+    let mut all = NONE;
     for seed in 0..seeds {
-        let renderer = RefCell::new(picture(seed));
-        let (width, height) = (renderer.borrow().width, renderer.borrow().height);
+        let mut renderer = picture(seed);
+        let (width, height) = (renderer.width, renderer.height);
         let haze = Haze::new(0.05).unwrap();
         let scene = hazy(if seed % 4 < 3 { haze } else { haze.with_source_radius(1.2).unwrap() });
-        let search = Search { starts, steps, seed };
-        let worst = search.worst(genes, moved, |genes| {
-            let Some((camera, fixture)) = case(&genes) else { return f64::NEG_INFINITY };
+        let worst = super::worst(seed, (starts, steps), |genes| {
+            let Some((camera, fixture)) = case(genes) else { return f64::NEG_INFINITY };
             // Some cones are too narrow to be compiled.
             if fixture.light().compile::<f32>().is_err() {
                 return f64::NEG_INFINITY;
             }
-            let renderer = &mut *renderer.borrow_mut();
             renderer.draw_geometry(&scene, &camera);
-            let found = errors(renderer, &fixture, width * height / 31 + 1);
-            all.set(all.get().and(found));
+            let found = errors(&mut renderer, &fixture, width * height / 31 + 1);
+            all = all.and(found);
             // Half of the climbs look for errors, the others for those that samples do not have.
             f64::from(if seed % 2 == 0 { found.relative } else { found.more })
         });
         println!("seed {seed}: {width} x {height}, {worst:?}");
     }
-    let all = all.get();
     println!("{seeds} climbs of {} cases: {all:?}", starts + steps);
     assert!(all.relative <= 2.0 && all.more <= 1.5 && all.shafts < 0.2 * all.samples, "{all:?}");
     assert!(all.rays > 500, "{all:?}");
