@@ -94,15 +94,14 @@ fn worst<const N: usize>(
     worst
 }
 
-/// The numbers with one of them changed, by its half or down to its last bits.
+/// The numbers with one of them changed, by a power of two from 2^-1 on or by that many units in the last
+/// place.
 fn moved<const N: usize>(rng: &mut Rng, mut genes: [f32; N]) -> [f32; N] {
     let gene = &mut genes[rng.usize(..N)];
-    let sign = if rng.bool() { 1 } else { -1 };
-    *gene = match rng.bool() {
-        true => *gene + sign as f32 * 0.5_f32.powi(rng.i32(1..24)),
-        false => f32::from_bits(gene.to_bits().saturating_add_signed(sign << rng.u8(..24))),
-    }
-    .clamp(0.0, 0.999_999);
+    let size = 0.5_f32.powi(rng.i32(1..24)) * if rng.bool() { 1.0 } else { -1.0 };
+    let units = (1_i32 << rng.u8(..24)) * if rng.bool() { 1 } else { -1 };
+    let stepped = f32::from_bits(gene.to_bits().saturating_add_signed(units));
+    *gene = if rng.bool() { *gene + size } else { stepped }.clamp(0.0, 0.999_999);
     genes
 }
 
