@@ -117,9 +117,9 @@ impl<S: Scalar, P: Falloff, A: Attenuation> Source for CompiledSpotLight<S, P, A
 impl<S: Quick, P: Falloff, A: Attenuation> Source for QuickSpotLight<S, P, A> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "QuickSpotLight::<{}, _, {}>::", name::<S>(), name::<A>())?;
-        let Self { position, axis, cone, attenuation, intensity, color, specular_color } = *self;
+        let Self { position, axis, cone, outside, attenuation, intensity, color, specular_color } = *self;
         let colors = [color, specular_color];
-        call(out, "from_parts", &[&position, &axis, &cone, &attenuation, &intensity, &colors])
+        call(out, "from_parts", &[&position, &axis, &cone, &outside, &attenuation, &intensity, &colors])
     }
 }
 

@@ -12,7 +12,7 @@ pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::Poin
 pub use crate::{
     cone::CompiledCone,
     material::CompiledMaterial,
-    row::Row,
+    row::{AlongX, Points, Row},
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, QuickSpotLight,
         SurfacePoint,

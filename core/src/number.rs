@@ -46,13 +46,13 @@ pub use self::types::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, W
 use self::types::{nearest, rounded};
 #[cfg(feature = "arithmetic")]
 pub use self::{
-    arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},
+    arithmetic::{Arithmetic, Fraction, Gain, Offset, OffsetAlong, Ray, Rise, Share, Slopes, Word},
     real::RealExponent,
     stages::{Rounding, Stages},
 };
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::{
-    arithmetic::{Arithmetic, Fraction, Gain, Offset, Ray, Rise, Share, Slopes, Word},
+    arithmetic::{Arithmetic, Fraction, Gain, Offset, OffsetAlong, Ray, Rise, Share, Slopes, Word},
     real::RealExponent,
     stages::{Rounding, Stages},
 };
@@ -178,7 +178,7 @@ pub trait Scalar:
 pub trait Quick: Scalar {
     /// An offset with fewer bits than the standard one, or with a less accurate square root.
     #[doc(hidden)]
-    type QuickOffset: Offset<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
+    type QuickOffset: OffsetAlong<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
 
     /// Returns the errors of the stages of the quick evaluation at a distance.
     #[doc(hidden)]
@@ -192,7 +192,10 @@ pub trait Quick: Scalar {
     fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
     /// Returns the ramp of the cone between the cones of two ramps: see `Arithmetic::zoomed`.
     #[doc(hidden)]
-    fn quick_zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> Self::Ramp;
+    fn quick_zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> (Self::Ramp, Self);
+    /// Returns the axis of which [`quick_axis`](Self::quick_axis) made this one.
+    #[doc(hidden)]
+    fn standard_axis(quick: Vec3<Self::Unit>) -> Vec3<Self::Unit>;
 }
 
 /// Returns the unit vector along an offset; `None` if the offset has no direction.

@@ -45,7 +45,66 @@ const LEAST: usize = 16;
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S: Scalar, F> {
     normal: Vec3<S>,
-    point: F,
+    points: F,
+}
+
+/// The points of a [`Row`]: a function from an index to a point, or [`AlongX`].
+#[doc(hidden)]
+pub trait Points<S: Scalar> {
+    /// Returns the point of an index.
+    fn at(&self, index: usize) -> Vec3<S::Length>;
+
+    /// Sets the irradiance from a light at the points from an index on.
+    fn fill<L: LightModel<S>>(&self, light: &L, normal: Vec3<S>, first: usize, arrived: &mut [S::Irradiance]);
+}
+
+impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Points<S> for F {
+    #[inline]
+    fn at(&self, index: usize) -> Vec3<S::Length> {
+        self(index)
+    }
+
+    #[inline]
+    fn fill<L: LightModel<S>>(
+        &self,
+        light: &L,
+        normal: Vec3<S>,
+        first: usize,
+        arrived: &mut [S::Irradiance],
+    ) {
+        for (i, arrived) in arrived.iter_mut().enumerate() {
+            let surface = SurfacePoint::matte(self(first.wrapping_add(i)), normal);
+            *arrived = light.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
+        }
+    }
+}
+
+/// The points of [`Row::along_x`].
+#[derive(Clone, Copy, Debug)]
+pub struct AlongX<T, F> {
+    y: T,
+    z: T,
+    x: F,
+}
+
+impl<S: Scalar, F: Fn(usize) -> S::Length> Points<S> for AlongX<S::Length, F> {
+    #[inline]
+    fn at(&self, index: usize) -> Vec3<S::Length> {
+        Vec3 { x: (self.x)(index), y: self.y, z: self.z }
+    }
+
+    #[inline(always)]
+    fn fill<L: LightModel<S>>(
+        &self,
+        light: &L,
+        normal: Vec3<S>,
+        first: usize,
+        arrived: &mut [S::Irradiance],
+    ) {
+        let point = Vec3 { x: S::Length::default(), y: self.y, z: self.z };
+        let x = |i: usize| (self.x)(first.wrapping_add(i));
+        light.fill_along(&SurfacePoint::matte(point, normal), x, arrived);
+    }
 }
 
 impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Row<S, F> {
@@ -55,20 +114,61 @@ impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Row<S, F> {
     /// The points are on a straight line and in order, each within a step of the length of its
     /// exact place. Their distances may differ, as in perspective. If they are not on a line, a
     /// light may be missing at some of them.
-    pub fn new(normal: Vec3<S>, point: F) -> Self {
-        Self { normal, point }
+    pub fn new(normal: Vec3<S>, points: F) -> Self {
+        Self { normal, points }
     }
+}
 
+impl<S: Scalar, F: Fn(usize) -> S::Length> Row<S, AlongX<S::Length, F>> {
+    /// Creates a row of points that share y and z, with the surface's normal, of unit length, and a
+    /// function from an index to x.
+    ///
+    /// The points are in order, as those of [`new`](Self::new). A wall or a floor that is parallel to the
+    /// picture's rows has such points in every row, in perspective, too. In the quick evaluation of
+    /// [`Fx16`](crate::Fx16), points whose offsets have the same bit length share their y and z, the squares of
+    /// these and, if the normal has no x, Lambert's cosine up to the distance.
+    ///
+    /// ```
+    /// use luminaire::{Angle, Cone, Fx16, Length, Scalar, SpotLight, falloff::Soft, light::Row, number::Light16};
+    ///
+    /// let cone = Cone::from_field(Soft, Angle::degrees(40.0))?;
+    /// let light = SpotLight::new([5.0, 3.0, 1.0], [0.0, -1.0, 0.0], cone)?.compile_quick::<Fx16>()?;
+    /// // A row of a floor, 32 pixels to the metre.
+    /// let row = Row::along_x(Fx16::normal([0.0, 1.0, 0.0]), [Length::ZERO, Fx16::length(1.0)], |column| {
+    ///     Length::from_bits((column as i32) << (16 - 5))
+    /// });
+    /// let mut arrived = [Light16::ZERO; 320];
+    /// let lit = row.reach(&light, arrived.len());
+    /// row.fill(&light, lit.start, &mut arrived[lit]);
+    /// assert!(arrived[160] != Light16::ZERO && arrived[0] == Light16::ZERO);
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
+    pub fn along_x(normal: Vec3<S>, [y, z]: [S::Length; 2], x: F) -> Self {
+        Self { normal, points: AlongX { y, z, x } }
+    }
+}
+
+impl<S: Scalar, F: Points<S>> Row<S, F> {
     /// Returns a range of indices below `length` outside which no point receives this light.
     ///
     /// The range is longer than the lit part: by less than 16 points at each end, and by what
     /// [`can_reach`](crate::light::CompiledSpotLight::can_reach) does not skip. Of other lights
     /// than spotlights it is the whole row.
     pub fn reach<L: LightModel<S>>(&self, light: &L, length: usize) -> Range<usize> {
-        let start = first_reached(light, length, &self.point);
-        let mirrored = |i| (self.point)((length - 1).wrapping_sub(i));
+        let start = first_reached(light, length, |i| self.points.at(i));
+        let mirrored = |i| self.points.at((length - 1).wrapping_sub(i));
         let beyond = first_reached(light, length.saturating_sub(start), mirrored);
         start..length - beyond
+    }
+
+    /// Sets `arrived` to the irradiance from a light at the points from index `first` on, not yet multiplied
+    /// by the light's colour.
+    ///
+    /// The irradiance is bit-identical to that of `irradiance`. It is zero outside the range of
+    /// [`reach`](Self::reach).
+    #[inline(always)]
+    pub fn fill<L: LightModel<S>>(&self, light: &L, first: usize, arrived: &mut [S::Irradiance]) {
+        self.points.fill(light, self.normal, first, arrived);
     }
 
     /// Calls `show` for each pixel that receives light, with the pixel, its index and the sum of
@@ -91,7 +191,7 @@ impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Row<S, F> {
             let mut sum = Rgb::default();
             for (light, reach) in lights.iter().zip(&reaches) {
                 if reach.contains(&column) {
-                    let surface = SurfacePoint::matte((self.point)(column), self.normal);
+                    let surface = SurfacePoint::matte(self.points.at(column), self.normal);
                     let [color, _] = light.colors();
                     let arrived = light.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
                     if arrived != S::Irradiance::default() {

@@ -84,6 +84,17 @@ fn row<S: Format, L: LightModel<S>>(
         let single = Rgb::default().plus::<S>(Rgb::lit::<S>(arrived, light.colors()[0]));
         assert_eq!(pixel, single, "{light:?} at {:?}, point {i} of {count}", point(i));
     }
+    // The same places along x.
+    let start = point(0);
+    let along = Row::along_x(normal, [start.y, start.z], |i| point(i).x);
+    let mut arrived = vec![S::Irradiance::default(); count];
+    let reach = along.reach(&light, count);
+    along.fill(&light, reach.start, &mut arrived[reach]);
+    for (i, arrived) in arrived.into_iter().enumerate() {
+        let surface = SurfacePoint::matte(Vec3 { x: point(i).x, ..start }, normal);
+        let single = light.evaluate::<NoSpecular>(&surface, &(), false).diffuse;
+        assert_eq!(arrived, single, "{light:?} at {:?}, point {i} of {count} along x", surface.point);
+    }
     Some(())
 }
 

@@ -88,6 +88,8 @@ fn assert_lights<S: Raw, L: LightModel<S>>(rng: &mut Rng, light: L) {
         let points = [(); 40].map(|()| vector(rng, S::length_from_bits));
         let row = Row::new(surface.normal, |i| points[i]);
         row.light(&[light], &mut [(); 40], |(), _, sum| assert_that!(sum != Rgb::default(), light));
+        let along = Row::along_x(surface.normal, [points[0].y, points[0].z], |i| points[i].x);
+        along.fill(&light, 0, &mut [S::Irradiance::default(); 40]);
     }
 }
 
@@ -204,10 +206,12 @@ fn any_bits_make_a_quick_light() {
             let (position, axis) = (vector(rng, S::length_from_bits), vector(rng, S::unit_from_bits));
             let colors = [color(rng), color(rng)];
             let (gain, range) = (S::any_gain(rng), S::any_gain(rng));
+            let outside = S::scalar_from_bits(bits(rng));
             let light = QuickSpotLight::<S, _, GltfRange>::from_parts(
                 position,
                 axis,
                 falloff,
+                outside,
                 (range, ()),
                 gain,
                 colors,
@@ -215,7 +219,8 @@ fn any_bits_make_a_quick_light() {
             assert_lights(rng, light);
             for _ in 0..7 {
                 let cone = CompiledCone::from_parts(S::any_ramp(rng), Hard, Hard);
-                let other = QuickSpotLight::from_parts(position, axis, cone, (range, ()), gain, colors);
+                let other =
+                    QuickSpotLight::from_parts(position, axis, cone, outside, (range, ()), gain, colors);
                 let part = S::scalar_from_bits(bits(rng));
                 assert_lights(rng, light.zoomed(&other, part));
             }

@@ -15,9 +15,9 @@ use crate::{
 /// A surface of one colour under lights of one colour: its dithered RGB565 pixels by the irradiance.
 ///
 /// Where neither the surface nor the light changes its colour, a pixel depends on one number. A
-/// table then replaces the two colours, the sum, the clip, the encoding and the dither. In a
-/// picture on a Cortex-M0 they took 237 instructions for each lit pixel, and the table takes 49. A
-/// table has 2,560 bytes; a build script can [write](crate::codegen) it.
+/// table then replaces the two colours, the sum, the clip, the encoding and the dither;
+/// `docs/EFFECTS.md` has the instructions of both (`cargo xtask measure`). A table has 2,560 bytes; a build
+/// script can [write](crate::codegen) it.
 ///
 /// The table has [`LEVELS`](Self::LEVELS) levels. Their width is 2^-10 of full scale for irradiances
 /// below 1/4, 2^-8 below 1 and 2^-6 below 4. From 4 on, a pixel shows the last level.
@@ -32,8 +32,9 @@ use crate::{
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Rgb565Ramp {
-    /// For each level, the three channels in 32nds of a step: red in the upper ten bits, green from
-    /// bit 11 to bit 21, blue in the lower ten bits.
+    /// For each level, the three channels in 32nds of a step: green in the upper eleven bits, red from bit
+    /// 11 to bit 20, blue in the lower ten bits. One shift then brings the codes of red and blue to their
+    /// places in a pixel.
     levels: [u32; Self::LEVELS],
 }
 
@@ -57,7 +58,7 @@ impl Rgb565Ramp {
         let levels = array::from_fn(|level| {
             let light = middle(level);
             let sum = base.zip(reflected, |base, reflected| base + light * reflected);
-            steps::<31>(sum.red) << 22 | steps::<63>(sum.green) << 11 | steps::<31>(sum.blue)
+            steps::<63>(sum.green) << 21 | steps::<31>(sum.red) << 11 | steps::<31>(sum.blue)
         });
         Ok(Self { levels })
     }
@@ -82,7 +83,7 @@ impl Rgb565Ramp {
         // is at most its last code and 31/32, and the last code has no fraction.
         let sum = self.levels[level(S::light_steps(irradiance))]
             .wrapping_add(OFFSETS[(y % 8) as usize][(x % 8) as usize]);
-        Rgb565((sum >> 16 & 0xf800 | sum >> 11 & 0x07e0 | sum >> 5 & 0x001f) as u16)
+        Rgb565((sum >> 5 & 0xf81f | sum >> 26 << 5) as u16)
     }
 }
 
@@ -94,11 +95,12 @@ const HALF: u32 = 8;
 const fn level(light: u32) -> usize {
     const END: u32 = (1 << 16) - HALF;
     let place = light.wrapping_add(HALF);
+    // At a limit the two formulas agree, so the limits need not be moved by `HALF`.
     (match light {
+        0..0x1000 => place >> 4,
+        0x1000..0x4000 => 192 + (place >> 6),
+        0x4000..END => 384 + (place >> 8),
         END.. => 639,
-        _ if place < 1 << 12 => place >> 4,
-        _ if place < 1 << 14 => 192 + (place >> 6),
-        _ => 384 + (place >> 8),
     }) as usize
 }
 
@@ -132,7 +134,7 @@ const OFFSETS: [[u32; 8]; 8] = {
         let (x, y) = (place % 8, place / 8);
         // Thresholds are odd numbers of 128ths: the offsets are 31 for the first to 0 for the last.
         let offset = (127 - dither::MATRIX[y][x] as u32) / 4;
-        offsets[y][x] = offset << 22 | offset << 11 | offset;
+        offsets[y][x] = offset << 21 | offset << 11 | offset;
         place += 1;
     }
     offsets

@@ -273,6 +273,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
             position: self.position.map(S::length),
             axis: S::quick_axis(self.axis_in::<S>()),
             cone: self.cone.compile_quick::<S>()?,
+            outside: number::outside_bound(self.cone.outer_versine()),
             attenuation: self.attenuation.constants::<S>(),
             intensity: S::gain(self.emission.intensity),
             color: self.emission.color.map(S::from_f32),

@@ -381,6 +381,19 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     }
 }
 
+/// An offset that shares most of its computation with those to other points of a row.
+pub trait OffsetAlong<S: Arithmetic>: Offset<S> {
+    /// What the offsets to the points of a stretch share. The points differ in x alone.
+    type Stretch: Copy + core::fmt::Debug;
+
+    /// Returns the stretch around a point. It may be empty.
+    fn stretch(light: Vec3<S::Position>, point: Vec3<S::Position>) -> Self::Stretch;
+    /// Returns whether the point with this x is in a stretch. A stretch has all points between two of its own.
+    fn is_in(stretch: &Self::Stretch, x: S::Position) -> bool;
+    /// Returns the offset to the point of a stretch with this x: that of [`Offset::between`].
+    fn along(stretch: &Self::Stretch, x: S::Position) -> Self;
+}
+
 /// Unit direction from a light to a point, and the distance between them.
 ///
 /// A point at the light itself, or so far away that the squared distance overflows, has no

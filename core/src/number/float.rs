@@ -23,8 +23,8 @@ mod frame;
 
 pub use self::frame::FloatFrame;
 use super::{
-    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, Quick, Ray, RealExponent, Rise, Scalar, Share,
-    Slopes, Stages, Word,
+    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, OffsetAlong, Quick, Ray, RealExponent, Rise,
+    Scalar, Share, Slopes, Stages, Word,
     knot::{SLOPE_BITS, neighbours},
     outside_bound, raised,
 };
@@ -396,6 +396,25 @@ fn quick_inverse_sqrt(x: f32) -> f32 {
     seed * (1.876_617 + s * (-1.252_138 + s * 0.375_521_3))
 }
 
+impl OffsetAlong<f32> for QuickFloatOffset {
+    type Stretch = [Vec3<f32>; 2];
+
+    #[inline]
+    fn stretch(light: Vec3<f32>, point: Vec3<f32>) -> [Vec3<f32>; 2] {
+        [light, point]
+    }
+
+    #[inline]
+    fn is_in(_: &[Vec3<f32>; 2], _: f32) -> bool {
+        true
+    }
+
+    #[inline]
+    fn along(&[light, point]: &[Vec3<f32>; 2], x: f32) -> Self {
+        Self::between(light, Vec3 { x, ..point })
+    }
+}
+
 impl Offset<f32> for QuickFloatOffset {
     type Ray = FloatRay;
     type Facing = f32;
@@ -441,8 +460,12 @@ impl Quick for f32 {
         f32::ramp(inner, outer, limit)
     }
 
-    fn quick_zoomed(from: FloatRamp, to: FloatRamp, part: f32) -> FloatRamp {
-        from.between(to, part)
+    fn quick_zoomed(from: FloatRamp, to: FloatRamp, part: f32) -> (FloatRamp, f32) {
+        Self::zoomed(from, to, part)
+    }
+
+    fn standard_axis(quick: Vec3<f32>) -> Vec3<f32> {
+        quick
     }
 }
 

@@ -40,12 +40,12 @@ mod tests;
 
 pub use self::frame::Frame16;
 use super::{
-    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, Quick, Ray, RealExponent, Share,
-    Stages, Versine, Weight16, cold_path,
+    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, OffsetAlong, Quick, Ray,
+    RealExponent, Share, Stages, Versine, Weight16, cold_path,
     fx32::{Fine, FineRay},
     knot::{SLOPE_BITS, neighbours},
     mantissa_and_shift,
-    ramp::{FixedRamp, MOST_ZOOM, is_outside},
+    ramp::{Chords, FixedRamp, MOST_ZOOM, is_outside},
     root::{self, high_half, high_product, size, squared_length},
     within_reach,
 };
@@ -748,6 +748,9 @@ const QUICK_DROPPED: u32 = 16;
 /// The bias is three eighths of the largest reciprocal length, as in the standard evaluation.
 pub(super) const QUICK_CUT_OFF: i32 = 24_576;
 
+/// All rounding constants of a component of the difference between a direction and an axis.
+const QUICK_ROUNDING: i32 = QUICK_CUT_OFF + (1 << (QUICK_DROPPED - 1));
+
 /// Offset from a light to a point: `v`, and the bit length of its largest component before scaling.
 #[derive(Clone, Copy, Debug)]
 pub struct QuickOffset16 {
@@ -771,6 +774,60 @@ impl QuickOffset16 {
     fn near_or_far(light: Vec3<Length>, point: Vec3<Length>) -> Self {
         let offset = Offset16::between(light, point);
         Self { way: offset.coarse(), bits: offset.bits }
+    }
+}
+
+/// Points that differ in x alone, and whose offsets from a light have the same bit length.
+#[derive(Clone, Copy, Debug)]
+pub struct Stretch16 {
+    /// The light's coordinate.
+    x: i32,
+    /// The first component x of the offsets, and the number of those that follow, itself included.
+    first: i32,
+    length: u32,
+    /// The other components, scaled as those of the offsets.
+    y: i32,
+    z: i32,
+    /// Right shift that brings the largest component to the bits of the evaluation.
+    shift: u32,
+}
+
+impl Stretch16 {
+    /// Returns the stretch around a point, whose offset has this bit length. It is empty unless the
+    /// offset is shifted right, and by as much as the common path does.
+    fn new(light: Vec3<Length>, point: Vec3<Length>, bits: u32) -> Self {
+        /// The bit length from which on an offset is not on the common path.
+        const FAR: u32 = COARSE_BITS + 8;
+        let Vec3 { x, y, z } = point.zip(light, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
+        let end = 1_i32 << (bits - 1).min(FAR);
+        let (first, length) = match bits {
+            ..=COARSE_BITS | FAR.. => (0, 0),
+            // The other components have all bits, or x has them alone.
+            _ if size(Vec3::new(0, y, z)) >= end as u32 => (-2 * end, 4 * end as u32),
+            _ => (if x < 0 { -2 * end } else { end }, end as u32),
+        };
+        let shift = bits.saturating_sub(COARSE_BITS);
+        Self { x: light.x.to_bits(), first, length, y: y >> shift, z: z >> shift, shift }
+    }
+}
+
+impl OffsetAlong<Fx16> for QuickOffset16 {
+    type Stretch = Stretch16;
+
+    fn stretch(light: Vec3<Length>, point: Vec3<Length>) -> Stretch16 {
+        Stretch16::new(light, point, Self::between(light, point).bits)
+    }
+
+    #[inline]
+    fn is_in(stretch: &Stretch16, x: Length) -> bool {
+        let x = x.to_bits().wrapping_sub(stretch.x);
+        (x.wrapping_sub(stretch.first) as u32) < stretch.length
+    }
+
+    #[inline(always)]
+    fn along(&Stretch16 { x: light, y, z, shift, .. }: &Stretch16, x: Length) -> Self {
+        let x = x.to_bits().wrapping_sub(light);
+        Self { way: Vec3::new(x >> shift, y, z), bits: shift + COARSE_BITS }
     }
 }
 
@@ -871,16 +928,31 @@ impl Quick for Fx16 {
     /// Applies to the axis, once per light, all rounding constants of the difference between
     /// direction and axis.
     fn quick_axis(axis: Vec3<Fx32>) -> Vec3<Fx32> {
-        axis.map(|c| Fx32::from_bits(c.to_bits().wrapping_sub(QUICK_CUT_OFF + (1 << (QUICK_DROPPED - 1)))))
+        axis.map(|c| Fx32::from_bits(c.to_bits().wrapping_sub(QUICK_ROUNDING)))
+    }
+
+    #[inline]
+    fn standard_axis(quick: Vec3<Fx32>) -> Vec3<Fx32> {
+        quick.map(|c| Fx32::from_bits(c.to_bits().wrapping_add(QUICK_ROUNDING)))
     }
 
     fn quick_ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
         FixedRamp::with_zoom(inner, outer, limit, 0)
     }
 
-    fn quick_zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> FixedRamp {
-        from.between(to, thirty_two_bits(part), 0).0
+    fn quick_zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
+        let (ramp, chords) = from.between(to, thirty_two_bits(part), 0);
+        (ramp, outside_bound(chords))
     }
+}
+
+/// The margin of the bound for rejecting points outside a cone, of which `number::outside_bound`
+/// states the reason, and one step for the rounding of the squared cosine.
+const OUTSIDE: i16 = 16 + 1;
+
+/// Returns the bound for rejecting points outside a cone with these chords.
+pub(super) fn outside_bound(chords: Chords) -> Fx16 {
+    Fx16::from_bits((chords.squared_cosine() >> 16) as i16 - OUTSIDE)
 }
 
 /// Converts a scalar between 0 and 1 to a number with 32 fraction bits.

@@ -126,8 +126,9 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     pub fn zoomed(self, other: &Self, part: S) -> Self {
         if part > S::ZERO {
             let (from, to) = (self.cone.ramp, other.cone.ramp);
-            let ramp = if part < S::ONE { S::quick_zoomed(from, to, part) } else { to };
-            Self { cone: CompiledCone { ramp, ..self.cone }, ..self }
+            let (ramp, outside) =
+                if part < S::ONE { S::quick_zoomed(from, to, part) } else { (to, other.outside) };
+            Self { cone: CompiledCone { ramp, ..self.cone }, outside, ..self }
         } else {
             self
         }

@@ -1,6 +1,6 @@
 //! Spotlights, compiled for the quick evaluation.
 
-use super::{Incident, LightModel, SurfacePoint, lobe};
+use super::{Incident, LightModel, SurfacePoint, fill_by_offset, lobe, reaches};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -25,6 +25,8 @@ pub struct QuickSpotLight<S: Quick, P: Falloff = SoftOrHard, A: Attenuation = In
     /// The axis as `Quick::quick_axis` returns it.
     pub(crate) axis: Vec3<S::Unit>,
     pub(crate) cone: CompiledCone<S, P>,
+    /// The bound of the test for spheres outside the cone.
+    pub(crate) outside: S,
     pub(crate) attenuation: A::Constants<S>,
     pub(crate) intensity: S::Gain,
     pub(crate) color: Rgb<S>,
@@ -41,6 +43,12 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
     #[inline]
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
+    }
+
+    /// Returns `false` only if no point within `radius` of `center` receives light, like
+    /// [`CompiledSpotLight::can_reach`](super::CompiledSpotLight::can_reach).
+    pub fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
+        LightModel::can_reach(self, center, radius)
     }
 
     /// Returns the same light at another position, with another axis of unit length.
@@ -73,11 +81,12 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
         position: Vec3<S::Length>,
         axis: Vec3<S::Unit>,
         cone: CompiledCone<S, P>,
+        outside: S,
         attenuation: A::Constants<S>,
         intensity: S::Gain,
         [color, specular_color]: [Rgb<S>; 2],
     ) -> Self {
-        Self { position, axis, cone, attenuation, intensity, color, specular_color }
+        Self { position, axis, cone, outside, attenuation, intensity, color, specular_color }
     }
 }
 
@@ -94,10 +103,40 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance> {
+        let offset = S::QuickOffset::between(self.position, surface.point);
+        self.at::<H>(&offset, (surface.normal, surface.view), highlight, skips)
+    }
+
+    #[inline(always)]
+    fn fill_along(
+        &self,
+        surface: &SurfacePoint<S>,
+        x: impl Fn(usize) -> S::Length,
+        arrived: &mut [S::Irradiance],
+    ) {
         let SurfacePoint { point, normal, view } = *surface;
-        let offset = S::QuickOffset::between(self.position, point);
+        fill_by_offset([self.position, point], x, arrived, |offset: &S::QuickOffset| {
+            self.at::<NoSpecular>(offset, (normal, view), &(), true).diffuse
+        });
+    }
+
+    fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
+        reaches::<S>(self.position, (S::standard_axis(self.axis), self.outside), center, radius)
+    }
+}
+
+impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
+    /// Computes the light at an offset.
+    #[inline(always)]
+    fn at<H: SpecularLobe>(
+        &self,
+        offset: &S::QuickOffset,
+        (normal, view): (Vec3<S>, Vec3<S::Unit>),
+        highlight: &H::Constants<S>,
+        skips: bool,
+    ) -> Incident<S::Irradiance> {
         let facing = offset.facing(normal);
-        if skips && (S::QuickOffset::faces_away(facing) || A::is_beyond::<S, _>(&self.attenuation, &offset)) {
+        if skips && (S::QuickOffset::faces_away(facing) || A::is_beyond::<S, _>(&self.attenuation, offset)) {
             return Incident::default();
         }
         let ray = offset.ray();
@@ -106,7 +145,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
             return Incident::default();
         }
         let cosine = ray.cosine(facing, normal);
-        let light = |share| A::light::<S, _, _>(&self.attenuation, &offset, &ray, share, self.intensity);
+        let light = |share| A::light::<S, _, _>(&self.attenuation, offset, &ray, share, self.intensity);
         let diffuse = light(cosine.times_value(falloff));
         if !H::SHINES {
             return Incident { diffuse, ..Incident::default() };

@@ -1,6 +1,6 @@
 //! Spotlights, compiled.
 
-use super::{Incident, LightModel, SurfacePoint, lobe};
+use super::{Incident, LightModel, SurfacePoint, lobe, reaches};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -202,8 +202,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
-        let tip = S::moved_back(self.position, self.axis, self.outside, radius);
-        tip.is_none_or(|tip| !S::Offset::between(tip, center).is_center_outside(self.axis, self.outside))
+        reaches::<S>(self.position, (self.axis, self.outside), center, radius)
     }
 }
 

@@ -1,7 +1,10 @@
 //! What the kernel asks of the 16-bit format beside the evaluation of a point: set-up and its error
 //! bounds, projections, colours, and the directions of specular lobes.
 
-use super::{Fraction16, Frame16, Gain16, Offset16, WAY_BITS, errors, factor, thirty_two_bits, versine};
+use super::{
+    Fraction16, Frame16, Gain16, OUTSIDE, Offset16, WAY_BITS, errors, factor, outside_bound, thirty_two_bits,
+    versine,
+};
 use crate::{
     number::{
         Arithmetic, Fx16, Fx32, HALF_A_CODE, KEPT, Length, Light16, Offset, Ray, Rise, Scalar, Slopes,
@@ -71,10 +74,6 @@ fn fine_squared(error: f32, intensity: f32, growth: f32) -> f32 {
     }
     trig::real_power(squared.into(), f64::from(2.0 / growth)) as f32
 }
-
-/// The margin of the bound for rejecting points outside a cone, of which `number::outside_bound`
-/// states the reason, and one step for the rounding of the squared cosine.
-const OUTSIDE: i16 = 16 + 1;
 
 impl Arithmetic for Fx16 {
     type Position = Length;
@@ -193,7 +192,7 @@ impl Arithmetic for Fx16 {
 
     fn zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
         let (ramp, chords) = from.between(to, thirty_two_bits(part), MOST_ZOOM);
-        (ramp, Self::from_bits((chords.squared_cosine() >> 16) as i16 - OUTSIDE))
+        (ramp, outside_bound(chords))
     }
 
     #[inline]
