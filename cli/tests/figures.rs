@@ -113,7 +113,7 @@ impl Records {
         say("2.6 kB by the quick evaluation".to_owned());
         say(format!("[{} instructions](docs/EFFECTS.md#evaluation-and-set-up)", added("aimed")));
         say(format!("a new cone between two others {}.", added("zoomed")));
-        let stages = ["geometry", "ambient", "light", "shadow", "display"];
+        let stages = ["geometry", "shadow", "light", "display"];
         let cycles =
             stages.map(|stage| number(&self.figures("cortex-m0", &format!("frame.{stage}"))["cycles"]));
         let (cycles, pixels) = (cycles.iter().sum::<f64>(), 160.0 * 120.0);

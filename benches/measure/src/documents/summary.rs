@@ -36,12 +36,11 @@ pub(super) fn readme(record: &Record) -> String {
 }
 
 /// The stages of the picture, and their titles.
-const STAGES: [(&str, &str); 5] = [
+const STAGES: [(&str, &str); 4] = [
     ("geometry", "geometry: what the pixel sees, point and normal"),
-    ("ambient", "pixels of ambient light alone, from a table"),
     ("light", "light: falloff, Lambert's cosine, inverse square"),
     ("shadow", "shadow: is the ball or the column in the way"),
-    ("display", "display: the dithered pixel of the material in its light, where the light arrives"),
+    ("display", "display: the dithered pixel of the material in its light"),
 ];
 
 /// Instructions and cycles of a pixel, by stage and board.
@@ -65,9 +64,7 @@ pub(super) fn frame(record: &Record) -> String {
         [title.to_owned()].into_iter().chain(columns.iter().map(sum)).collect::<Vec<_>>()
     };
     let mut rows: Vec<_> = STAGES.iter().map(|(stage, title)| row(title, &[*stage])).collect();
-    rows.push(row("the picture without the spotlight", &["geometry", "ambient"]));
-    rows.push(row("the picture with the spotlight", &STAGES.map(|(stage, _)| stage)));
-    rows.push(row("so the spotlight", &["light", "shadow", "display"]));
+    rows.push(row("the picture", &STAGES.map(|(stage, _)| stage)));
     let flash = columns.iter().map(|(_, board, unit)| match *unit {
         "cycles" => String::new(),
         _ => {

@@ -1,6 +1,5 @@
 //! From a pixel to a line of sight.
 
-use core::iter;
 use core::ops::Range;
 
 use luminaire::{Vec3, number::Length};
@@ -68,14 +67,10 @@ impl<const WIDTH: usize> Sight<WIDTH> {
         Length::from_bits(steps(EYE[0]) + ((self.right * depth) >> DEPTH_BITS))
     }
 
-    /// The x coordinates of the lines of a row, from left to right, at a depth.
-    #[inline(always)]
-    pub(super) fn row_at(depth: i32) -> impl Iterator<Item = Length> {
-        let first = Self::through(0, 0).right * depth;
-        let step = 2 * half_pixel(WIDTH) * depth;
-        // The product is added up instead: a pixel costs no multiplication.
-        let products = iter::successors(Some(first), move |product| Some(product.wrapping_add(step)));
-        products.map(|product| Length::from_bits(steps(EYE[0]) + (product >> DEPTH_BITS)))
+    /// The x coordinate of the first line of a row at a depth, from the eye, and the step from line to
+    /// line, with `DEPTH_BITS` more fraction bits than a length.
+    pub(super) fn row_at(depth: i32) -> [i32; 2] {
+        [Self::through(0, 0).right * depth, 2 * half_pixel(WIDTH) * depth]
     }
 
     /// The point at a depth.

@@ -1,11 +1,13 @@
 //! The column.
 
+use core::ops::Range;
+
 use luminaire::{Fx16, Vec3, number::Length};
 
 use super::camera::{Sight, Window, steps};
 use super::measures::{COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE};
 use super::quadratic::Quadratic;
-use super::site::{Material, Site, UP};
+use super::site::{Site, UP};
 use super::way::{Passage, Way, Wedge};
 
 /// The pixels in which the column can be visible.
@@ -54,26 +56,37 @@ impl Side {
         Self(edges)
     }
 
-    /// Draws the column's part of a row. The eye is higher than the column, so every line of sight
-    /// reaches the top from above.
+    /// Draws the column's part of a row, and returns its columns. The eye is higher than the column, so
+    /// every line of sight reaches the top from above.
     #[inline(always)]
-    pub(super) fn draw<const WIDTH: usize>(&self, row: i32, sites: &mut [Site; WIDTH]) {
+    pub(super) fn draw<const WIDTH: usize>(&self, row: i32, sites: &mut [Site; WIDTH]) -> Range<usize> {
+        let window = const { window::<WIDTH>() };
+        let mut columns = 0..0;
+        if !window.has(row) {
+            return columns;
+        }
         let top = Sight::<WIDTH>::through(0, row).fall_to(COLUMN_HEIGHT);
-        for ((column, site), edge) in const { window::<WIDTH>() }.of(row, sites).zip(&self.0) {
+        for ((column, site), edge) in window.of(row, sites).zip(&self.0) {
             if edge.depth == 0 {
                 continue;
             }
             let sight = Sight::<WIDTH>::through(column, row);
             let y = sight.height(edge.depth);
             if y <= steps(COLUMN_HEIGHT) {
-                if y >= 0 {
-                    let point = Vec3::new(edge.x, Length::from_bits(y), edge.z);
-                    *site = Site { point, normal: edge.normal, material: Material::Column };
+                if y < 0 {
+                    continue;
                 }
+                let point = Vec3::new(edge.x, Length::from_bits(y), edge.z);
+                *site = Site { point, normal: edge.normal };
             } else if let Some(point) = top.map(|depth| sight.point(depth)).filter(is_over) {
-                *site = Site { point, normal: UP, material: Material::Column };
+                *site = Site { point, normal: UP };
+            } else {
+                continue;
             }
+            // The column is convex: it is in one stretch of a row.
+            columns = if columns.is_empty() { column..column + 1 } else { columns.start..column + 1 };
         }
+        columns
     }
 }
 
@@ -106,6 +119,12 @@ fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
 
 /// Where the column can shadow a point.
 pub(super) const WEDGE: Wedge = Wedge::of_column(COLUMN, COLUMN_RADIUS, COLUMN_HEIGHT);
+
+/// Whether a point is inside the column, seen from above, where it is hidden.
+#[inline(always)]
+pub(super) fn is_inside(point: &Vec3<Length>) -> bool {
+    is_over(point)
+}
 
 /// Whether the column is between a point outside it and the light, which hangs higher.
 #[inline(always)]

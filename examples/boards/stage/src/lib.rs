@@ -6,6 +6,7 @@
 //! each of them the program is called, so that it can count instructions.
 #![cfg_attr(target_os = "none", no_std)]
 
+mod backdrop;
 mod ball;
 mod camera;
 mod column;
@@ -26,6 +27,7 @@ mod way;
 
 use luminaire::number::Light16;
 
+use backdrop::Seen;
 use column::Side;
 use paint::{Ambient, Key};
 use site::Site;
@@ -36,7 +38,7 @@ pub use shown::Shown;
 pub use tally::Tally;
 
 /// The stages of a row, in the order in which they run.
-pub const STAGES: &str = "geometry ambient light shadow display";
+pub const STAGES: &str = "geometry shadow light display";
 
 /// What a program does before and after each stage of a row, such as marking it for a counter of
 /// instructions.
@@ -61,6 +63,7 @@ pub struct Stage<const WIDTH: usize> {
     ambient: Ambient,
     sites: [Site; WIDTH],
     lights: [Light16; WIDTH],
+    seen: Seen,
 }
 
 impl<const WIDTH: usize> Default for Stage<WIDTH> {
@@ -71,6 +74,7 @@ impl<const WIDTH: usize> Default for Stage<WIDTH> {
             ambient: Ambient::new(),
             sites: [Site::default(); WIDTH],
             lights: [Light16::ZERO; WIDTH],
+            seen: Seen::new::<WIDTH>(),
         }
     }
 }
@@ -87,18 +91,16 @@ impl<const WIDTH: usize> Stage<WIDTH> {
     /// Draws a row into a buffer of RGB565. Row 0 is the top row of the recorded picture, and rows
     /// above it have negative numbers.
     pub fn draw<M: Markers>(&mut self, row: i32, pixels: &mut [u16; WIDTH]) {
-        let Self { key, side, ambient, sites, lights } = self;
-        run::<M>(|| scene::look(side, row, sites));
-        // A picture without the spotlight ends here.
-        run::<M>(|| ambient.paint(sites, row, pixels));
-        run::<M>(|| paint::light(key, sites, lights));
-        run::<M>(|| shadow::cast(sites, lights));
-        run::<M>(|| paint::display(sites, lights, row, pixels));
+        let Self { key, side, ambient, sites, lights, seen } = self;
+        run::<M>(|| scene::look(seen, side, row, sites));
+        run::<M>(|| shadow::cast(seen, sites, lights));
+        run::<M>(|| paint::light(key, seen, sites, lights));
+        run::<M>(|| paint::display((seen, lights), (row, ambient), pixels));
     }
 
     /// Adds the pixels of the row that was drawn last to a tally.
     pub fn add_to(&self, tally: &mut Tally) {
-        tally.add(&self.key, &self.sites, &self.lights);
+        tally.add(&self.key, &self.seen.sites(&self.sites), &self.seen.lights(&self.lights));
     }
 }
 

@@ -50,7 +50,7 @@ impl Tally {
 
 /// Whether the light of the spotlight arrives, if nothing is in the way.
 fn is_reached(key: &Key, site: &Site) -> bool {
-    let mut light = [Light16::ZERO];
-    paint::light(key, slice::from_ref(site), &mut light);
+    let mut light = [Light16::MAX];
+    paint::objects(key, slice::from_ref(site), &mut light);
     light != [Light16::ZERO]
 }

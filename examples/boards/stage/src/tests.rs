@@ -8,6 +8,7 @@ use luminaire::number::{Length, Light16};
 use luminaire::{Angle, Cone, Fx16, Vec3};
 use luminaire_oracle::{self as oracle, DVec3, SpotLight};
 
+use super::backdrop::Seen;
 use super::column::Side;
 use super::measures::{
     AMBIENT, AXIS, BALL, BALL_RADIUS, COLOR, COLUMN, COLUMN_HEIGHT, COLUMN_RADIUS, EYE, FIELD, INTENSITY,
@@ -69,18 +70,20 @@ impl<const WIDTH: usize> View<WIDTH> {
     }
 
     /// What each pixel sees, with its line of sight.
-    fn seen(self) -> impl Iterator<Item = (DVec3, Site)> {
-        let side = Side::new::<WIDTH>();
+    fn seen(self) -> impl Iterator<Item = (DVec3, Material, Site)> {
+        let (side, mut seen) = (Side::new::<WIDTH>(), Seen::new::<WIDTH>());
         self.0.flat_map(move |row| {
             let mut sites = [Site::default(); WIDTH];
-            look(&side, row, &mut sites);
-            sites.into_iter().enumerate().map(move |(column, site)| (Self::sight(column, row), site))
+            look(&mut seen, &side, row, &mut sites);
+            let seen = seen.clone();
+            let sites = seen.sites(&sites).into_iter().enumerate();
+            sites.map(move |(column, site)| (Self::sight(column, row), seen.material(column), site))
         })
     }
 }
 
 /// What each pixel of both pictures sees, with its line of sight.
-fn seen() -> impl Iterator<Item = (DVec3, Site)> {
+fn seen() -> impl Iterator<Item = (DVec3, Material, Site)> {
     SMALL.seen().chain(LARGE.seen())
 }
 
@@ -104,11 +107,11 @@ fn metres(point: Vec3<Length>) -> DVec3 {
 /// a picture shows. Every pixel must see what a line of sight meets.
 fn seen_errors<const WIDTH: usize>(view: View<WIDTH>) -> (f64, f64) {
     let (mut off, mut turned) = (0.0_f64, 0.0_f64);
-    for (sight, site) in view.seen() {
+    for (sight, found, site) in view.seen() {
         let (material, depth, normal) = exact(sight);
         let is_tile = |material| matches!(material, Material::LightTile | Material::DarkTile);
-        let is_same = site.material == material || (is_tile(site.material) && is_tile(material));
-        assert!(is_same, "expected {material:?}, found {site:?}");
+        let is_same = found == material || (is_tile(found) && is_tile(material));
+        assert!(is_same, "expected {material:?}, found {found:?} at {site:?}");
         let there = wide(EYE) + depth * sight;
         off = off.max((metres(site.point) - there).abs().max_element());
         let found = DVec3::new(site.normal.x.to_f64(), site.normal.y.to_f64(), site.normal.z.to_f64());
@@ -129,10 +132,10 @@ fn pixels_see_what_is_there() {
 
 #[test]
 fn tiles_are_half_a_metre_wide() {
-    for (_, site) in seen() {
+    for (_, material, site) in seen() {
         let tile = (2.0 * metres(site.point)).floor();
         let [x, z] = [tile.x, tile.z].map(|tile| tile as i32);
-        match site.material {
+        match material {
             Material::LightTile => assert_eq!((x + z) % 2, 0),
             Material::DarkTile => assert_ne!((x + z) % 2, 0),
             _ => {}
@@ -144,15 +147,14 @@ fn tiles_are_half_a_metre_wide() {
 #[test]
 fn shadows_fall_where_they_should() {
     let (mut outline, mut count) = (0, 0);
-    for (_, site) in seen() {
+    for (_, material, site) in seen() {
         let start = metres(site.point);
         let way = wide(LIGHT) - start;
         let before_light = |after: f64| after < 1.0;
-        let by_ball = site.material != Material::Ball && into_ball(start, way).is_some_and(before_light);
-        let by_column =
-            site.material != Material::Column && entry_below_top(start, way).is_some_and(before_light);
+        let by_ball = material != Material::Ball && into_ball(start, way).is_some_and(before_light);
+        let by_column = material != Material::Column && entry_below_top(start, way).is_some_and(before_light);
         count += usize::from(by_ball || by_column);
-        outline += usize::from(is_in_shadow(&site) != (by_ball || by_column));
+        outline += usize::from(is_in_shadow(&site, material) != (by_ball || by_column));
     }
     println!("{outline} of {count} pixels in shadow");
     assert!(count > 1000, "{count} pixels are in shadow");
@@ -216,9 +218,10 @@ fn error<const WIDTH: usize>(view: View<WIDTH>, frame: u32) -> (f64, u32) {
     let (mut largest, mut outline) = (0.0_f64, 0);
     for row in view.0 {
         stage.draw::<()>(row, &mut [0; WIDTH]);
-        for (column, site) in stage.sites.iter().enumerate() {
+        let lights = stage.seen.lights(&stage.lights);
+        for (column, &arrived) in lights.iter().enumerate() {
             let exact = exact_steps(&light, View::<WIDTH>::sight(column, row));
-            let differences = shown(site.material, stage.lights[column]).into_iter().zip(exact);
+            let differences = shown(stage.seen.material(column), arrived).into_iter().zip(exact);
             let error = differences.map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max);
             if error > 1.0 { outline += 1 } else { largest = largest.max(error) }
         }

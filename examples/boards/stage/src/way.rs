@@ -87,6 +87,12 @@ impl Way {
         Self { start, whole: END.zip(start, |end, start| (end - start) >> 4) }
     }
 
+    /// The point from which the offset starts.
+    #[inline(always)]
+    pub(super) fn point(&self) -> Vec3<Length> {
+        self.start.map(Length::from_bits)
+    }
+
     /// The offset from its start to a position.
     #[inline(always)]
     pub(super) fn to(&self, place: Vec3<i32>) -> Vec3<i32> {
