@@ -1,11 +1,13 @@
 // The RP2040's board in rp2040js: runs its firmware from the second stage of the boot on, with an
-// ST7789 at SPI0, and counts the instructions and cycles between the markers. The memory has no wait
-// states. Runs in Node.js and in a browser.
+// ST7789 at SPI0, and counts the instructions and cycles between the markers, and there the misses of the
+// flash's cache by a model. The cycles are those without misses. Runs in Node.js and in a browser.
 
+import { Cache } from "./cache.mjs";
 import { Display } from "./display.mjs";
 import { BEGIN, END, segments } from "./elf.mjs";
 
 const FLASH = 0x10000000;
+const RAM = 0x20000000;
 const STAGE2_BYTES = 256;
 const STAGE2_PLACE = 0x20041f00; // where the boot ROM runs the second stage
 const TIMER = 0x40054;
@@ -20,9 +22,11 @@ const LOOK = 10_000;
 const NOTHING = () => {};
 
 export class Board {
+  #cache = new Cache();
   #chip;
   #clock;
   #flash;
+  #ram;
   #region;
   #text = "";
 
@@ -30,14 +34,15 @@ export class Board {
   display = new Display();
   /** Called with each line that the UART prints. */
   online = (_line) => {};
-  /** Called with the instructions and the cycles of each marked region at its end. */
-  onregion = (_instructions, _cycles) => {};
+  /** Called with the instructions, the cycles and the misses of the cache of each marked region at its end. */
+  onregion = (_instructions, _cycles, _misses) => {};
 
   /**
    * @param {Function} Simulator the class of rp2040js
    * @param {Uint8Array} elf the firmware's file
+   * @param {boolean} isCached whether to count the misses of the cache, which takes time; else they are 0
    */
-  constructor(Simulator, elf) {
+  constructor(Simulator, elf, isCached = false) {
     const { rp2040: chip, clock } = new Simulator();
     [this.#chip, this.#clock] = [chip, clock];
     const fail = (part, text) => {
@@ -45,8 +50,11 @@ export class Board {
     };
     chip.logger = { debug: NOTHING, info: NOTHING, warn: NOTHING, error: fail };
     for (const [address, bytes] of segments(elf)) chip.flash.set(bytes, address - FLASH);
-    this.#flash = new Uint16Array(chip.flash.buffer, chip.flash.byteOffset, chip.flash.length / 2);
+    [this.#flash, this.#ram] = [chip.flash, chip.sram].map(
+      ({ buffer, byteOffset, length }) => new Uint16Array(buffer, byteOffset, length / 2),
+    );
     this.#connect();
+    if (isCached) this.#watch();
     this.#boot();
   }
 
@@ -62,16 +70,19 @@ export class Board {
 
   /** Executes instructions. */
   run(count) {
-    const [chip, clock, flash] = [this.#chip, this.#clock, this.#flash];
+    const [chip, clock, flash, ram] = [this.#chip, this.#clock, this.#flash, this.#ram];
     const { core } = chip;
+    const { misses } = this.#cache;
     for (let i = 0; i < count; i++) {
-      const opcode = flash[(core.PC - FLASH) >>> 1]; // undefined outside of the flash
+      const { PC: place } = core;
+      const opcode = place < RAM ? flash[(place - FLASH) >>> 1] : ram[(place - RAM) >>> 1];
       const cycles = core.executeInstruction();
       clock.tick((cycles * 1e9) / chip.clkSys);
       if (opcode === BEGIN) {
-        this.#region = [0, 0];
+        this.#region = [0, 0, ...misses];
       } else if (opcode === END) {
-        this.onregion(...this.#region);
+        const [instructions, cycles, ...before] = this.#region;
+        this.onregion(instructions, cycles, Math.max(...misses.map((count, model) => count - before[model])));
         this.#region = undefined;
       } else if (this.#region) {
         this.#region[0] += 1;
@@ -101,6 +112,18 @@ export class Board {
       if (offset === TIMERAWL) clock.tick(LOOK);
       return read.call(timer, offset);
     };
+  }
+
+  /** Lets the cache see each read of the flash. */
+  #watch() {
+    const [chip, cache] = [this.#chip, this.#cache];
+    for (const name of ["readUint8", "readUint16", "readUint32"]) {
+      const read = chip[name];
+      chip[name] = (address) => {
+        if (address >>> 24 === FLASH >>> 24) cache.read(address - FLASH);
+        return read.call(chip, address);
+      };
+    }
   }
 
   /** Does what the boot ROM does: checks the second stage, copies it to RAM and starts it. */

@@ -4,7 +4,7 @@
 //
 // Runs until UART0 has printed a line for each of the first PICTURES pictures. The file RESULT gets,
 // as JSON, the lines, the window and the pixels of each picture that the display received, and the
-// instructions and cycles of each region between the markers.
+// instructions, cycles and misses of the cache of each region between the markers.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -20,7 +20,7 @@ const PATIENCE = 1e10; // nanoseconds of the chip for each picture
 const BATCH = 100_000; // instructions between two looks at the lines
 
 const [lines, pictures, regions] = [[], [], []];
-const board = new Board(Simulator, fs.readFileSync(firmware));
+const board = new Board(Simulator, fs.readFileSync(firmware), true);
 board.display.onpicture = (picture) => pictures.push(picture);
 board.online = (line) => lines.push(line);
 board.onregion = (...region) => regions.push(region);

@@ -24,10 +24,11 @@ use luminaire_panel::Rows;
 use luminaire_stage::Markers;
 use panel::{Pads, Panel};
 
-/// The second stage of the boot, for any flash: the boot ROM runs it.
+/// The second stage of the boot, which the boot ROM runs: it reads the flash four bits at a time. It suits that
+/// of a Pico, Winbond's W25Q16JV.
 #[unsafe(link_section = ".boot2")]
 #[used]
-static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_GENERIC_03H;
+static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
 #[hal::entry]
 fn main() -> ! {
