@@ -33,8 +33,18 @@ const TYPES: Rows = &[
     ("Serializer", &["Data"]),
     ("Deserializer", &["Data"]),
     ("Copy", &["Irradiance"]),
-    ("Fn", &["fn(usize) -> luminaire::Vec3<<Format as luminaire::Scalar>::Length>"]),
+    ("Fn() -> Vec3", &[POINTS]),
+    ("Fn() -> Length", &[PLACES]),
+    (
+        "Points",
+        &[
+            POINTS,
+            "luminaire::light::AlongX<<Format as luminaire::Scalar>::Length, fn(usize) -> <Format as luminaire::Scalar>::Length>",
+        ],
+    ),
 ];
+const POINTS: &str = "fn(usize) -> luminaire::Vec3<<Format as luminaire::Scalar>::Length>";
+const PLACES: &str = "fn(usize) -> <Format as luminaire::Scalar>::Length";
 /// The type for a parameter that has only bounds in `OF_NUMBERS`, which every number satisfies.
 const PLAIN: &[&str] = &["Format"];
 const OF_NUMBERS: &str = "Clone Debug Default Deserialize Eq Format Hash Named Ord PartialEq PartialOrd Pod Serialize \
@@ -332,6 +342,11 @@ fn bound(of: &Value) -> String {
     let into = text(&of["args"]["angle_bracketed"]["args"][0]["type"]["resolved_path"]["path"]);
     match last(text(&of["path"])) {
         "Into" => format!("Into<{}>", last(into)),
+        "Fn" => {
+            let output = &of["args"]["parenthesized"]["output"];
+            let names = [&output["resolved_path"]["path"], &output["qualified_path"]["name"]].map(text);
+            format!("Fn() -> {}", last(&names.concat()))
+        }
         name => name.to_owned(),
     }
 }
