@@ -27,7 +27,8 @@ class Chip {
   #rows = [];
   /** Instructions and cycles of each stage of the picture. */
   #sums = [];
-  #marked = 0;
+  /** Regions of the picture that each core has ended. */
+  #marked = [0, 0];
   #begun = 0;
   #pictures = [];
 
@@ -35,9 +36,9 @@ class Chip {
     this.#board = new Board(Simulator, elf);
     this.#stages = stages.length;
     this.#board.display.onpicture = (picture) => this.#begin(picture);
-    this.#board.onregion = (instructions, cycles) => {
-      const sum = this.#sums[this.#marked % this.#stages];
-      this.#marked += 1;
+    this.#board.onregion = (instructions, cycles, _misses, core) => {
+      const sum = this.#sums[this.#marked[core] % this.#stages];
+      this.#marked[core] += 1;
       sum[0] += instructions;
       sum[1] += cycles;
     };
@@ -70,7 +71,7 @@ class Chip {
     this.#expected = new Expected(this.#count);
     this.#expected.drawn = this.#expected.pixels;
     this.#count += 1;
-    [this.#compared, this.#differing, this.#marked, this.#begun] = [0, 0, 0, this.nanos];
+    [this.#compared, this.#differing, this.#marked, this.#begun] = [0, 0, [0, 0], this.nanos];
     this.#sums = Array.from({ length: this.#stages }, () => [0, 0]);
   }
 

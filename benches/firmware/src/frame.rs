@@ -13,6 +13,7 @@ const WIDTH: usize = 160;
 const HEIGHT: i32 = 120;
 
 /// The markers of the counter.
+#[derive(Debug)]
 struct Counted;
 
 impl Markers for Counted {

@@ -1,8 +1,9 @@
-// The RP2040's board in rp2040js: runs its firmware from the second stage of the boot on, with an
+// The RP2040's board in rp2040js: runs its firmware from the second stage of the boot on, on two cores, with an
 // ST7789 at SPI0, and counts the instructions and cycles between the markers, and there the misses of the
 // flash's cache by a model. The cycles are those without misses. Runs in Node.js and in a browser.
 
 import { Cache } from "./cache.mjs";
+import { Cores } from "./cores.mjs";
 import { Display } from "./display.mjs";
 import { BEGIN, END, segments } from "./elf.mjs";
 
@@ -25,17 +26,22 @@ export class Board {
   #cache = new Cache();
   #chip;
   #clock;
+  #cores;
   #flash;
   #ram;
-  #region;
+  /** The region that each core is in. */
+  #regions = [];
   #text = "";
 
   /** The display. */
   display = new Display();
   /** Called with each line that the UART prints. */
   online = (_line) => {};
-  /** Called with the instructions, the cycles and the misses of the cache of each marked region at its end. */
-  onregion = (_instructions, _cycles, _misses) => {};
+  /**
+   * Called with the instructions, the cycles and the misses of the cache of each marked region at its end, and
+   * with the number of the core that executed it.
+   */
+  onregion = (_instructions, _cycles, _misses, _core) => {};
 
   /**
    * @param {Function} Simulator the class of rp2040js
@@ -44,7 +50,7 @@ export class Board {
    */
   constructor(Simulator, elf, isCached = false) {
     const { rp2040: chip, clock } = new Simulator();
-    [this.#chip, this.#clock] = [chip, clock];
+    [this.#chip, this.#clock, this.#cores] = [chip, clock, new Cores(chip)];
     const fail = (part, text) => {
       throw new Error(`${part}: ${text}`);
     };
@@ -71,22 +77,26 @@ export class Board {
   /** Executes instructions. */
   run(count) {
     const [chip, clock, flash, ram] = [this.#chip, this.#clock, this.#flash, this.#ram];
-    const { core } = chip;
+    const [cores, regions] = [this.#cores, this.#regions];
     const { misses } = this.#cache;
     for (let i = 0; i < count; i++) {
+      const core = cores.next();
+      const { turn } = cores;
       const { PC: place } = core;
       const opcode = place < RAM ? flash[(place - FLASH) >>> 1] : ram[(place - RAM) >>> 1];
       const cycles = core.executeInstruction();
-      clock.tick((cycles * 1e9) / chip.clkSys);
+      cores.executed(opcode, cycles);
+      if (turn === 0) clock.tick((cycles * 1e9) / chip.clkSys);
       if (opcode === BEGIN) {
-        this.#region = [0, 0, ...misses];
+        regions[turn] = [0, 0, ...misses.map((counts) => counts[turn])];
       } else if (opcode === END) {
-        const [instructions, cycles, ...before] = this.#region;
-        this.onregion(instructions, cycles, Math.max(...misses.map((count, model) => count - before[model])));
-        this.#region = undefined;
-      } else if (this.#region) {
-        this.#region[0] += 1;
-        this.#region[1] += cycles;
+        const [instructions, cycles, ...before] = regions[turn];
+        const more = misses.map((counts, model) => counts[turn] - before[model]);
+        this.onregion(instructions, cycles, Math.max(...more), turn);
+        regions[turn] = undefined;
+      } else if (regions[turn]) {
+        regions[turn][0] += 1;
+        regions[turn][1] += cycles;
       }
     }
   }
@@ -120,7 +130,7 @@ export class Board {
     for (const name of ["readUint8", "readUint16", "readUint32"]) {
       const read = chip[name];
       chip[name] = (address) => {
-        if (address >>> 24 === FLASH >>> 24) cache.read(address - FLASH);
+        if (address >>> 24 === FLASH >>> 24) cache.read(address - FLASH, this.#cores.turn);
         return read.call(chip, address);
       };
     }

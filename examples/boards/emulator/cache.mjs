@@ -10,23 +10,23 @@ export class Cache {
   #recent = new Uint8Array(SETS);
   #random = 1;
 
-  /** The misses of the two models. */
-  misses = [0, 0];
+  /** The misses of the two models, each by the core that reads. */
+  misses = [0, 1].map(() => [0, 0]);
 
-  /** A read at an offset in the flash. */
-  read(offset) {
+  /** A core reads at an offset in the flash. */
+  read(offset, core) {
     const line = offset >>> LINE_BITS;
     const set = line & (SETS - 1);
     const [orderly, random] = this.#tags;
     let way = orderly[2 * set] === line ? 0 : 1;
     if (orderly[2 * set + way] !== line) {
-      this.misses[0] += 1;
+      this.misses[0][core] += 1;
       way = 1 - this.#recent[set];
       orderly[2 * set + way] = line;
     }
     this.#recent[set] = way;
     if (random[2 * set] === line || random[2 * set + 1] === line) return;
-    this.misses[1] += 1;
+    this.misses[1][core] += 1;
     random[2 * set + this.#bit()] = line;
   }
 

@@ -63,8 +63,16 @@ pub(super) fn check(firmware: &Path, progress: &Progress) -> Result<Vec<String>>
         let pixels = expected.pixels.len();
         let [instructions, cycles, misses] = [0, 1, 2].map(|i| counted.iter().map(|region| region[i]).sum());
         let [cycles, slowed] = [cycles, cycles + MISS * misses].map(|cycles| cycles as f64 / pixels as f64);
+        let together: f64 = line
+            .rsplit(", ")
+            .next()
+            .and_then(|text| text.strip_suffix(" cycles"))
+            .context("no cycles")?
+            .parse()?;
         let line = format!(
-            "{pixels} pixels, 0 differ, {cycles:.1} cycles a pixel, {slowed:.1} with {misses} misses of the cache"
+            "{pixels} pixels, 0 differ, {cycles:.1} cycles a pixel, {slowed:.1} with {misses} misses of the cache, \
+             {:.1} on two cores",
+            together / pixels as f64
         );
         if expected.name == "frame 0" {
             frame::agrees(firmware, instructions)?;

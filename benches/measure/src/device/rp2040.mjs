@@ -23,7 +23,7 @@ const [lines, pictures, regions] = [[], [], []];
 const board = new Board(Simulator, fs.readFileSync(firmware), true);
 board.display.onpicture = (picture) => pictures.push(picture);
 board.online = (line) => lines.push(line);
-board.onregion = (...region) => regions.push(region);
+board.onregion = (instructions, cycles, misses) => regions.push([instructions, cycles, misses]);
 while (lines.length < count) {
   if (board.nanos > count * PATIENCE) throw new Error(`the firmware has printed only: ${lines.join("; ")}`);
   board.run(BATCH);

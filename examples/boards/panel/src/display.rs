@@ -5,8 +5,8 @@ use mipidsi::dcs::{DcsCommand, SetColumnAddress, SetPageAddress, WriteMemoryStar
 /// Width and height of the display in pixels.
 pub(crate) const SIZE: u16 = 240;
 
-/// A row of pixels that a DMA can read.
-pub type Row<const WIDTH: usize> = &'static mut [u16; WIDTH];
+/// Pixels that a DMA can read.
+pub type Words<const COUNT: usize> = &'static mut [u16; COUNT];
 
 /// A started display at a bus that sends words of 16 bits, the most significant bit first.
 pub trait Panel {
@@ -16,8 +16,12 @@ pub trait Panel {
     /// Like all functions of a board, it returns `None` if the hardware refuses.
     fn write(&mut self, is_data: bool, words: &[u16]) -> Option<()>;
 
-    /// Sends a row of pixels while a function runs. Returns the row.
-    fn send<const WIDTH: usize>(&mut self, row: Row<WIDTH>, meanwhile: impl FnOnce()) -> Option<Row<WIDTH>>;
+    /// Sends pixels while a function runs. Returns the pixels.
+    fn send<const COUNT: usize>(
+        &mut self,
+        pixels: Words<COUNT>,
+        meanwhile: impl FnOnce(),
+    ) -> Option<Words<COUNT>>;
 }
 
 /// Opens a window in the middle of the display. The next pixels that are sent fill it row by row.

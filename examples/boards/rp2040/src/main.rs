@@ -1,6 +1,6 @@
 //! A moving lit stage on an RP2040 with an ST7789.
 //!
-//! While the processor draws a row, the DMA sends the row before it to the display. After each
+//! While the two cores draw a row each, the DMA sends the two rows before these to the display. After each
 //! picture the program prints the checksum of its pixels and the cycles of its drawing on the
 //! UART.
 #![no_std]
@@ -8,6 +8,7 @@
 
 mod clock;
 mod panel;
+mod second;
 
 use core::arch::asm;
 use core::convert::Infallible;
@@ -23,6 +24,7 @@ use rp2040_hal as hal;
 use luminaire_panel::Rows;
 use luminaire_stage::Markers;
 use panel::{Pads, Panel};
+use second::Core1;
 
 /// The second stage of the boot, which the boot ROM runs: it reads the flash four bits at a time. It suits that
 /// of a Pico, Winbond's W25Q16JV.
@@ -46,7 +48,8 @@ fn show() -> Option<Infallible> {
     let clocks = clock::start(pac.XOSC, pac.CLOCKS, pac.PLL_SYS, &mut pac.RESETS, pac.WATCHDOG)?;
     let speed = clocks.peripheral_clock.freq();
     let mut timer = Timer::new(pac.TIMER, &mut pac.RESETS, &clocks);
-    let pins = Pins::new(pac.IO_BANK0, pac.PADS_BANK0, Sio::new(pac.SIO).gpio_bank0, &mut pac.RESETS);
+    let mut sio = Sio::new(pac.SIO);
+    let pins = Pins::new(pac.IO_BANK0, pac.PADS_BANK0, sio.gpio_bank0, &mut pac.RESETS);
 
     let tx = pins.gpio0.into_function::<FunctionUart>();
     let rx = pins.gpio1.into_function::<FunctionUart>();
@@ -62,11 +65,13 @@ fn show() -> Option<Infallible> {
     let channel = pac.DMA.split(&mut pac.RESETS).ch0;
     let mut panel = Panel::start(pads, pac.SPI0, channel, &mut pac.RESETS, speed, &mut timer)?;
 
-    let rows = cortex_m::singleton!(: Rows = Rows::BLACK)?;
-    luminaire_panel::show::<Marked>(&mut panel, rows, clock::count(&mut core.SYST), &mut uart)
+    let mut second = Core1::start(&mut pac.PSM, &mut pac.PPB, &mut sio.fifo)?;
+    let rows = cortex_m::singleton!(: Rows<Marked> = Rows::default())?;
+    luminaire_panel::show(&mut panel, &mut second, rows, clock::count(&mut core.SYST), &mut uart)
 }
 
 /// The markers by which emulators count instructions: they do nothing.
+#[derive(Debug)]
 struct Marked;
 
 impl Markers for Marked {

@@ -12,7 +12,7 @@ use hal::gpio::bank0::{Gpio16, Gpio17, Gpio18, Gpio19, Gpio20};
 use hal::gpio::{FunctionSio, FunctionSpi, Pin, PullDown, SioOutput};
 use hal::pac::{RESETS, SPI0};
 use hal::spi::{Enabled, Spi};
-use luminaire_panel::Row;
+use luminaire_panel::Words;
 
 /// The highest clock of the bus: the shortest write cycle of an ST7789 is 16 ns.
 const BAUD: HertzU32 = HertzU32::MHz(62);
@@ -36,7 +36,7 @@ pub(crate) struct Pads {
 
 /// The display, started.
 pub(crate) struct Panel {
-    /// The bus and the DMA channel that feeds it; `None` while a row is being sent.
+    /// The bus and the DMA channel that feeds it; `None` while pixels are being sent.
     idle: Option<(Channel<CH0>, Bus)>,
     is_data: Output<Gpio16>,
 }
@@ -72,12 +72,16 @@ impl luminaire_panel::Panel for Panel {
         bus.flush().ok()
     }
 
-    fn send<const WIDTH: usize>(&mut self, row: Row<WIDTH>, meanwhile: impl FnOnce()) -> Option<Row<WIDTH>> {
+    fn send<const COUNT: usize>(
+        &mut self,
+        pixels: Words<COUNT>,
+        meanwhile: impl FnOnce(),
+    ) -> Option<Words<COUNT>> {
         let (channel, bus) = self.idle.take()?;
-        let transfer = Config::new(channel, row, bus).start();
+        let transfer = Config::new(channel, pixels, bus).start();
         meanwhile();
-        let (channel, row, bus) = transfer.wait();
+        let (channel, pixels, bus) = transfer.wait();
         self.idle = Some((channel, bus));
-        Some(row)
+        Some(pixels)
     }
 }

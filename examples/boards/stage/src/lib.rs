@@ -42,7 +42,7 @@ pub const STAGES: &str = "geometry shadow light display";
 
 /// What a program does before and after each stage of a row, such as marking it for a counter of
 /// instructions.
-pub trait Markers {
+pub trait Markers: core::fmt::Debug {
     /// Called before a stage.
     fn begin();
     /// Called after a stage.
