@@ -8,26 +8,34 @@
 //! - `micromath`, a separate tier because its results are approximations.
 //! - A series, so that a build of constants and integers needs no other crate.
 //!
-//! The square root uses `std` before `libm`. Every backend except `micromath` rounds the square
-//! root correctly, so the square roots of these backends are bit-identical.
-
-// This module is for Cortex-M4F and similar targets, which compute in f32 but whose square-root
-// instruction only `std` exposes. This module is also for builds without any backend crate.
-#[cfg(any(
-    test,
-    all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")),
-    not(any(feature = "libm", feature = "std", feature = "micromath"))
-))]
-mod root;
+//! The square root is the first available of `std`'s, that of the processor by `native-sqrt`, and the
+//! backend's. Every backend except `micromath` rounds the square root correctly, so all of these are
+//! bit-identical.
 
 mod power;
+#[cfg(any(test, not(any(feature = "libm", feature = "std", feature = "micromath"))))]
+mod root;
 
-#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
-pub(crate) use backend::inverse_sqrt;
-pub(crate) use backend::{asin, sin, sqrt};
+pub(crate) use backend::{asin, sin};
 pub(crate) use power::{real_power, square_root};
-#[cfg(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std")))]
-pub(crate) use root::inverse_sqrt;
+
+/// Returns the square root.
+#[inline]
+pub(crate) fn sqrt(x: f32) -> f32 {
+    #[cfg(all(feature = "native-sqrt", not(feature = "std")))]
+    if let Some(root) = luminaire_native::sqrt(x) {
+        return root;
+    }
+    backend::sqrt(x)
+}
+
+/// Returns `1 / sqrt(x)` for a normal number `x > 0`.
+///
+/// Returns zero for any other `x`: zero or less, subnormal, infinite or NaN.
+#[inline]
+pub(crate) fn inverse_sqrt(x: f32) -> f32 {
+    if x >= f32::MIN_POSITIVE { 1.0 / sqrt(x) } else { 0.0 }
+}
 
 #[cfg(any(feature = "libm", feature = "std"))]
 mod backend {
@@ -47,23 +55,13 @@ mod backend {
         return x.asin();
     }
 
-    /// Returns the correctly rounded square root. A processor with a square-root instruction uses
-    /// that instruction.
+    /// Returns the correctly rounded square root.
     #[inline]
     pub(crate) fn sqrt(x: f32) -> f32 {
         #[cfg(feature = "std")]
         return x.sqrt();
         #[cfg(not(feature = "std"))]
         return libm::sqrtf(x);
-    }
-
-    /// Returns `1 / sqrt(x)` for a normal number `x > 0`.
-    ///
-    /// Returns zero for any other `x`: zero or less, subnormal, infinite or NaN.
-    #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "std"))))]
-    #[inline]
-    pub(crate) fn inverse_sqrt(x: f32) -> f32 {
-        if x >= f32::MIN_POSITIVE { 1.0 / sqrt(x) } else { 0.0 }
     }
 }
 
@@ -88,31 +86,14 @@ mod backend {
     /// Returns the square root, within two units in the last place.
     #[inline]
     pub(crate) fn sqrt(x: f32) -> f32 {
-        x * reciprocal(x)
-    }
-
-    /// Returns `1 / sqrt(x)` for a normal number `x > 0`, within two units in the last place.
-    ///
-    /// Returns zero for any other `x`: zero or less, subnormal, infinite or NaN.
-    #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
-    #[inline]
-    pub(crate) fn inverse_sqrt(x: f32) -> f32 {
-        if (f32::MIN_POSITIVE..=f32::MAX).contains(&x) { reciprocal(x) } else { 0.0 }
-    }
-
-    /// Returns the reciprocal of the square root, within two units in the last place.
-    #[inline]
-    fn reciprocal(x: f32) -> f32 {
-        (0..3).fold(F32Ext::invsqrt(x), |y, _| y * (1.5 - 0.5 * x * y * y))
+        x * (0..3).fold(F32Ext::invsqrt(x), |y, _| y * (1.5 - 0.5 * x * y * y))
     }
 }
 
 /// The backend that needs no other crate.
 #[cfg(not(any(feature = "libm", feature = "std", feature = "micromath")))]
 mod backend {
-    #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
-    pub(crate) use super::root::inverse_sqrt;
-    pub(crate) use super::{inverse::asin, root::any_sqrt as sqrt};
+    pub(crate) use super::{inverse::asin, root::sqrt};
 
     /// Returns the sine of an angle of at most 90 degrees, in radians.
     ///
@@ -176,6 +157,16 @@ mod tests {
         // The test ends at 0.8, because near a right angle the sine hardly changes with the angle.
         let worst = largest(arguments(0.8).map(error));
         assert!((1e-8..=1e-6).contains(&worst), "largest relative difference {worst:.2e}");
+    }
+
+    #[test]
+    fn what_is_not_normal_has_no_reciprocal() {
+        let normal = [f32::MIN_POSITIVE, 1.0, 2.0, f32::MAX];
+        let others = [0.0, 1e-40, f32::from_bits(0x007f_ffff), f32::INFINITY, f32::NAN];
+        for x in others.into_iter().flat_map(|x| [x, -x]).chain(normal.map(|x| -x)) {
+            assert_eq!(inverse_sqrt(x), 0.0, "{x}");
+        }
+        assert!(normal.into_iter().all(|x| inverse_sqrt(x) > 0.0));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use anyhow::ensure;
 
+use crate::counted::Firmware;
 use crate::documents::check;
 use crate::effects::{self, EMPTY, FORMATS, FX16, UNUSED, write_programs};
 use crate::program::Program;
@@ -35,6 +36,12 @@ pub fn all_boards(suite: &mut Suite) {
         suite.step(&format!("firmware: the counter is exact on {}", board.name), |progress| {
             counted::is_exact(board, progress)
         });
+        if board.has_root() {
+            suite.step(
+                &format!("firmware: a square root has the host's bits on {}", board.name),
+                |progress| Firmware::new("roots", &[]).run(board, progress).map(drop),
+            );
+        }
         suite.remarked(&format!("measure: the counts are those on record on {}", board.name), |progress| {
             check(&on(Target::Board(board), true, progress)?)
         });

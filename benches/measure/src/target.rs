@@ -54,6 +54,11 @@ impl Board {
     ) -> Self {
         Self { name, title, target, emulator: "qemu-system-arm", machine }
     }
+
+    /// Whether the crate `luminaire-native` knows a square root of the processor.
+    pub(crate) fn has_root(&self) -> bool {
+        self.target.ends_with("eabihf")
+    }
 }
 
 impl Target {

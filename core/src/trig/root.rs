@@ -1,4 +1,4 @@
-//! Square root for Cortex-M4F, whose square-root instruction `no_std` Rust does not expose.
+//! Square root without a crate or an instruction.
 //!
 //! An estimate, computed with `+ - *`, has an error of at most one ULP. The remainder (the number
 //! minus the square of the estimate), exact in a 32-bit integer, decides whether a neighbour of the
@@ -6,25 +6,13 @@
 //! other correctly rounded square root. This method takes about half the instructions of a square
 //! root in integers.
 
-/// Returns `1 / sqrt(x)` for a normal number `x > 0`.
-///
-/// Returns zero for any other `x`: zero or less, subnormal, infinite or NaN.
-#[inline]
-pub(crate) fn inverse_sqrt(x: f32) -> f32 {
-    // Adds 1 to the exponent. As a signed integer the sum is negative or below the limit for every
-    // number that is not positive and normal.
-    let is_normal = x.to_bits().wrapping_add(0x0080_0000) as i32 >= 0x0100_0000;
-    if is_normal { 1.0 / sqrt(x) } else { 0.0 }
-}
-
 /// Returns the square root, correctly rounded; NaN for a negative number.
-#[cfg(any(test, not(any(feature = "libm", feature = "std", feature = "micromath"))))]
-pub(crate) fn any_sqrt(x: f32) -> f32 {
+pub(crate) fn sqrt(x: f32) -> f32 {
     if (f32::MIN_POSITIVE..f32::INFINITY).contains(&x) {
-        sqrt(x)
+        normal_sqrt(x)
     } else if x > 0.0 && x < f32::INFINITY {
         // Scales a subnormal number to a normal one by an even power of two.
-        sqrt(x * 16_777_216.0) / 4_096.0
+        normal_sqrt(x * 16_777_216.0) / 4_096.0
     } else if x < 0.0 {
         f32::NAN
     } else {
@@ -36,7 +24,7 @@ pub(crate) fn any_sqrt(x: f32) -> f32 {
 /// Returns the correctly rounded square root of a positive normal number. For any other number the
 /// result is unspecified.
 #[inline]
-fn sqrt(x: f32) -> f32 {
+fn normal_sqrt(x: f32) -> f32 {
     let bits = x.to_bits();
     nearest(bits, estimate(x, bits))
 }
@@ -105,32 +93,9 @@ mod tests {
     fn any_number_has_the_root_of_std() {
         let bits = (0..0x0080_0000).step_by(1021).chain([0x007f_ffff, 0x7f80_0000, 0x8000_0000]);
         for x in bits.map(f32::from_bits).chain([1.0, 2.0, f32::MAX]) {
-            assert_eq!(any_sqrt(x).to_bits(), x.sqrt().to_bits(), "{x:e}");
+            assert_eq!(sqrt(x).to_bits(), x.sqrt().to_bits(), "{x:e}");
         }
-        assert!([-1.0, -1e-40, f32::NEG_INFINITY, f32::NAN].into_iter().all(|x| any_sqrt(x).is_nan()));
-    }
-
-    #[test]
-    fn what_is_not_normal_has_no_reciprocal() {
-        for x in [
-            0.0,
-            -0.0,
-            1e-40,
-            -1e-40,
-            f32::from_bits(0x007f_ffff),
-            -1.0,
-            f32::MIN,
-            f32::INFINITY,
-            f32::NEG_INFINITY,
-            f32::NAN,
-            -f32::NAN,
-        ] {
-            assert_eq!(inverse_sqrt(x), 0.0, "{x}");
-            assert_eq!(crate::trig::inverse_sqrt(x), 0.0, "{x}");
-        }
-        for x in [f32::MIN_POSITIVE, 1.0, 2.0, f32::MAX] {
-            assert_eq!(inverse_sqrt(x), 1.0 / x.sqrt(), "{x}");
-        }
+        assert!([-1.0, -1e-40, f32::NEG_INFINITY, f32::NAN].into_iter().all(|x| sqrt(x).is_nan()));
     }
 
     /// The estimate needs corrections in both directions, and never by more than one ULP.

@@ -14,8 +14,12 @@ use tools::{command, install, project};
 const VERSION: &str = "1.85";
 
 /// The crates that promise it, and their folders.
-const CRATES: [(&str, &str); 3] =
-    [("luminaire", "core"), ("luminaire-render", "render"), ("luminaire-fixtures", "export/fixtures")];
+const CRATES: [(&str, &str); 4] = [
+    ("luminaire", "core"),
+    ("luminaire-native", "native"),
+    ("luminaire-render", "render"),
+    ("luminaire-fixtures", "export/fixtures"),
+];
 
 /// Debian's packages of compilers of that version, each with those of its standard library.
 const PACKAGES: [[&str; 3]; 2] = [

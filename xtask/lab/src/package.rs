@@ -18,8 +18,9 @@ use crate::renderers;
 
 /// The crates, each after its dependencies, with the files that each must contain beside its
 /// source.
-const CRATES: [(&str, &[&str]); 5] = [
+const CRATES: [(&str, &[&str]); 6] = [
     ("luminaire", &["README.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT"]),
+    ("luminaire-native", &["README.md", "LICENSE-APACHE", "LICENSE-MIT"]),
     ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/scenes.rs"]),
     ("luminaire-fixtures", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "data/README.md"]),
     ("luminaire-export", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "arduino/library.properties"]),
@@ -111,11 +112,9 @@ impl Unpacked {
             };
             let missing: Vec<_> = files.iter().filter(|file| !is_whole(file)).collect();
             ensure!(missing.is_empty(), "the crate {name} lacks {missing:?}");
-            if name != "luminaire" {
-                let settings = unpacked.of(name).join(".cargo");
-                fs::create_dir(&settings)?;
-                fs::write(settings.join("config.toml"), unpacked.kernel())?;
-            }
+            let settings = unpacked.of(name).join(".cargo");
+            fs::create_dir(&settings)?;
+            fs::write(settings.join("config.toml"), unpacked.below(name))?;
         }
         Ok(unpacked)
     }
@@ -125,9 +124,12 @@ impl Unpacked {
         self.folder.path().join(format!("{name}-{VERSION}"))
     }
 
-    /// The settings by which cargo takes the unpacked kernel, which is not yet on any registry.
-    fn kernel(&self) -> String {
-        format!("[patch.crates-io]\nluminaire = {{ path = {:?} }}\n", self.of("luminaire"))
+    /// The settings by which cargo takes what a crate or a program needs of the unpacked kernel, which is
+    /// not yet on any registry.
+    fn below(&self, name: &str) -> String {
+        let needed = ["luminaire-native", "luminaire"].into_iter().take_while(|needed| *needed != name);
+        let patches = needed.map(|needed| format!("{needed} = {{ path = {:?} }}\n", self.of(needed)));
+        format!("[patch.crates-io]\n{}", patches.collect::<String>())
     }
 
     /// Runs the crates' own tests, doc tests and examples included.
@@ -168,8 +170,6 @@ impl Unpacked {
     /// Draws the pictures of other renderers with the unpacked crates. Returns the rows of the table.
     fn renderers(&self, progress: &Progress) -> Result<Vec<String>> {
         let folder = self.copied(renderers::FOLDER, &["target"])?;
-        let manifest = folder.join("Cargo.toml");
-        fs::write(&manifest, fs::read_to_string(&manifest)? + "\n" + &self.kernel())?;
         let rows = renderers::pictures(&folder, progress)?;
         renderers::are_on_the_page(&rows).map(|()| rows)
     }
@@ -187,7 +187,7 @@ impl Unpacked {
         for (path, name) in IN_FOLDERS {
             text = text.replace(path, &format!("path = {:?}", self.of(name)));
         }
-        fs::write(&manifest, text)?;
+        fs::write(&manifest, text + "\n" + &self.below(folder))?;
         Ok(copies)
     }
 
