@@ -28,7 +28,6 @@ fn derived(outer: HalfAngle) -> String {
     let spot = spot.expect("a sound light");
     let bounds = [
         spot.error_bound::<f32>(1.0..=7.0),
-        spot.quick_error_bound::<f32>(1.0..=7.0),
         spot.error_bound::<Fx32>(1.0..=7.0),
         spot.error_bound::<Fx16>(1.0..=7.0),
         spot.quick_error_bound::<Fx16>(1.0..=7.0),
@@ -157,7 +156,7 @@ impl Records {
         let mut stated = Vec::new();
         let mut say = |words| stated.push(words);
         let formats = |figure: &dyn Fn(&str) -> String| {
-            let all = ["f32", "f32-quick", "fx32", "fx16", "fx16-quick"];
+            let all = ["f32", "fx32", "fx16", "fx16-quick"];
             all.map(|format| figure(&format!("lit-inverse-square.{format}"))).join(" | ")
         };
         let outer = HalfAngle::degrees(number(&self.figures("errors", "cone")["half_angle"]) as f32);
@@ -176,7 +175,7 @@ impl Records {
         let single = half_angle(Cone::narrowest::<f32>(Soft));
         let wide = half_angle(Cone::narrowest::<Fx32>(Soft));
         let short = half_angle(Cone::narrowest::<Fx16>(Soft));
-        let narrowest = format!("{single:.4} | {single:.4} | {wide:.5} | {short:.2} | {short:.2}");
+        let narrowest = format!("{single:.4} | {wide:.5} | {short:.2} | {short:.2}");
         say(format!("(half of [`Cone::narrowest`]) | {narrowest} |"));
         stated
     }

@@ -54,19 +54,19 @@
 //!
 //! # Choosing a format
 //!
-//! | evaluation | `f32` | `f32`, quick | [`Fx32`] | [`Fx16`] | [`Fx16`], quick |
-//! |---|---|---|---|---|---|
-//! | choose it for | a processor with a floating-point unit, a browser, a desktop | the same, where a display hides the error | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit | the same, where a display hides the error |
-//! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.6e-4 | 0.019 | 5.1e-5 | 0.29 | 0.80 |
-//! | a bound of that error, linear codes (derived) | 0.0040 | 0.074 | 3.0e-4 | 0.92 | 2.3 |
-//! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 4,761 | 485 | 211 | 141 |
-//! | instructions, Cortex-M4F | 102 | 73.0 | 167 | 147 | 93.0 |
-//! | instructions, RV32IMC | 2,720 | 2,540 | 186 | 153 | 96.1 |
-//! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.0050 | 0.00012 | 0.70 | 0.70 |
+//! | evaluation | `f32` | [`Fx32`] | [`Fx16`] | [`Fx16`], quick |
+//! |---|---|---|---|---|
+//! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit | the same, where a display hides the error |
+//! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.6e-4 | 5.1e-5 | 0.29 | 0.80 |
+//! | a bound of that error, linear codes (derived) | 0.0040 | 3.0e-4 | 0.92 | 2.3 |
+//! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 485 | 211 | 141 |
+//! | instructions, Cortex-M4F | 76.0 | 167 | 147 | 93.0 |
+//! | instructions, RV32IMC | 2,720 | 186 | 153 | 96.1 |
+//! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00012 | 0.70 | 0.70 |
 //!
 //! [`SpotLight::compile`] compiles a light for a format, [`SpotLight::compile_quick`] for the quick
-//! evaluation of `f32` or [`Fx16`]. Points, normals and irradiances have the types of the format, so
-//! that one scene can have lights of both.
+//! evaluation of [`Fx16`]. Points, normals and irradiances have the types of the format, so that one
+//! scene can have lights of both.
 //!
 //! A *linear code* is 1/255 of full scale in linear light, clipped at 1. A lit point has Lambert's
 //! cosine and the inverse square, the default, at distances from 1 to 7 from a light of intensity 16:

@@ -165,18 +165,18 @@ pub trait Scalar:
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }
 
-/// A number format with a quick evaluation, which has fewer instructions and a larger error: `f32`
-/// or [`Fx16`].
+/// A number format with a quick evaluation, which has fewer instructions and a larger error:
+/// [`Fx16`].
 ///
 /// Points, normals and light have the same types as in the standard evaluation, so one scene can
 /// have lights of both evaluations. [`SpotLight::compile_quick`](crate::SpotLight::compile_quick)
 /// compiles a light for the quick evaluation.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no quick evaluation",
-    note = "`f32` and `Fx16` have a quick evaluation; for `Fx32` use `compile`"
+    note = "`Fx16` has a quick evaluation; for other formats use `compile`"
 )]
 pub trait Quick: Scalar {
-    /// An offset with fewer bits than the standard one, or with a less accurate square root.
+    /// An offset with fewer bits than the standard one.
     #[doc(hidden)]
     type QuickOffset: OffsetAlong<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
 

@@ -215,7 +215,6 @@ fn a_quick_light_lights_a_batch_as_it_lights_a_point() {
             assert_light!(spot.compile_quick::<S>().expect("held"), &sites, length, &mut rng);
         }
     }
-    assert_quick::<f32>();
     assert_quick::<Fx16>();
 }
 

@@ -380,7 +380,7 @@ fn the_limits_of_a_message_do_not_hold_its_value() {
             match kind {
                 0 => spot.compile::<Fx16>().map(drop),
                 1 => spot.compile::<Fx32>().map(drop),
-                _ => spot.compile_quick::<f32>().map(drop),
+                _ => spot.compile_quick::<Fx16>().map(drop),
             }
         };
         for kind in 0..3 {

@@ -37,7 +37,6 @@ const NAMES = {
   "fx16-quick": "16 bits, quick",
   fx16: "16 bits",
   fx32: "32 bits",
-  "f32-quick": "f32, quick",
   f32: "f32",
 };
 

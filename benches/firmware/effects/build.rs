@@ -20,7 +20,6 @@ use luminaire::{
     },
     haze::Haze,
     models::Listed,
-    number::Quick,
     projector::{Gobo, Projection, Shadow},
     specular::{LobeVisitor, Phong, SpecularLobe, lobes},
 };
@@ -43,13 +42,13 @@ fn main() -> Outcome {
     println!("cargo::rerun-if-changed=../memory.rs");
     memory::place(None)?;
     if env::var_os("CARGO_FEATURE_F32").is_some() {
-        quick::<f32>()?;
+        write("quick", &soft()?.compile::<f32>()?)?;
         constants::<f32>()
     } else if env::var_os("CARGO_FEATURE_FX32").is_some() {
         write("quick", &soft()?.compile::<Fx32>()?)?;
         constants::<Fx32>()
     } else {
-        quick::<Fx16>()?;
+        quick()?;
         fine()?;
         constants::<Fx16>()
     }
@@ -70,16 +69,19 @@ macro_rules! edges {
 }
 
 /// The lights of the quick evaluation.
-fn quick<S: Quick>() -> Outcome {
+fn quick() -> Outcome {
     macro_rules! row {
         ($name:literal, $edge:expr) => {
             let cone = Cone::from_field($edge, FIELD)?;
-            write(concat!($name, "-quick"), &key(cone, NoAttenuation)?.compile_quick::<S>()?)?;
-            write(concat!($name, "-inverse-square-quick"), &key(cone, InverseSquare)?.compile_quick::<S>()?)?;
+            write(concat!($name, "-quick"), &key(cone, NoAttenuation)?.compile_quick::<Fx16>()?)?;
+            write(
+                concat!($name, "-inverse-square-quick"),
+                &key(cone, InverseSquare)?.compile_quick::<Fx16>()?,
+            )?;
         };
     }
     edges!(row);
-    write("quick", &soft()?.compile_quick::<S>()?)
+    write("quick", &soft()?.compile_quick::<Fx16>()?)
 }
 
 /// The lights of which every point takes the fine evaluation, in a cone that is nearly too narrow, or the

@@ -12,7 +12,7 @@
 //! | format | kernels |
 //! |---|---|
 //! | `fx16`, `fx32`, `f32` | the crate `luminaire` |
-//! | `fx16-quick`, `f32-quick` | the quick evaluations of the crate `luminaire` |
+//! | `fx16-quick` | the quick evaluation of the crate `luminaire` |
 //! | `f64` | the versine form in twice the width |
 //! | `rival` | the methods of others: f32, each with its own formula |
 //!

@@ -136,7 +136,6 @@ pub fn points(setting: Setting, visitor: &mut impl Visitor) {
     format::<Fx32>(setting, visitor);
     format::<f32>(setting, visitor);
     quick::<Fx16>("fx16-quick", setting, visitor);
-    quick::<f32>("f32-quick", setting, visitor);
     doubles(setting, visitor);
 }
 

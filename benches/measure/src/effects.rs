@@ -84,6 +84,11 @@ pub(crate) fn figure(program: &str, format: &str) -> String {
     format!("{name}.{format}")
 }
 
+/// Whether an entry of the catalogue has a price in a format. The quick evaluation is of `Fx16` alone.
+pub(crate) fn has_price(entry: &Entry, format: Format) -> bool {
+    format == FX16 || entry.name != "lit_quick"
+}
+
 /// Whether a kernel is on the price list of every processor: a lit point by an evaluation, or an early-out.
 fn is_priced(name: &str) -> bool {
     let kernel = name.split('.').next().unwrap_or_default();
@@ -108,8 +113,8 @@ fn of_format(format: Format, board: &'static Board, progress: &Progress) -> Resu
         let (program, format) = cost.name.split_once('.').context("a name has no format")?;
         cost.name = figure(program, format);
     }
-    // This format has one evaluation.
-    costs.retain(|cost| !cost.name.ends_with("fx32-quick"));
+    // These formats have one evaluation.
+    costs.retain(|cost| !cost.name.ends_with("32-quick"));
     Ok(costs)
 }
 
@@ -145,7 +150,9 @@ fn for_size(format: Format, board: &'static Board, group: &mut Group, progress: 
         Firmware { profile: SIZE, ..Firmware::new(EFFECTS, &format.effects) }.costs(board, progress)?;
     let folder = build(&["--bins"], board, format, progress)?;
     let empty = Program::read(&folder.join(EMPTY))?.bytes();
-    for entry in catalogue().iter().flat_map(|chapter| &chapter.entries) {
+    let chapters = catalogue();
+    let entries = chapters.iter().flat_map(|chapter| &chapter.entries);
+    for entry in entries.filter(|entry| has_price(entry, format)) {
         let name = figure(entry.name, format.name);
         let is_it = |cost: &&Cost| cost.name == format!("{}.{}", entry.name, format.name);
         let cost = costs.iter().find(is_it).with_context(|| format!("{name} was not counted for size"))?;

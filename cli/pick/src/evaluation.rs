@@ -27,8 +27,6 @@ macro_rules! evaluations {
             Fx16 = "fx16", CompiledSpotLight, Fx16, compile, error_bound_by;
             /// 32-bit fixed point.
             Fx32 = "fx32", CompiledSpotLight, Fx32, compile, error_bound_by;
-            /// The quick evaluation of `f32`.
-            F32Quick = "f32-quick", QuickSpotLight, f32, compile_quick, quick_error_bound_by;
             /// Floating point.
             F32 = "f32", CompiledSpotLight, f32, compile, error_bound_by;
         }

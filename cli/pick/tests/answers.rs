@@ -25,7 +25,7 @@ fn pick_wide_cone_is_quick_and_narrow_cone_is_not() {
 #[test]
 fn pick_floating_point_unit_takes_f32() {
     let answer = Request::new(Chip::CortexM4f, Display::Rgb888).steps(1.0).pick(&level(40.0)).unwrap();
-    assert_eq!(answer.evaluation, Evaluation::F32Quick);
+    assert_eq!(answer.evaluation, Evaluation::F32);
 }
 
 #[test]

@@ -251,8 +251,8 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// [`quick_error_bound`](Self::quick_error_bound) derives a bound of this error.
     ///
     /// In `Fx16` the quick evaluation takes two thirds of the instructions of the standard one, and
-    /// the error grows as the cone gets narrower: use it for a display with few bits. `Fx32` has one
-    /// evaluation only.
+    /// the error grows as the cone gets narrower: use it for a display with few bits. `f32` and `Fx32`
+    /// have one evaluation only.
     ///
     /// ```
     /// use luminaire::{Cone, Fx16, HalfAngle, SpotLight, Vec3, falloff::Soft};

@@ -8,23 +8,22 @@
 //! |---|---|---|---|
 //! | offset | [`Offset::between`] | the vector from the point back to the light, and its squared length | turns the direction by 2^-24 radians; none on a common grid |
 //! | early-outs | [`Offset::facing`], [`Offset::is_outside`] | a sign; a comparison of squares | a margin: no lit point is rejected |
-//! | root | [`trig::inverse_sqrt`] | reciprocal length | a rounded root and a division; quick 2.6e-5, relative |
+//! | root | [`trig::inverse_sqrt`] | reciprocal length | a rounded root and a division |
 //! | direction | [`Offset::ray`] | unit vector back to the light | 1.12e-7 radians, offset included; its length 1.8e-7 |
 //! | versine | [`FloatRay::twice_versine`] | `\|l - s\|^2` | 6.1e-7 of the outer versine |
 //! | ramp | [`FloatRamp::rise`] | `t` | 1.5 steps of 2^-23 |
 //! | falloff, cosine | [`Fraction`], [`Ray::cosine`] | intensity; Lambert's cosine | cosine 2.2 steps |
 //! | light | [`Ray::light`] | share times gain over the squared length | 3.7e-7, relative |
 //!
-//! The errors are those that `tests/suite/operations.rs` tests. The quick evaluation replaces the
-//! root alone.
+//! The errors are those that `tests/suite/operations.rs` tests.
 
 mod errors;
 mod frame;
 
 pub use self::frame::FloatFrame;
 use super::{
-    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, OffsetAlong, Quick, Ray, RealExponent, Rise,
-    Scalar, Share, Slopes, Stages, Word,
+    Arithmetic, Fraction, Gain, InversePower, Knot, Offset, Ray, RealExponent, Rise, Scalar, Share, Slopes,
+    Stages, Word,
     knot::{SLOPE_BITS, neighbours},
     outside_bound, raised,
 };
@@ -376,99 +375,6 @@ impl Gain<f32> for f32 {
     }
 }
 
-// ---- Quick evaluation: an estimate replaces the correctly rounded root and the division ----
-
-/// Vector from a point back to the light.
-#[derive(Clone, Copy, Debug)]
-pub struct QuickFloatOffset(FloatOffset);
-
-/// Returns `1 / sqrt(x)` for a normal number `x > 0`, with a relative error <= 2.6e-5 (exhaustive
-/// over two binades). For any other `x` the result is unspecified.
-#[inline]
-fn quick_inverse_sqrt(x: f32) -> f32 {
-    // Halving and negating the exponent in the integer representation gives `1 / sqrt(x)` with an
-    // error of 3.5 % (Lomont 2003, "Fast Inverse Square Root").
-    // The difference wraps for a NaN with its sign bit set.
-    let seed = f32::from_bits(0x5f37_59df_u32.wrapping_sub(x.to_bits() >> 1));
-    // The quadratic in `s` approximates `1/sqrt(s)` with the least relative error, 2.5e-5, over all
-    // `s` that the seed can give.
-    let s = x * seed * seed;
-    seed * (1.876_617 + s * (-1.252_138 + s * 0.375_521_3))
-}
-
-impl OffsetAlong<f32> for QuickFloatOffset {
-    type Stretch = [Vec3<f32>; 2];
-
-    #[inline]
-    fn stretch(light: Vec3<f32>, point: Vec3<f32>) -> [Vec3<f32>; 2] {
-        [light, point]
-    }
-
-    #[inline]
-    fn is_in(_: &[Vec3<f32>; 2], _: f32) -> bool {
-        true
-    }
-
-    #[inline]
-    fn along(&[light, point]: &[Vec3<f32>; 2], x: f32) -> Self {
-        Self::between(light, Vec3 { x, ..point })
-    }
-}
-
-impl Offset<f32> for QuickFloatOffset {
-    type Ray = FloatRay;
-    type Facing = f32;
-
-    #[inline]
-    fn between(light: Vec3<f32>, point: Vec3<f32>) -> Self {
-        Self(FloatOffset::between(light, point))
-    }
-
-    #[inline]
-    fn facing(&self, normal: Vec3<f32>) -> f32 {
-        self.0.facing(normal)
-    }
-
-    #[inline]
-    fn faces_away(facing: f32) -> bool {
-        FloatOffset::faces_away(facing)
-    }
-
-    #[inline]
-    fn squared_distance(&self) -> f32 {
-        self.0.squared_distance()
-    }
-
-    #[inline]
-    fn ray(&self) -> FloatRay {
-        self.0.ray_of(quick_inverse_sqrt(self.0.squared))
-    }
-}
-
-impl Quick for f32 {
-    type QuickOffset = QuickFloatOffset;
-
-    fn quick_stages(_: f64) -> Stages {
-        errors::QUICK
-    }
-
-    fn quick_axis(axis: Vec3<f32>) -> Vec3<f32> {
-        axis
-    }
-
-    fn quick_ramp(inner: f32, outer: f32, limit: f32) -> FloatRamp {
-        f32::ramp(inner, outer, limit)
-    }
-
-    fn quick_zoomed(from: FloatRamp, to: FloatRamp, part: f32) -> (FloatRamp, f32) {
-        Self::zoomed(from, to, part)
-    }
-
-    fn standard_axis(quick: Vec3<f32>) -> Vec3<f32> {
-        quick
-    }
-}
-
 // ---- Set-up, colours and lobes ----
 
 /// Returns the versine between two versines: its root is linear in `part`.
@@ -744,23 +650,5 @@ impl Arithmetic for f32 {
     #[inline]
     fn word(self) -> Word {
         Word::Single(self)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    extern crate std;
-
-    #[test]
-    fn an_estimate_keeps_its_stated_error() {
-        let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 61 };
-        let worst = (0x3f80_0000..0x4080_0000_u32)
-            .step_by(stride)
-            .map(f32::from_bits)
-            .map(|x| (f64::from(quick_inverse_sqrt(x)) * f64::from(x).sqrt() - 1.0).abs())
-            .fold(0.0, f64::max);
-        assert!((2.0e-5..=2.6e-5).contains(&worst), "worst relative error {worst:e}");
     }
 }

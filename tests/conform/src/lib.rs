@@ -16,6 +16,6 @@ mod word;
 
 pub use case::{Case, Evaluate, Input, Inputs, Kind};
 pub use check::Check;
-pub use model::{FORMATS, Model, each_model};
+pub use model::{Model, each_model};
 pub use text::Text;
 pub use word::{Format, Word};

@@ -56,7 +56,6 @@ pub(crate) fn all(visit: &mut impl Visit) -> Result<(), Error> {
     of_format::<f32>(visit)?;
     of_format::<Fx32>(visit)?;
     of_format::<Fx16>(visit)?;
-    quick::<f32>(visit)?;
     quick::<Fx16>(visit)
 }
 

@@ -17,10 +17,10 @@ type Beam = luminaire::haze::BeamScattering<Soft>;
 #[cfg(not(feature = "f32"))]
 type Beam = luminaire::haze::BeamScattering16<Soft>;
 
-/// The soft spotlight by the quick evaluation; `Fx32` has only one evaluation.
-#[cfg(feature = "fx32")]
+/// The soft spotlight by the quick evaluation; `f32` and `Fx32` have only one evaluation.
+#[cfg(any(feature = "f32", feature = "fx32"))]
 type Quick = CompiledSpotLight<Format, Soft, NoAttenuation>;
-#[cfg(not(feature = "fx32"))]
+#[cfg(not(any(feature = "f32", feature = "fx32")))]
 type Quick = luminaire::light::QuickSpotLight<Format, Soft, NoAttenuation>;
 
 macro_rules! constants {

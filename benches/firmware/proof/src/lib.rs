@@ -23,13 +23,8 @@ pub use luminaire::Fx16 as Format;
 #[cfg(feature = "fx32")]
 pub use luminaire::Fx32 as Format;
 
-#[cfg(not(feature = "fx32"))]
-use self::Format as Quick;
-#[cfg(feature = "fx32")]
-use luminaire::Fx16 as Quick;
-
-/// The format, or `Fx16` in place of `Fx32`, which has no quick evaluation.
-pub type QuickFormat = Quick;
+/// The format that has a quick evaluation.
+pub type QuickFormat = luminaire::Fx16;
 /// Irradiance in the format.
 pub type Irradiance = <Format as Scalar>::Irradiance;
 

@@ -6,7 +6,7 @@ use luminaire_effects::Entry;
 use tools::turntable::LOADS;
 
 use super::text::{cells, table};
-use crate::effects::{SUITED, catalogue, figure};
+use crate::effects::{SUITED, catalogue, figure, has_price};
 use crate::record::{Group, Record};
 
 const INTRODUCTION: &str = "\
@@ -63,6 +63,10 @@ fn row(record: &Record, entry: &Entry) -> Result<Vec<String>> {
         ("flash", 0, true, &SUITED),
     ] {
         for (board, format) in boards {
+            if !has_price(entry, *format) {
+                row.push(String::new());
+                continue;
+            }
             let group = record.group(board);
             let number = |program: &str| {
                 let name = figure(program, format.name);

@@ -11,7 +11,7 @@ const EDGES: [(&str, &str); 4] =
 
 /// The evaluations. Under a bright light `fx16` takes the fine evaluation at some points, so the picker
 /// needs the price of both.
-const EVALUATIONS: [&str; 6] = ["f32", "f32-quick", "fx16", "fx16-fine", "fx16-quick", "fx32"];
+const EVALUATIONS: [&str; 5] = ["f32", "fx16", "fx16-fine", "fx16-quick", "fx32"];
 
 /// Instructions, bytes, and cycles if they were counted, by board and by edge, attenuation and evaluation.
 pub(super) fn prices(record: &Record) -> Result<String> {

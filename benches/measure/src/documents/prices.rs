@@ -7,9 +7,9 @@ use crate::target::Target;
 use crate::timed::NARROWER;
 
 /// The evaluations of a lit point.
-const EVALUATIONS: [&str; 5] = ["fx16-quick", "fx16", "fx32", "f32-quick", "f32"];
+const EVALUATIONS: [&str; 4] = ["fx16-quick", "fx16", "fx32", "f32"];
 /// The columns of the tables by format.
-const FORMATS: [&str; 6] = ["fx16-quick", "fx16", "fx32", "f32-quick", "f32", "f64"];
+const FORMATS: [&str; 5] = ["fx16-quick", "fx16", "fx32", "f32", "f64"];
 
 const ANSWER: &str = "\
 # What accuracy costs
@@ -141,8 +141,7 @@ answer, and says how errors and costs are measured.
 | `lit-specular` | the same | and Phong's highlight of shininess 32, the direction to the eye included |
 | `away`, `outside` | the same, facing away, or outside the cone | zero, by an early-out before the root |
 
-`fx16-quick` and `f32-quick` are the [quick evaluations](NUMERICS.md#the-quick-evaluation), `f64` the versine form in twice the
-width, and rivals the methods of others in f32: `powf-libm`, `powf-micromath` and `powf-std` the power of the cosine by the
+`fx16-quick` is the [quick evaluation](NUMERICS.md#the-quick-evaluation) of `fx16`, `f64` the versine form in twice the width of f32, and rivals the methods of others in f32: `powf-libm`, `powf-micromath` and `powf-std` the power of the cosine by the
 crates libm and micromath, of the versions in `Cargo.lock`, and by the standard library; `table-256` the same by interpolation
 in 256 entries, `schlick` by Schlick's rational function; `smoothstep` GLSL's, `gltf` the specification's code. `clamp` is a
 loop that does next to nothing.

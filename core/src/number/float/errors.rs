@@ -42,14 +42,3 @@ pub(super) const STAGES: Stages = Stages {
     inverse_power: [3e-7, 1.5e-7],
     light: Rounding::relative(UNIT),
 };
-
-/// The relative error of the quick root (exhaustive).
-const ROOT: f64 = 2.6e-5;
-
-/// The quick evaluation.
-pub(super) const QUICK: Stages = Stages {
-    length: ROOT + 8.0 * UNIT,
-    cosine: Rounding { absolute: 2.5 * UNIT, relative: ROOT + 6.5 * UNIT },
-    inverse_square: 2.0 * ROOT + 12.0 * UNIT,
-    ..STAGES
-};

@@ -32,29 +32,31 @@ pub struct Model {
     pub kind: &'static str,
     /// The rest of its name in the file.
     pub name: &'static str,
-    /// The model in each format, in the order of [`FORMATS`]; only in `f32` if the model belongs to
-    /// set-up, and not in `fx32` if the model is of the quick evaluation.
+    /// The model in each of its [`formats`](Self::formats); only in the first if the model belongs to
+    /// set-up.
     pub runs: &'static [Evaluate],
 }
 
 impl Model {
+    /// Returns the formats, as the file names them. The quick evaluation is of `fx16` alone.
+    pub fn formats(&self) -> &'static [&'static str] {
+        if self.name.starts_with("quick ") { &["fx16"] } else { &["f32", "fx16", "fx32"] }
+    }
+
     /// Returns whether this is the model's name in the file.
     fn is_named(&self, name: &str) -> bool {
         name.strip_prefix(self.kind) == Some(self.name)
     }
 }
 
-/// The formats, as the file names them.
-pub const FORMATS: [&str; 3] = ["f32", "fx16", "fx32"];
-
 /// Finds the model of a section such as `spot soft fx16`.
 pub(crate) fn find(section: &str) -> Option<Evaluate> {
     let (name, format) = section.rsplit_once(' ')?;
-    let index = FORMATS.iter().position(|known| *known == format)?;
     let mut found = None;
     each_model(&mut |model| {
         if model.is_named(name) {
-            found = model.runs.get(index).copied();
+            let runs = model.formats().iter().zip(model.runs);
+            found = runs.filter(|(known, _)| **known == format).map(|(_, run)| *run).next();
         }
     });
     found
@@ -197,16 +199,8 @@ static WRITTEN: &[Model] = &[
     each!("spot soft", S, case => light::spot::<S, _>(case, |_| Ok(Soft))),
     each!("spot hard", S, case => light::spot::<S, _>(case, |_| Ok(Hard))),
     each!("spot either-edge", S, case => light::spot::<S, _>(case, |_| Ok(SoftOrHard::Hard))),
-    Model {
-        kind: "",
-        name: "quick soft",
-        runs: &[|case| light::quick::<f32, _>(case, Soft), |case| light::quick::<Fx16, _>(case, Soft)],
-    },
-    Model {
-        kind: "",
-        name: "quick hard",
-        runs: &[|case| light::quick::<f32, _>(case, Hard), |case| light::quick::<Fx16, _>(case, Hard)],
-    },
+    Model { kind: "", name: "quick soft", runs: &[|case| light::quick::<Fx16, _>(case, Soft)] },
+    Model { kind: "", name: "quick hard", runs: &[|case| light::quick::<Fx16, _>(case, Hard)] },
     each!("spot between", S, case => light::between::<S>(case)),
     each!("point unattenuated", S, case => light::point::<S, _>(case, |_| Ok(NoAttenuation))),
     each!("point inverse-square", S, case => light::point::<S, _>(case, |_| Ok(InverseSquare))),

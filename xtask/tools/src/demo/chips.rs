@@ -28,7 +28,7 @@ const CHIPS: [Chip; 4] = [
 ];
 
 /// The evaluations of a light.
-const EVALUATIONS: [&str; 5] = ["fx16-quick", "fx16", "fx32", "f32-quick", "f32"];
+const EVALUATIONS: [&str; 4] = ["fx16-quick", "fx16", "fx32", "f32"];
 
 /// The stage of the recorded picture that depends on the evaluation of the light.
 const LIGHT: &str = "frame.light";

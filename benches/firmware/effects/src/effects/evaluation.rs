@@ -4,7 +4,7 @@
 use core::hint::black_box;
 
 use luminaire::dynamic::Effects;
-#[cfg(not(feature = "fx32"))]
+#[cfg(not(any(feature = "f32", feature = "fx32")))]
 use luminaire::light::QuickSpotLight;
 use luminaire::light::{CompiledSpotLight, LightModel, SurfacePoint};
 use luminaire::number::Arithmetic;
@@ -24,7 +24,7 @@ use crate::input::Inputs;
 use crate::listed::Listed;
 
 effects! { each;
-    /// The quick evaluation, with a larger error: for a display of few bits.
+    /// The quick evaluation of `fx16`, with a larger error: for a display of few bits.
     "quick", surface, [] over "lit";
     fn lit_quick(Surface { point, normal, .. }: Surface) -> Irradiance { QUICK.irradiance(point, normal) }
 
@@ -95,9 +95,9 @@ pub fn each_evaluation(visit: &mut impl Visit) {
     let lit = |surface: Surface| Soft::effect(surface);
     visit.effect(unlisted("away"), Inputs::away, lit);
     visit.effect(unlisted("outside"), Inputs::outside, lit);
-    #[cfg(not(feature = "fx32"))]
+    #[cfg(not(any(feature = "f32", feature = "fx32")))]
     visit.effect(unlisted("away-quick"), Inputs::away, lit_quick);
-    #[cfg(not(feature = "fx32"))]
+    #[cfg(not(any(feature = "f32", feature = "fx32")))]
     visit.effect(unlisted("outside-quick"), Inputs::outside, lit_quick);
     visit.effect(unlisted("lit-specular"), Inputs::surface, highlit);
     macro_rules! lit {
@@ -110,7 +110,7 @@ pub fn each_evaluation(visit: &mut impl Visit) {
     }
     macro_rules! edges {
         ($($edge:ident $name:literal;)*) => {$(
-            #[cfg(not(feature = "fx32"))]
+            #[cfg(not(any(feature = "f32", feature = "fx32")))]
             lit! { surface:
                 concat!("lit", $name, "-inverse-square-quick"), QuickSpotLight<Format, $edge, InverseSquare>;
             }
@@ -128,7 +128,7 @@ pub fn each_evaluation(visit: &mut impl Visit) {
     edges! { Soft ""; Hard "-hard"; Quadratic "-quadratic"; Cubic "-cubic"; }
     macro_rules! other_edges {
         ($($edge:ident $name:literal;)*) => {$(
-            #[cfg(not(feature = "fx32"))]
+            #[cfg(not(any(feature = "f32", feature = "fx32")))]
             lit! { surface: concat!("lit", $name, "-quick"), QuickSpotLight<Format, $edge, NoAttenuation>; }
             lit! { surface: concat!("lit", $name, "-inverse-square"), CompiledSpotLight<Format, $edge, InverseSquare>; }
         )*};

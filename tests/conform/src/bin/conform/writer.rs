@@ -8,7 +8,7 @@ use luminaire::{
     Fx16, Fx32,
     number::{Length, Light16, Light32},
 };
-use luminaire_conform::{Case, Evaluate, FORMATS, Input, Inputs, Kind, Word, each_model};
+use luminaire_conform::{Case, Evaluate, Input, Inputs, Kind, Word, each_model};
 use luminaire_oracle::SplitMix64;
 
 use super::scene::Scene;
@@ -26,7 +26,7 @@ const PREFACE: &str = "\
 pub(crate) fn file() -> String {
     let mut file = PREFACE.to_owned();
     each_model(&mut |model| {
-        for (evaluate, format) in model.runs.iter().zip(FORMATS) {
+        for (evaluate, format) in model.runs.iter().zip(model.formats()) {
             section(&mut file, &format!("{}{} {format}", model.kind, model.name), *evaluate);
         }
     });
