@@ -5,10 +5,14 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::{env, fs};
 
-/// Flash at address 0 and RAM at 2^29, as on every Cortex-M.
+/// Flash at address 0 and RAM at 2^29, as on most Cortex-M.
 fn cortex_m(flash: &str, ram: &str) -> String {
+    placed([0, 0x2000_0000], flash, ram)
+}
+
+fn placed([flash_at, ram_at]: [u32; 2], flash: &str, ram: &str) -> String {
     format!(
-        "MEMORY {{\n  FLASH : ORIGIN = 0x00000000, LENGTH = {flash}\n  RAM : ORIGIN = 0x20000000, LENGTH = {ram}\n}}\n"
+        "MEMORY {{\n  FLASH : ORIGIN = {flash_at:#x}, LENGTH = {flash}\n  RAM : ORIGIN = {ram_at:#x}, LENGTH = {ram}\n}}\n"
     )
 }
 
@@ -27,8 +31,12 @@ pub(crate) fn place(flash: Option<&str>) -> Result<(), Box<dyn Error>> {
     let (memory, scripts): (String, &[&str]) = match env::var("TARGET")?.as_str() {
         "thumbv6m-none-eabi" => (cortex_m(flash.unwrap_or("256K"), "16K"), &["link.x"]), // microbit
         "thumbv7m-none-eabi" => (cortex_m(flash.unwrap_or("256K"), "64K"), &["link.x"]), // lm3s6965evb
-        "thumbv7em-none-eabihf" => (cortex_m("4M", "4M"), &["link.x"]),                  // mps2-an386
-        "riscv32imc-unknown-none-elf" => (virt(flash.unwrap_or("1M")), &["memory.x", "link.x"]),
+        "thumbv7em-none-eabihf" => (cortex_m("4M", "4M"), &["link.x"]),                  // mps2-an386, -an500
+        // mps2-an505: the secure aliases of its memories.
+        "thumbv8m.main-none-eabihf" => (placed([0x1000_0000, 0x3800_0000], "4M", "4M"), &["link.x"]),
+        "riscv32imc-unknown-none-elf" | "riscv32imac-unknown-none-elf" => {
+            (virt(flash.unwrap_or("1M")), &["memory.x", "link.x"])
+        }
         // The host runs the same program to say what its results must be.
         _ => return Ok(()),
     };

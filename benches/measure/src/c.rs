@@ -81,7 +81,7 @@ fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     let program = compiled("cc", &[], None, &project::target().join("debug").join(library))?;
     let expected = command::answer(&mut Command::new(program))?;
 
-    let toolchain = Toolchain::find(board.target, progress)?;
+    let toolchain = Toolchain::find(board.target, progress)?.with_flags(board.flags);
     toolchain.build(project::root(), &["--release", "--package", package], progress)?;
     let options = [&["-Os", "-Wl,--gc-sections"], *options].concat();
     let library = toolchain.artifacts("release").join(library);

@@ -165,7 +165,7 @@ pub(crate) fn build_in(
     options: &[&str],
     progress: &Progress,
 ) -> Result<Toolchain> {
-    let toolchain = Toolchain::find(board.target, progress)?;
+    let toolchain = Toolchain::find(board.target, progress)?.with_flags(board.flags);
     toolchain.build(&project::root().join(folder), options, progress)?;
     Ok(toolchain)
 }

@@ -25,14 +25,17 @@ pub struct Board {
     pub title: &'static str,
     /// The target that firmware for it is compiled for.
     pub target: &'static str,
+    /// The flag of rustc for a processor with more features than the target's; empty if it has none.
+    pub flags: &'static str,
     /// The program of QEMU that emulates the board.
     pub emulator: &'static str,
     /// QEMU's arguments that select the board.
     pub machine: &'static [&'static str],
 }
 
-/// All boards: the Cortex-M from the smallest up, then a RISC-V without a floating point unit.
-pub static BOARDS: [Board; 4] = [
+/// All boards: the Cortex-M from the smallest up, a RISC-V without a floating point unit; then later
+/// processors, of which the Cortex-M33 and the Hazard3 are the two kinds of cores of an RP2350.
+pub static BOARDS: [Board; 7] = [
     Board::arm("cortex-m0", "Cortex-M0", "thumbv6m-none-eabi", &["-M", "microbit"]),
     Board::arm("cortex-m3", "Cortex-M3", "thumbv7m-none-eabi", &["-M", "lm3s6965evb"]),
     Board::arm("cortex-m4f", "Cortex-M4F", "thumbv7em-none-eabihf", &["-M", "mps2-an386"]),
@@ -40,8 +43,22 @@ pub static BOARDS: [Board; 4] = [
         name: "rv32imc",
         title: "RV32IMC",
         target: "riscv32imc-unknown-none-elf",
+        flags: "",
         emulator: "qemu-system-riscv32",
         machine: &["-M", "virt", "-bios", "none", "-cpu", "rv32,a=false,f=false,d=false"],
+    },
+    Board {
+        flags: "-Ctarget-cpu=cortex-m7",
+        ..Board::arm("cortex-m7", "Cortex-M7", "thumbv7em-none-eabihf", &["-M", "mps2-an500"])
+    },
+    Board::arm("cortex-m33", "Cortex-M33", "thumbv8m.main-none-eabihf", &["-M", "mps2-an505"]),
+    Board {
+        name: "hazard3",
+        title: "Hazard3",
+        target: "riscv32imac-unknown-none-elf",
+        flags: "-Ctarget-feature=+zba,+zbb",
+        emulator: "qemu-system-riscv32",
+        machine: &["-M", "virt", "-bios", "none", "-cpu", "rv32,f=false,d=false,zba=true,zbb=true"],
     },
 ];
 
@@ -52,7 +69,7 @@ impl Board {
         target: &'static str,
         machine: &'static [&'static str],
     ) -> Self {
-        Self { name, title, target, emulator: "qemu-system-arm", machine }
+        Self { name, title, target, flags: "", emulator: "qemu-system-arm", machine }
     }
 
     /// Whether the crate `luminaire-native` knows a square root of the processor.

@@ -13,9 +13,13 @@ use crate::vec3::Vec3;
 
 /// Whether the processor has an instruction for the upper half of a product.
 ///
-/// Rust has no `cfg` for the instruction. Of the 32-bit processors, the small Arm cores lack the
-/// instruction; these cores also lack compare-and-swap.
-const HAS_HIGH_HALVES: bool = !cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+/// Stable Rust shows to crates the features of a RISC-V, but not those of an Arm. There 32-bit atomics
+/// stand for the instructions of Armv7-M: the Cortex-M0 lacks both. The Cortex-M23, which has the
+/// atomics alone, takes the compiler's routines.
+const HAS_HIGH_HALVES: bool = !cfg!(any(
+    all(any(target_arch = "riscv32", target_arch = "riscv64"), not(target_feature = "m")),
+    all(target_arch = "arm", not(target_has_atomic = "32")),
+));
 
 /// Returns `a b / 2^16` for `b` of 16 bits, rounded down.
 #[inline]
@@ -149,12 +153,14 @@ const ILOG2: [u8; 128] = {
     table
 };
 
-/// Whether the processor has an instruction that counts leading zeros.
+/// Whether the processor has an instruction that counts leading zeros, known as that of
+/// [`HAS_HIGH_HALVES`] is.
 ///
 /// Without that instruction, the table [`ILOG2`] is three times as fast as the compiler's routine.
-/// Rust has no `cfg` for the instruction, so the constant tests for 32-bit atomics instead: the
-/// small cores without the instruction lack compare-and-swap, too.
-const COUNTS_ZEROS: bool = cfg!(target_has_atomic = "32");
+const COUNTS_ZEROS: bool = cfg!(any(
+    target_feature = "zbb",
+    all(target_has_atomic = "32", not(any(target_arch = "riscv32", target_arch = "riscv64"))),
+));
 
 /// Returns `floor(log2 n)` for `n` of seven bits; 0 for zero.
 #[inline]

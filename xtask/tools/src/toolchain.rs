@@ -23,6 +23,8 @@ const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 pub struct Toolchain {
     target: &'static str,
     library: Library,
+    /// The features of the processor, as flags of rustc.
+    flags: &'static str,
 }
 
 #[derive(Debug)]
@@ -35,15 +37,15 @@ impl Toolchain {
     /// Finds a compiler for `target`. As root on Debian, installs one if there is none.
     pub fn find(target: &'static str, progress: &Progress) -> Result<Self> {
         if has_library(target) {
-            return Ok(Self { target, library: Library::Installed });
+            return Ok(Self { target, library: Library::Installed, flags: "" });
         }
         if let Some(rustc) = rustc_with_source() {
-            return Ok(Self { target, library: Library::FromSource { rustc } });
+            return Ok(Self { target, library: Library::FromSource { rustc }, flags: "" });
         }
         if install::debian_root() {
             install::apt(&DEBIAN_PACKAGES, progress)?;
             if let Some(rustc) = rustc_with_source() {
-                return Ok(Self { target, library: Library::FromSource { rustc } });
+                return Ok(Self { target, library: Library::FromSource { rustc }, flags: "" });
             }
         }
         bail!(
@@ -51,6 +53,12 @@ impl Toolchain {
              or on Debian as root `apt-get install {}`",
             DEBIAN_PACKAGES.join(" ")
         )
+    }
+
+    /// Compiles for a processor with more features than the target's, by a flag of rustc.
+    #[must_use]
+    pub fn with_flags(self, flags: &'static str) -> Self {
+        Self { flags, ..self }
     }
 
     /// A call of cargo for the target, such as `cargo build`. If the standard library is built from
@@ -63,7 +71,7 @@ impl Toolchain {
             build.env(variable, linker);
         }
         // Flags in the environment are meant for the host.
-        build.env_remove("RUSTFLAGS").env("CARGO_ENCODED_RUSTFLAGS", "");
+        build.env_remove("RUSTFLAGS").env("CARGO_ENCODED_RUSTFLAGS", self.flags);
         if let Library::FromSource { rustc } = &self.library {
             // Without features: what shows a backtrace is a tenth of the library's build, and is never linked.
             build.arg(format!("-Zbuild-std={library}")).arg("-Zbuild-std-features=");
