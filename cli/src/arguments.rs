@@ -54,7 +54,7 @@ pub(crate) struct Spot {
 /// The options of `pick`. Angles are full angles in degrees.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Pick {
-    /// cortex-m0, cortex-m3, cortex-m4f or rv32imc
+    /// cortex-m0, cortex-m3, cortex-m4f, rv32imc, cortex-m7, cortex-m33 or hazard3
     #[arg(long)]
     pub(crate) chip: Chip,
     /// rgb565 or rgb888

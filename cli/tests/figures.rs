@@ -129,7 +129,8 @@ impl Records {
             ("lit-inverse-square.f32", "lit point, `f32`"),
         ] {
             let [widest, .., narrowest] = self.errors(name)[..] else { panic!("{name}: expected two cones") };
-            let costs = ["cortex-m0", "cortex-m4f", "rv32imc", "host"].map(|target| self.cost(name, target));
+            let costs = ["cortex-m0", "cortex-m4f", "cortex-m33", "hazard3", "host"]
+                .map(|target| self.cost(name, target));
             let (errors, costs) = ([widest, narrowest].map(error).join(" | "), costs.join(" | "));
             say(format!("| {title} | {errors} | {} |", costs.replace(',', "")));
         }
@@ -169,6 +170,8 @@ impl Records {
             ("cortex-m0", "instructions of a lit point, Cortex-M0 (counted)"),
             ("cortex-m4f", "instructions, Cortex-M4F"),
             ("rv32imc", "instructions, RV32IMC"),
+            ("cortex-m33", "instructions, Cortex-M33 (RP2350)"),
+            ("hazard3", "instructions, Hazard3 (RP2350)"),
         ] {
             say(format!("| {title} | {} |", formats(&|name| self.cost(name, target))));
         }

@@ -62,6 +62,8 @@
 //! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 485 | 211 | 141 |
 //! | instructions, Cortex-M4F | 76.0 | 167 | 147 | 93.0 |
 //! | instructions, RV32IMC | 2,720 | 186 | 153 | 96.1 |
+//! | instructions, Cortex-M33 (RP2350) | 57.0 | 180 | 146 | 96.0 |
+//! | instructions, Hazard3 (RP2350) | 2,551 | 181 | 140 | 94.1 |
 //! | narrowest soft cone, half angle in degrees (half of [`Cone::narrowest`]) | 0.0050 | 0.00012 | 0.70 | 0.70 |
 //!
 //! [`SpotLight::compile`] compiles a light for a format, [`SpotLight::compile_quick`] for the quick

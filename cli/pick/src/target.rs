@@ -58,6 +58,12 @@ named! {
         CortexM4f = "cortex-m4f",
         /// RISC-V without a floating point unit.
         Rv32imc = "rv32imc",
+        /// Armv7E-M with a floating point unit of Armv8, compiled for this processor.
+        CortexM7 = "cortex-m7",
+        /// Armv8-M with a floating point unit, as in an RP2350.
+        CortexM33 = "cortex-m33",
+        /// RISC-V with Zba and Zbb, without a floating point unit, as in an RP2350.
+        Hazard3 = "hazard3",
     }
 }
 

@@ -3,7 +3,7 @@
 use super::text::{cells, cost, error, table};
 use crate::ladder::{ANGLES, POINTS};
 use crate::record::{Group, Record};
-use crate::target::Target;
+use crate::target::{BOARDS, Target};
 use crate::timed::NARROWER;
 
 /// The evaluations of a lit point.
@@ -72,7 +72,7 @@ pub(super) fn answer(record: &Record) -> String {
             .iter()
             .flat_map(|edge| ["RGB565", "RGB888"].map(|display| format!("{edge}{title}, {display}")));
         let mut heads = [String::new()].into_iter().chain(heads).collect::<Vec<_>>();
-        heads.extend(cells(["Cortex-M0", "RV32IMC", "Cortex-M4F"]));
+        heads.extend(BOARDS.iter().map(|board| board.title.to_owned()));
         let rows = EVALUATIONS.map(|format| {
             let mut row = vec![format!("`{format}`")];
             for kernel in ["lit", "lit-hard"] {
@@ -85,7 +85,7 @@ pub(super) fn answer(record: &Record) -> String {
                     .number(&format!("lit{suffix}.{format}"), "instructions")
                     .map_or_else(String::new, cost)
             };
-            row.extend(["cortex-m0", "rv32imc", "cortex-m4f"].map(price));
+            row.extend(BOARDS.iter().map(|board| price(board.name)));
             row
         });
         text += &format!("\n{}", table(&heads, rows));

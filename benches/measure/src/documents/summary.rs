@@ -15,7 +15,8 @@ const ROWS: [(&str, &str); 4] = [
 
 /// The part of the README: errors in a wide and a narrow cone, and costs.
 pub(super) fn readme(record: &Record) -> String {
-    let targets = ["cortex-m0", "cortex-m4f", "rv32imc", "host"].map(Target::named).into_iter().flatten();
+    let targets =
+        ["cortex-m0", "cortex-m4f", "cortex-m33", "hazard3", "host"].map(Target::named).into_iter().flatten();
     let targets: Vec<_> = targets.collect();
     let mut heads = cells(["", "error at 22°", "at 1°"]);
     heads.extend(targets.iter().map(|target| match target {

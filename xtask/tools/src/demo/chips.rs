@@ -20,11 +20,14 @@ struct Chip {
     megahertz: u32,
 }
 
-const CHIPS: [Chip; 4] = [
+const CHIPS: [Chip; 7] = [
     Chip { name: "cortex-m0", title: "Cortex-M0+", part: "RP2040", megahertz: 133 },
     Chip { name: "cortex-m3", title: "Cortex-M3", part: "STM32F103", megahertz: 72 },
     Chip { name: "cortex-m4f", title: "Cortex-M4F", part: "STM32F411", megahertz: 100 },
     Chip { name: "rv32imc", title: "RV32IMC", part: "ESP32-C3", megahertz: 160 },
+    Chip { name: "cortex-m7", title: "Cortex-M7", part: "STM32F746", megahertz: 216 },
+    Chip { name: "cortex-m33", title: "Cortex-M33", part: "RP2350", megahertz: 150 },
+    Chip { name: "hazard3", title: "Hazard3", part: "RP2350", megahertz: 150 },
 ];
 
 /// The evaluations of a light.
