@@ -76,6 +76,7 @@
 //! points, here at incidences up to 80 degrees; *derived* means from the errors of the stages of the
 //! evaluation, at all points: [`SpotLight::error_bound`] returns such a bound for any light. *Counted*
 //! means counted by an emulator. That document lists more kernels, more processors and other libraries.
+//! Without a floating-point unit, `f32` takes the software floats of Rust, the slowest of three.
 //!
 //! # Units
 //!

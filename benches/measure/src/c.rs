@@ -1,11 +1,16 @@
-//! C on microcontrollers: the library for C.
+//! C on microcontrollers: the library for C, and a lit point in the floats of C.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
+use std::{array, fs};
 
 use anyhow::{Result, ensure};
+use luminaire::{Angle, Cone, Fx16, SpotLight, falloff::Soft, number::Length};
+use luminaire_effects::Inputs;
 
+use crate::counted::thousandths;
 use crate::qemu::{Qemu, prints_the_same};
+use crate::record::{Group, Line};
 use crate::target::{BOARDS, Board};
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -17,6 +22,16 @@ const LIBRARY: (&str, &str) = ("luminaire-c", "libluminaire_c.a");
 
 /// The program that calls every function of the library.
 const CALLS: &str = "export/capi/tests/calls.c";
+
+/// A lit point in floats, by the functions of libgcc on a processor without a floating point unit.
+const LIT: &str = "benches/firmware/src/lit.c";
+
+/// The processor that it is counted on, and the name of its figures.
+pub(crate) const FLOATS_OF_C: &str = "cortex-m0";
+const LIT_BY_LIBGCC: &str = "lit-inverse-square-libgcc.rival";
+
+/// The number of its inputs.
+const COUNT: usize = 256;
 
 /// A board that runs programs of C, and the compiler with the options for it.
 struct Machine {
@@ -78,14 +93,16 @@ fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     compilers::find(progress)?;
     let (package, library) = LIBRARY;
     progress.run(command::cargo(["build", "--package", package]))?;
-    let program = compiled("cc", &[], None, &project::target().join("debug").join(library))?;
+    let of_host = project::target().join("debug").join(library);
+    let program = compiled("cc", &[], &[project::root().join(CALLS), of_host])?;
     let expected = command::answer(&mut Command::new(program))?;
 
     let toolchain = Toolchain::find(board.target, progress)?.with_flags(board.flags);
     toolchain.build(project::root(), &["--release", "--package", package], progress)?;
     let options = [&["-Os", "-Wl,--gc-sections"], *options].concat();
-    let library = toolchain.artifacts("release").join(library);
-    let program = compiled(compiler, &options, *beside, &library)?;
+    let sources = beside.iter().chain([&CALLS]).map(|file| project::root().join(file));
+    let files: Vec<_> = sources.chain([toolchain.artifacts("release").join(library)]).collect();
+    let program = compiled(compiler, &options, &files)?;
     // picolibc writes single letters to the console. Without a device for it, QEMU writes them to its
     // standard error.
     let mut qemu = Qemu::find(board, progress)?.command(",chardev=console");
@@ -94,13 +111,49 @@ fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     prints_the_same(board, &found, &expected)
 }
 
-/// Compiles the program and a file beside it with a library. Returns its file.
-fn compiled(compiler: &str, options: &[&str], beside: Option<&str>, library: &Path) -> Result<PathBuf> {
+/// Counts the instructions of a lit point in C on a Cortex-M0, with the floats of libgcc. It must have the
+/// bits of the host, and the light of the kernel.
+pub(crate) fn add_lit_by_libgcc(group: &mut Group, progress: &Progress) -> Result<()> {
+    compilers::find(progress)?;
+    let Machine { board, compiler, options, beside } = &MACHINES[0];
+    let (root, target) = (project::root(), project::target());
+    let mut inputs = Inputs::default();
+    let surfaces = array::from_fn::<_, COUNT, _>(|_| inputs.surface());
+    let sites = surfaces.map(|site| (site.point.map(Length::to_f32), site.normal.map(Fx16::to_f32)));
+    let rows = sites.map(|(point, normal)| {
+        let [point, normal] = [point, normal].map(|v| format!("{:e}f, {:e}f, {:e}f", v.x, v.y, v.z));
+        format!("{{ {point}, {normal} }},\n")
+    });
+    fs::write(target.join("lit-inputs.h"), rows.concat())?;
+    let include = format!("-I{}", target.display());
+    let common = ["-O3", "-ffp-contract=off", &include];
+    let expected = command::answer(&mut Command::new(compiled("cc", &common, &[root.join(LIT)])?))?;
+    let files: Vec<_> = beside.iter().chain([&LIT]).map(|file| root.join(file)).collect();
+    let program = compiled(compiler, &[&common, *options].concat(), &files)?;
+    let (found, regions) = Qemu::find(board, progress)?.count(&program, progress)?;
+    prints_the_same(board, &found, &expected)?;
+
+    let cone = Cone::from_field(Soft, Angle::degrees(36.0))?;
+    let spot = SpotLight::new([1.5, 4.0, -0.75], [0.36, -0.8, 0.48], cone)?.with_intensity(16.0)?;
+    let spot = spot.compile::<f32>()?;
+    let lines = Line::all(&found)?;
+    let lights: Vec<_> = lines.iter().filter(|line| line.unit == "light").collect();
+    ensure!(lights.len() == COUNT && regions.len() == 2, "{LIT}: {} results", lights.len());
+    for ((point, normal), light) in sites.into_iter().zip(lights) {
+        let (found, exact) = (light.value.parse::<f32>()?, spot.irradiance(point, normal));
+        ensure!((found - exact).abs() < 1e-4, "{LIT}: {found} at {point:?}, {exact} by the kernel");
+    }
+    let [idle, busy] = [0, 1].map(|region| regions[region].values().sum::<u64>() as f64);
+    group.add(LIT_BY_LIBGCC, "instructions", thousandths((busy - idle) / COUNT as f64));
+    Ok(())
+}
+
+/// Compiles a program for C99. Returns its file.
+fn compiled(compiler: &str, options: &[&str], files: &[PathBuf]) -> Result<PathBuf> {
     let (root, program) = (project::root(), project::target().join(format!("calls-{compiler}")));
     let mut compile = Command::new(compiler);
     compile.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic"]).args(options);
-    compile.arg("-I").arg(root.join("export/capi/include")).arg(root.join(CALLS));
-    compile.args(beside.map(|file| root.join(file))).arg(library);
+    compile.arg("-I").arg(root.join("export/capi/include")).args(files);
     compile.args(["-lm", "-o"]).arg(&program);
     command::answer(&mut compile)?;
     Ok(program)
