@@ -54,8 +54,14 @@ pub trait Points<S: Scalar> {
     /// Returns the point of an index.
     fn at(&self, index: usize) -> Vec3<S::Length>;
 
-    /// Sets the irradiance from a light at the points from an index on.
-    fn fill<L: LightModel<S>>(&self, light: &L, normal: Vec3<S>, first: usize, arrived: &mut [S::Irradiance]);
+    /// Sets the irradiance from a light at the points from an index on, with the normal of each index.
+    fn fill<L: LightModel<S>>(
+        &self,
+        light: &L,
+        normal: impl Fn(usize) -> Vec3<S>,
+        first: usize,
+        arrived: &mut [S::Irradiance],
+    );
 }
 
 impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Points<S> for F {
@@ -68,12 +74,13 @@ impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Points<S> for F {
     fn fill<L: LightModel<S>>(
         &self,
         light: &L,
-        normal: Vec3<S>,
+        normal: impl Fn(usize) -> Vec3<S>,
         first: usize,
         arrived: &mut [S::Irradiance],
     ) {
         for (i, arrived) in arrived.iter_mut().enumerate() {
-            let surface = SurfacePoint::matte(self(first.wrapping_add(i)), normal);
+            let index = first.wrapping_add(i);
+            let surface = SurfacePoint::matte(self(index), normal(index));
             *arrived = light.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
         }
     }
@@ -97,13 +104,12 @@ impl<S: Scalar, F: Fn(usize) -> S::Length> Points<S> for AlongX<S::Length, F> {
     fn fill<L: LightModel<S>>(
         &self,
         light: &L,
-        normal: Vec3<S>,
+        normal: impl Fn(usize) -> Vec3<S>,
         first: usize,
         arrived: &mut [S::Irradiance],
     ) {
-        let point = Vec3 { x: S::Length::default(), y: self.y, z: self.z };
         let x = |i: usize| (self.x)(first.wrapping_add(i));
-        light.fill_along(&SurfacePoint::matte(point, normal), x, arrived);
+        light.fill_along([self.y, self.z], x, |i| normal(first.wrapping_add(i)), arrived);
     }
 }
 
@@ -168,7 +174,20 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
     /// [`reach`](Self::reach).
     #[inline(always)]
     pub fn fill<L: LightModel<S>>(&self, light: &L, first: usize, arrived: &mut [S::Irradiance]) {
-        self.points.fill(light, self.normal, first, arrived);
+        self.points.fill(light, |_| self.normal, first, arrived);
+    }
+
+    /// Sets `arrived` as [`fill`](Self::fill) does, with a normal for each index in place of the row's: that of
+    /// a normal map, or of a body whose points are in the row.
+    #[inline(always)]
+    pub fn fill_facing<L: LightModel<S>>(
+        &self,
+        light: &L,
+        normal: impl Fn(usize) -> Vec3<S>,
+        first: usize,
+        arrived: &mut [S::Irradiance],
+    ) {
+        self.points.fill(light, normal, first, arrived);
     }
 
     /// Calls `show` for each pixel that receives light, with the pixel, its index and the sum of

@@ -74,17 +74,18 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
     ) -> Incident<S::Irradiance>;
     /// Sets the diffuse light at points of a matte surface, those of [`evaluate`](Self::evaluate).
     ///
-    /// The points are `surface`, but for their x, which rises or falls with the index.
+    /// The points have the same y and z. Their x rises or falls with the index.
     #[inline]
     fn fill_along(
         &self,
-        surface: &SurfacePoint<S>,
+        [y, z]: [S::Length; 2],
         x: impl Fn(usize) -> S::Length,
+        normal: impl Fn(usize) -> Vec3<S>,
         arrived: &mut [S::Irradiance],
     ) {
         for (i, arrived) in arrived.iter_mut().enumerate() {
-            let point = Vec3 { x: x(i), ..surface.point };
-            *arrived = self.evaluate::<NoSpecular>(&SurfacePoint { point, ..*surface }, &(), true).diffuse;
+            let surface = SurfacePoint::matte(Vec3 { x: x(i), y, z }, normal(i));
+            *arrived = self.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
         }
     }
     /// Returns `false` only if no point within `radius` of `center` receives light.
@@ -120,7 +121,8 @@ fn reaches<S: Scalar>(
     tip.is_none_or(|tip| !S::Offset::between(tip, center).is_center_outside(axis, outside))
 }
 
-/// Sets each value by the offset from a light to a point, which differs from the given one in x alone.
+/// Sets each value by its index and the offset from a light to a point, which differs from the given one in x
+/// alone.
 ///
 /// The points of a stretch share most of the computation of their offsets. In the inner loop that part, and
 /// what an evaluation computes of it, is constant.
@@ -129,7 +131,7 @@ fn fill_by_offset<S: Scalar, O: OffsetAlong<S>, T>(
     [light, point]: [Vec3<S::Length>; 2],
     x: impl Fn(usize) -> S::Length,
     mut values: &mut [T],
-    value: impl Fn(&O) -> T,
+    value: impl Fn(usize, &O) -> T,
 ) {
     let mut start = 0;
     while !values.is_empty() {
@@ -139,10 +141,10 @@ fn fill_by_offset<S: Scalar, O: OffsetAlong<S>, T>(
         let count = first_not(start..end, |i| O::is_in(&stretch, x(i))) - start;
         let Some((part, rest)) = values.split_at_mut_checked(count.max(1)) else { return };
         if count == 0 {
-            part.fill_with(|| value(&O::between(light, here)));
+            part.fill_with(|| value(start, &O::between(light, here)));
         } else {
             for (i, to) in part.iter_mut().enumerate() {
-                *to = value(&O::along(&stretch, x(start + i)));
+                *to = value(start + i, &O::along(&stretch, x(start + i)));
             }
         }
         start += part.len();

@@ -82,13 +82,19 @@ fn row<S: Format, L: LightModel<S>>(
     // The same places along x.
     let start = point(0);
     let along = Row::along_x(normal, [start.y, start.z], |i| point(i).x);
-    let mut arrived = vec![S::Irradiance::default(); count];
     let reach = along.reach(&light, count);
-    along.fill(&light, reach.start, &mut arrived[reach]);
-    for (i, arrived) in arrived.into_iter().enumerate() {
-        let surface = SurfacePoint::matte(Vec3 { x: point(i).x, ..start }, normal);
-        let single = light.evaluate::<NoSpecular>(&surface, &(), false).diffuse;
-        assert_eq!(arrived, single, "{light:?} at {:?}, point {i} of {count} along x", surface.point);
+    let [mut arrived, mut facing] = [(); 2].map(|()| vec![S::Irradiance::default(); count]);
+    along.fill(&light, reach.start, &mut arrived[reach.clone()]);
+    let other = words.direction().map(S::from_f32);
+    let normal_of = |i: usize| if i.is_multiple_of(3) { other } else { normal };
+    along.fill_facing(&light, normal_of, reach.start, &mut facing[reach]);
+    for (i, (arrived, facing)) in arrived.into_iter().zip(facing).enumerate() {
+        let single = |normal| {
+            let surface = SurfacePoint::matte(Vec3 { x: point(i).x, ..start }, normal);
+            light.evaluate::<NoSpecular>(&surface, &(), false).diffuse
+        };
+        let expected = [normal, normal_of(i)].map(single);
+        assert_eq!([arrived, facing], expected, "{light:?} at {:?} along x, point {i} of {count}", point(i));
     }
     Some(())
 }

@@ -110,13 +110,14 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
     #[inline(always)]
     fn fill_along(
         &self,
-        surface: &SurfacePoint<S>,
+        [y, z]: [S::Length; 2],
         x: impl Fn(usize) -> S::Length,
+        normal: impl Fn(usize) -> Vec3<S>,
         arrived: &mut [S::Irradiance],
     ) {
-        let SurfacePoint { point, normal, view } = *surface;
-        fill_by_offset([self.position, point], x, arrived, |offset: &S::QuickOffset| {
-            self.at::<NoSpecular>(offset, (normal, view), &(), true).diffuse
+        let point = Vec3 { x: S::Length::default(), y, z };
+        fill_by_offset([self.position, point], x, arrived, |i, offset: &S::QuickOffset| {
+            self.at::<NoSpecular>(offset, (normal(i), Vec3::default()), &(), true).diffuse
         });
     }
 
