@@ -32,9 +32,12 @@
 //! So `r` keeps its leading bits if the circle is nearly orthogonal to the axis. `w0` is computed
 //! from the sine of the angle between the axis and the circle. So `w0` keeps its leading bits in
 //! narrow beams. The arc ends at the edge of the cone, at `v^2 = (omega - w0) / (1 - omega + r)`,
-//! where `omega` is the outer versine. The arc is split at the edges of the hotspot, or at `v = 0`
-//! if the cone has no hotspot. In each part of the arc `f` is smooth, so Gauss-Legendre quadrature
-//! with five nodes suffices. NUMERICS.md lists the errors.
+//! where `omega` is the outer versine.
+//!
+//! For a falloff that is a polynomial of degree 3 or less, in a cone without a hotspot, the integral
+//! has a closed form (`polynomial.rs`). For all others the arc is split at the edges of the hotspot,
+//! or where the intensity first falls. In each part of the arc `f` is smooth, so Gauss-Legendre
+//! quadrature with five nodes suffices. NUMERICS.md lists the errors.
 //!
 //! For an attenuation other than the inverse square, the integral runs over the length of the ray,
 //! between the same edges of the cone and up to the range of the light. If the light has
@@ -56,6 +59,7 @@ mod beam;
 mod beam16;
 mod bundle;
 mod parts;
+mod polynomial;
 mod quadrature;
 mod rays;
 mod stretch;

@@ -45,7 +45,11 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// `Quadratic` and `Cubic`, without branches on the falloff, and one for all other falloffs. All
     /// other attenuations share one loop with branches on falloff and attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
-        if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
+        if let Some(curve) = self.polynomial() {
+            for (i, light) in lights.iter_mut().enumerate() {
+                *light = self.in_closed_form(curve, &rays.at(i));
+            }
+        } else if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
             with_frequent_falloff!(self.falloff, falloff, curve => each(&self.by_square(falloff, curve), rays, lights));
         } else {
             each(self, rays, lights);
@@ -88,7 +92,7 @@ fn each<P: Falloff, A: Attenuation, const N: usize>(
     lights: &mut [f32; N],
 ) {
     for (i, light) in lights.iter_mut().enumerate() {
-        *light = beam.in_scattering(&rays.at(i));
+        *light = beam.by_nodes(&rays.at(i));
     }
 }
 

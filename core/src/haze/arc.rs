@@ -1,6 +1,6 @@
 //! A view ray as seen from the light: an arc of directions.
 
-use super::ViewRay;
+use super::{ViewRay, polynomial::OnArc};
 use crate::{number::float::positive, trig, vec3::Vec3};
 
 /// Extent of a beam: the light's position and axis, and the squares of its radius and range.
@@ -155,6 +155,12 @@ impl Arc {
     #[inline]
     pub(super) fn versine(&self, v: f32, share: f32) -> f32 {
         self.least + 2.0 * self.radius * (v * v) * share
+    }
+
+    /// Returns a polynomial falloff on this arc, for `t = (outer - versine) * reciprocal`.
+    #[inline]
+    pub(super) fn with(&self, curve: [f32; 3], outer: f32, reciprocal: f32) -> OnArc {
+        OnArc { curve, top: (outer - self.least) * reciprocal, slope: 2.0 * self.radius * reciprocal }
     }
 
     /// Returns the coordinates at which the ray enters and leaves a cone of this

@@ -3,13 +3,13 @@
 use super::{
     Haze, ViewRay,
     arc::{Arc, Extent, Span},
-    quadrature::integrate,
+    quadrature::{by_angle, integrate},
     stretch::Stretch,
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     cone::CompiledCone,
-    falloff::{Falloff, SoftOrHard},
+    falloff::{Falloff, Formula, SoftOrHard},
     number::{Arithmetic, Offset, Share, float::clamp},
     shade::CompiledSpotLight,
     vec3::Vec3,
@@ -38,6 +38,9 @@ pub struct BeamScattering<P: Falloff = SoftOrHard, A: Attenuation = InverseSquar
 /// A falloff with a high exponent is fainter than one step in most of its cone. The quadrature
 /// excludes that part of the cone, so that all nodes are where there is light.
 const STEP: f32 = 1.0 / 65_536.0;
+
+/// Largest `t` on the axis of a cone without a hotspot, within rounding errors.
+const FULL: f32 = 1.000_001;
 
 /// Largest distance: the squares of distances and the products of two such squares are finite in
 /// f32.
@@ -88,6 +91,42 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// rays.
     #[inline(always)] // Turntable in haze on x86-64: 2.2 times the instructions without.
     pub fn in_scattering(&self, view: &ViewRay) -> f32 {
+        match self.polynomial() {
+            Some(curve) => self.in_closed_form(curve, view),
+            None => self.by_nodes(view),
+        }
+    }
+
+    /// Returns the coefficients of the falloff if the in-scattering has a closed form.
+    ///
+    /// It has one for the inverse square and a polynomial without a hotspot. The rim of a hotspot is
+    /// integrated by nodes: in a thin rim the primitive would cancel.
+    #[inline(always)]
+    pub(crate) fn polynomial(&self) -> Option<[f32; 3]> {
+        let [outer, _, reciprocal] = self.falloff.ramp.to_bits().map(f32::from_bits);
+        match self.falloff.falloff.formula() {
+            Formula::Polynomial(curve)
+                if A::is_inverse_square::<f32>(&self.attenuation) && outer * reciprocal < FULL =>
+            {
+                Some(curve)
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns the in-scattering of a [`polynomial`](Self::polynomial).
+    #[inline(always)]
+    pub(crate) fn in_closed_form(&self, curve: [f32; 3], view: &ViewRay) -> f32 {
+        let arc = Arc::new(&self.extent(), view);
+        let edge = arc.edge(self.cone[1]);
+        let Span { from, to, scale } = arc.span(edge);
+        let [outer, _, reciprocal] = self.falloff.ramp.to_bits().map(f32::from_bits);
+        self.light(&arc, scale * arc.with(curve, outer, reciprocal).integral(from, to, edge))
+    }
+
+    /// Returns the in-scattering by quadrature.
+    #[inline(always)]
+    pub(crate) fn by_nodes(&self, view: &ViewRay) -> f32 {
         let arc = Arc::new(&self.extent(), view);
         let [inner, outer] = self.cone.map(|versine| arc.edge(versine));
         if A::is_inverse_square::<f32>(&self.attenuation) {
@@ -138,15 +177,6 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
         let [radius_squared, reach_squared] = self.reach;
         Extent { position: self.position, axis: self.axis, radius_squared, reach_squared }
     }
-}
-
-/// Returns the integrand over `v`, at distance 1: `2 / (1 + v^2)` times the intensity.
-///
-/// The argument of `intensity` is `1 / (1 + v^2)`.
-#[inline]
-pub(super) fn by_angle(v: f32, intensity: impl Fn(f32) -> f32) -> f32 {
-    let share = 1.0 / (1.0 + v * v);
-    2.0 * share * intensity(share)
 }
 
 /// Returns the offset from a light to some point at a distance.

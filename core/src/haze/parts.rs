@@ -6,7 +6,7 @@
 use super::{
     BeamScattering, ViewRay,
     arc::{Arc, Span},
-    beam::by_angle,
+    quadrature::by_angle,
     stretch::Stretch,
 };
 use crate::{attenuation::Attenuation, falloff::Falloff, vec3::Vec3};
