@@ -269,7 +269,7 @@ impl<S: Format> Renderer<S> {
     /// Lights the whole picture with every effect of every light at every pixel, without skipping.
     ///
     /// The function is meant for tests and comparisons: the picture is bit-identical to that of
-    /// [`draw_light`](Self::draw_light). Haze is interpolated as there.
+    /// [`draw_light`](Self::draw_light).
     ///
     /// # Errors
     /// A light that the format can't hold; the picture stays as it was.

@@ -1,17 +1,18 @@
 //! In-scattering between the eye and the surfaces: the visible beams in haze.
 
 mod beam;
-mod cell;
-mod ends;
+mod frame;
 mod hazy;
+mod open;
 mod rays;
 mod shafts;
-mod sums;
 mod tile;
 
+#[cfg(test)]
+pub(crate) use self::beam::Seen;
 pub(crate) use self::{
+    beam::Beam,
     hazy::{Hazy, Way},
     rays::bundle,
-    shafts::Shafts,
     tile::TileAir,
 };

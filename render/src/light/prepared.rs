@@ -2,7 +2,7 @@
 
 use crate::{
     light::{
-        air::{Hazy, Shafts, Way},
+        air::{Beam, Hazy, Way},
         reach::Reach,
     },
     shadow::Shadows,
@@ -26,7 +26,7 @@ pub struct Prepared<S: Scalar> {
     pub(crate) shadow: Option<CompiledProjection<S>>,
     hazy: Option<Hazy>,
     /// The beam as seen from the eye, computed where it is first needed.
-    shafts: OnceCell<Option<Shafts>>,
+    beam: OnceCell<Beam>,
     /// Whether the fixture has a gobo of its own, other than [`CLEAR`].
     is_patterned: bool,
     casts_shadow: bool,
@@ -56,8 +56,8 @@ impl<S: Scalar> Prepared<S> {
         }
         let shadow = fixture.shadow().map(|(_, square)| square.compile()).transpose()?;
         let (gobo, reach) = (fixture.compile_gobo()?, Reach::new(fixture.light()));
-        let shafts = OnceCell::new();
-        Ok(Some(Self { number, light, gobo, shadow, hazy, shafts, is_patterned, casts_shadow, reach }))
+        let beam = OnceCell::new();
+        Ok(Some(Self { number, light, gobo, shadow, hazy, beam, is_patterned, casts_shadow, reach }))
     }
 
     /// Returns whether the light has a gobo or a shadow map.
@@ -75,19 +75,18 @@ impl<S: Scalar> Prepared<S> {
         matches!((&self.hazy, sight), (Some(hazy), Some(sight)) if hazy.may_be_seen(sight))
     }
 
-    /// Returns the beam in haze, its gobo and shadow map, and its shafts as seen from the eye if it needs
-    /// no samples; `None` if the fixture has no beam in haze.
+    /// Returns the beam in haze, its gobo and shadow map, and the beam as seen from the eye; `None` if the
+    /// fixture has no beam in haze.
     pub(crate) fn in_air<'a>(
         &'a self,
         shadows: &'a Shadows<S>,
         eye: Vec3,
-    ) -> Option<(&'a Hazy, Way<'a, S>, Option<&'a Shafts>)> {
+    ) -> Option<(&'a Hazy, Way<'a, S>, &'a Beam)> {
         let gobo = self.gobo.as_ref().filter(|_| self.is_patterned);
         let shadow = shadows.of(self.number).filter(|_| self.casts_shadow);
         let hazy = self.hazy.as_ref()?;
-        let is_gobo_alone = gobo.is_some() && shadow.is_none();
-        let shafts = is_gobo_alone.then(|| self.shafts.get_or_init(|| Shafts::new(hazy, eye)).as_ref());
-        Some((hazy, Way { gobo, shadow }, shafts.flatten()))
+        let beam = self.beam.get_or_init(|| Beam::new(hazy, eye, gobo.is_some(), shadow.is_some()));
+        Some((hazy, Way { gobo, shadow }, beam))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::{
     space::bounds::Bounds,
     stripes::Stripes,
 };
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use luminaire::projector::Projection;
 
 pub(crate) use crate::scene::camera::NEAR;
@@ -136,16 +136,20 @@ impl View {
         self.eye
     }
 
-    /// Returns the vector at depth 1 from a pixel to its lower neighbour.
-    pub(crate) fn row(&self) -> Vec3 {
-        self.row
-    }
-
     /// Returns the vectors to a row's first pixel and from one pixel to the next. Rows are numbered
     /// among those that are drawn.
     ///
     /// Both vectors are at depth 1. The first vector is from the eye to the centre of the pixel.
     pub(crate) fn ray(&self, row: usize) -> (Vec3, Vec3) {
         (self.first + self.row * self.stripes.row(row) as f32, self.column)
+    }
+
+    /// Returns the vector from the eye to the centre of a pixel, of a row numbered as for
+    /// [`ray`](Self::ray), and those from the pixel to its right and to its lower neighbour. All are at
+    /// depth 1.
+    pub(crate) fn rays(&self, row: usize, column: usize) -> (DVec3, Vec3, Vec3) {
+        let [first, across, down] = [self.first, self.column, self.row].map(|way| way.as_dvec3());
+        let first = first + down * self.stripes.row(row) as f64 + across * column as f64;
+        (first, self.column, self.row)
     }
 }

@@ -19,8 +19,8 @@ pub struct Account {
     pub evaluated: u64,
     /// The pairs of `evaluated` that were evaluated with a highlight.
     pub evaluated_shining: u64,
-    /// The view rays along which the in-scattering of a beam was evaluated. In-scattering that is
-    /// interpolated between rays takes fewer rays than pixels.
+    /// The view rays along which the in-scattering of a beam was evaluated: those between the two
+    /// planes through the eye that touch the beam.
     pub evaluated_in_air: u64,
     /// The pairs of a dropped light.
     pub dropped: u64,

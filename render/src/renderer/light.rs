@@ -163,24 +163,22 @@ impl<S: Format> Renderer<S> {
             self.account.enter(pixels, reached.len(), reaching.len(), shining);
         }
         if !seen.is_empty() {
-            self.add_air(tile, &seen);
+            self.add_air(tile, rig.plan(), &seen);
         }
     }
 
     /// Adds the in-scattered light of the beams of `seen` to a tile.
-    fn add_air(&mut self, tile: usize, seen: &[&Prepared<S>]) {
+    fn add_air(&mut self, tile: usize, plan: RenderPlan, seen: &[&Prepared<S>]) {
         let Some(view) = &self.view else { return };
         let (rows, column) = self.tiles.place(tile);
         let (columns, stride) = (LANES.min(self.width - column * LANES), self.geometry.columns);
         let radiance = &mut self.radiance[rows.start * stride + column..];
         let mut air = TileAir::new(view, &self.fragments, (rows, column), columns, radiance, stride);
-        // The beams that may be seen share the error, whatever the plan adds to them.
-        let sight = self.tiles.tiles[tile].sight.as_ref();
-        let count = seen.iter().filter(|fixture| fixture.is_seen_in_air(sight)).count();
+        let (is_all_seen, sight) = (plan.skips(), self.tiles.tiles[tile].sight.as_ref());
         for fixture in seen {
-            let Some((hazy, way, shafts)) = fixture.in_air(&self.shadows, view.eye()) else { continue };
-            if fixture.is_seen_in_air(sight) {
-                air.add(hazy, &way, shafts, 1.0 / count as f32);
+            let Some((hazy, way, beam)) = fixture.in_air(&self.shadows, view.eye()) else { continue };
+            if is_all_seen || fixture.is_seen_in_air(sight) {
+                air.add(hazy, &way, beam);
             } else {
                 air.add_each(hazy, &way);
             }

@@ -2,7 +2,7 @@
 
 use crate::light::places::Places;
 use luminaire::{
-    Error, Rgb, Scalar, Vec3,
+    Cone, Error, Rgb, Scalar, Vec3,
     attenuation::AnyAttenuation,
     dynamic::AnyLight,
     falloff::AnyFalloff,
@@ -26,6 +26,7 @@ pub(crate) struct Hazy {
     /// The in-scattering at a distance of 1 from the light, where the integral over the directions
     /// is 1.
     pub(super) gain: f32,
+    pub(super) cone: Cone<AnyFalloff>,
     pub(super) gobo: Option<(Gobo<'static>, Projection)>,
     /// The radius of the light, which is an opaque sphere.
     pub(super) radius: f32,
@@ -53,6 +54,7 @@ impl Hazy {
             position: spot.position().into(),
             axis: spot.axis().into(),
             gain: spot.intensity() * (haze.density() / 4.0),
+            cone: spot.cone(),
             gobo: fixture.gobo(),
             radius: haze.source_radius(),
         }))
@@ -61,14 +63,6 @@ impl Hazy {
     /// Returns false only if no ray of the bundle meets the beam.
     pub(crate) fn may_be_seen(&self, sight: &RayBundle) -> bool {
         self.beam.can_meet(sight)
-    }
-
-    /// Returns whether the in-scattering along neighbouring rays is smooth enough to interpolate.
-    ///
-    /// With an attenuation other than the inverse square, the quadrature errors vary from ray to ray
-    /// by up to 3 % of the in-scattering.
-    pub(super) fn is_smooth(&self) -> bool {
-        self.beam.is_inverse_square()
     }
 
     /// Writes the in-scattered light of the beam along each ray, before its colour.

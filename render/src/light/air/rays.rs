@@ -1,68 +1,66 @@
-//! The view rays through a tile, and a queue that evaluates them in batches.
+//! The view rays through a tile.
 
-use super::{
-    ends::Ends,
-    hazy::{BATCH, Hazy, Way},
-};
+use super::hazy::BATCH;
 use crate::{
     buffer::LANES,
     raster::{Fragments, view::View},
     space::vector,
+    stripes::Stripes,
 };
 use core::ops::Range;
-use glam::Vec3;
-use luminaire::{
-    Scalar,
-    haze::{RayBundle, ViewRays},
-};
+use glam::{DVec3, Vec3};
+use luminaire::haze::{RayBundle, ViewRays};
 
-/// Largest number of rays in a queue: two ends at the nine nodes of each of four cells.
-const MOST: usize = 2 * 9 * 4;
+/// The size of a tile in pixels.
+pub(super) const COLUMNS: usize = LANES;
+pub(super) const ROWS: usize = Stripes::ROWS;
 
 /// The rays from the eye through a tile's pixels.
 ///
 /// A pixel has the coordinates of its centre, in pixels from the centre of the tile's first pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fan {
-    pub(super) eye: Vec3,
+    eye: Vec3,
     /// Vectors at depth 1: from the eye to the first pixel, to the next column and to the next row.
-    first: Vec3,
+    first: DVec3,
     column: Vec3,
     row: Vec3,
 }
 
-/// Rays to evaluate, each as a pixel and the nearness of the ray's end.
-pub(super) struct Queue {
-    x: [f32; MOST],
-    y: [f32; MOST],
-    nearness: [f32; MOST],
-    count: usize,
+/// The two planes through the eye that touch a beam, in a tile.
+pub(super) struct Sides {
+    /// The distance of the first pixel at depth 1 from each plane, and its change per column and per
+    /// row.
+    sides: [[f32; 3]; 2],
+    margin: f32,
 }
+
+/// Distance of a direction from a side of the beam that counts as beside the beam; see
+/// [`sides`](luminaire::haze::BeamScattering::sides).
+const MARGIN: f32 = 2e-5;
 
 impl Fan {
     pub(super) fn new(view: &View, row: usize, column: usize) -> Self {
-        let (first, across) = view.ray(row);
-        Self { eye: view.eye(), first: first + across * column as f32, column: across, row: view.row() }
+        let (first, across, down) = view.rays(row, column * LANES);
+        Self { eye: view.eye(), first, column: across, row: down }
     }
 
     /// Returns the vectors at depth 1: from the eye to the first pixel, to the next column and to
     /// the next row.
-    pub(super) fn vectors(&self) -> [Vec3; 3] {
-        [self.first, self.column, self.row]
+    pub(super) fn vectors(&self) -> [DVec3; 3] {
+        [self.first, self.column.as_dvec3(), self.row.as_dvec3()]
     }
 
     /// Returns the vector to a pixel at depth 1.
     #[inline(always)]
-    pub(super) fn at(&self, x: f32, y: f32) -> Vec3 {
-        self.first + self.column * x + self.row * y
+    fn at(&self, x: f32, y: f32) -> Vec3 {
+        self.first.as_vec3() + self.column * x + self.row * y
     }
 
-    /// Returns the bundle of the rays through a rectangle of pixels, up to this nearness.
-    pub(super) fn bundle(&self, columns: Range<usize>, rows: Range<usize>, nearness: f32) -> RayBundle {
-        let last = |range: &Range<usize>| range.end.saturating_sub(1);
-        let [left, right] = [columns.start, last(&columns)].map(|x| x as f32);
-        let [top, bottom] = [rows.start, last(&rows)].map(|y| y as f32);
-        let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
+    /// Returns the bundle of the rays through the tile's first pixels, up to this nearness.
+    fn bundle(&self, columns: usize, rows: usize, nearness: f32) -> RayBundle {
+        let [right, bottom] = [columns, rows].map(|count| count.saturating_sub(1) as f32);
+        let corners = [(0.0, 0.0), (right, 0.0), (0.0, bottom), (right, bottom)];
         let ways = corners.map(|(x, y)| self.at(x, y));
         let directions = ways.map(vector::direction);
         let middle = vector::direction(directions.into_iter().sum());
@@ -72,98 +70,66 @@ impl Fan {
         RayBundle::around(self.eye.into(), middle.into(), &directions, longest / nearness)
     }
 
-    /// Returns an upper bound of the angle between the rays of neighbouring pixels, in radians.
-    pub(super) fn pitch(&self) -> f32 {
-        self.column.length().max(self.row.length())
-    }
-}
-
-impl Queue {
-    pub(super) const fn new() -> Self {
-        Self { x: [0.0; MOST], y: [0.0; MOST], nearness: [0.0; MOST], count: 0 }
+    /// Returns the planes with these normals.
+    pub(super) fn sides(&self, normals: &[Vec3; 2]) -> Sides {
+        let ways = [self.first.as_vec3(), self.column, self.row];
+        let sides = normals.map(|normal| ways.map(|way| way.dot(normal)));
+        let corners = [(0, 0), (COLUMNS, 0), (0, ROWS), (COLUMNS, ROWS)];
+        let lengths = corners.map(|(x, y)| vector::length(self.at(x as f32, y as f32)));
+        Sides { sides, margin: MARGIN * lengths.into_iter().fold(0.0, f32::max) }
     }
 
-    /// Adds the ray through a pixel, from the eye to this nearness. A nearness of 0 is a ray
-    /// without an end.
+    /// Returns the rays through the pixels from `(x, y)` to the right, up to surfaces of this nearness.
+    /// A nearness of 0 is a ray without an end.
     #[inline(always)]
-    pub(super) fn push(&mut self, (x, y): (usize, usize), nearness: f32) {
-        self.x[self.count] = x as f32;
-        self.y[self.count] = y as f32;
-        self.nearness[self.count] = nearness;
-        self.count += 1;
-    }
-
-    /// Adds the rays through pixels up to the far end, and then up to the near end unless it is the
-    /// same.
-    pub(super) fn push_ends(
-        &mut self,
-        ends: &Ends,
-        pixels: impl IntoIterator<Item = (usize, usize)> + Clone,
-    ) {
-        pixels.clone().into_iter().for_each(|pixel| self.push(pixel, ends.far.at(pixel)));
-        if !ends.is_flat {
-            pixels.into_iter().for_each(|pixel| self.push(pixel, ends.near.at(pixel)));
-        }
-    }
-
-    /// Writes the in-scattered light of all rays, in the order in which they were added, and empties
-    /// the queue. Returns the number of evaluated rays.
-    pub(super) fn evaluate<S: Scalar>(
-        &mut self,
-        fan: &Fan,
-        hazy: &Hazy,
-        way: &Way<'_, S>,
-        light: &mut [f32; MOST],
-    ) -> usize {
-        let count = core::mem::take(&mut self.count);
-        // The last batch is filled up with the last ray.
-        let whole = count.next_multiple_of(BATCH).min(MOST);
-        for lane in count..whole {
-            self.x[lane] = self.x[count - 1];
-            self.y[lane] = self.y[count - 1];
-            self.nearness[lane] = self.nearness[count - 1];
-        }
-        for first in (0..count).step_by(BATCH) {
-            // The last batch may overlap the one before it.
-            let first = first.min(MOST - BATCH);
-            let rays = self.rays(fan, first);
-            let mut batch = [0.0; BATCH];
-            hazy.scatter(&rays, way, &mut batch);
-            light[first..first + BATCH].copy_from_slice(&batch);
-        }
-        count
-    }
-
-    /// Returns the rays of a batch.
-    #[inline(always)]
-    fn rays(&self, fan: &Fan, from: usize) -> ViewRays<BATCH> {
+    pub(super) fn rays(&self, (x, y): (usize, usize), nearness: &[f32; BATCH]) -> ViewRays<BATCH> {
         let none = [0.0; BATCH];
-        let mut rays =
-            ViewRays { eye: fan.eye.into(), direction: luminaire::Vec3::new(none, none, none), length: none };
-        for lane in 0..BATCH {
-            let (x, y) = (self.x[from + lane], self.y[from + lane]);
-            let way = fan.at(x, y);
+        let direction = luminaire::Vec3::new(none, none, none);
+        let mut rays = ViewRays { eye: self.eye.into(), direction, length: none };
+        let start = self.at(0.0, y as f32);
+        for (lane, nearness) in nearness.iter().enumerate() {
+            let way = start + self.column * (x + lane) as f32;
             let unit = vector::length(way);
             rays.direction.x[lane] = way.x / unit;
             rays.direction.y[lane] = way.y / unit;
             rays.direction.z[lane] = way.z / unit;
             // The ray to depth 1 has the length `unit`.
-            rays.length[lane] = unit / self.nearness[from + lane];
+            rays.length[lane] = unit / nearness;
         }
         rays
+    }
+}
+
+impl Sides {
+    /// No sides.
+    pub(super) const NONE: Self = Self { sides: [[0.0; 3]; 2], margin: 0.0 };
+
+    /// Returns the columns of a row between the sides, up to a number.
+    #[inline(always)]
+    pub(super) fn columns(&self, y: usize, columns: usize) -> Range<usize> {
+        let (mut from, mut to) = (0.0_f32, columns as f32);
+        for [first, column, row] in self.sides {
+            let start = first + row * y as f32 + self.margin;
+            // Where the distance is that of the margin.
+            let place = -start / column;
+            if column > 0.0 {
+                from = if place > from { place } else { from };
+            } else if column < 0.0 {
+                to = if place + 1.0 < to { place + 1.0 } else { to };
+            } else if start < 0.0 {
+                to = 0.0;
+            }
+        }
+        // Both are at least 0, and a number of columns is a whole number.
+        from as usize..to as usize
     }
 }
 
 /// Returns the bundle of all rays through a tile. The length of the bundle is the distance to the
 /// farthest surface in the tile.
 pub(crate) fn bundle(view: &View, fragments: &Fragments, rows: Range<usize>, column: usize) -> RayBundle {
-    let fan = Fan::new(view, rows.start, column * LANES);
+    let fan = Fan::new(view, rows.start, column);
     let nearness = rows.clone().flat_map(|row| fragments.block(row, column));
     let least = nearness.copied().fold(f32::INFINITY, f32::min);
-    fan.bundle(0..LANES, 0..rows.len(), least)
+    fan.bundle(LANES, rows.len(), least)
 }
-
-/// Room for the light of every ray in a queue.
-pub(super) type Light = [f32; MOST];
-
-pub(super) const NO_LIGHT: Light = [0.0; MOST];

@@ -18,76 +18,66 @@
 //! The lines are as near to each other as the gobo needs, and a ray takes about 45 instructions on
 //! x86-64; 16 samples take about 800. NUMERICS.md has the errors.
 
-mod frame;
 mod lines;
 mod pattern;
 
-use self::{frame::Frame, lines::Lines};
-use super::{hazy::Hazy, rays::Fan};
+use self::lines::Lines;
+use super::{
+    frame::{Frame, Sheaf, WIDTH},
+    hazy::Hazy,
+};
 use crate::space::vector;
 use glam::Vec3;
-
-/// Pixels of a row whose light is computed together: two vector registers on most targets.
-pub(super) const WIDTH: usize = 8;
 
 /// The beam of a spotlight with a gobo, prepared for one eye.
 #[derive(Clone, Debug)]
 pub(crate) struct Shafts {
-    frame: Frame,
+    pub(super) frame: Frame,
     /// The in-scattering at `h = 1` of a line whose integral is 1.
     gain: f32,
-    /// The squared radius of the light.
-    radius_squared: f32,
     lines: Lines,
-}
-
-/// The rays through the pixels of a tile in the coordinates of a [`Frame`], as vectors to depth 1.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sheaf {
-    first: Vec3,
-    column: Vec3,
-    row: Vec3,
-}
-
-/// Rays of neighbouring pixels: their light, and whether it must be sampled instead, because the ray
-/// ends at the light's body.
-pub(super) struct Run {
-    pub(super) light: [f32; WIDTH],
-    pub(super) is_sampled: [bool; WIDTH],
 }
 
 impl Shafts {
     /// Integrates along the lines of a beam; `None` if the beam must be sampled.
     ///
     /// Lines need a gobo and the inverse square, and an eye that is neither in the cone nor in the
-    /// opposite cone nor in the light. A beam with a shadow map must be sampled, too, because a
-    /// shadow depends on the distance from the light.
+    /// opposite cone nor in the light.
     pub(crate) fn new(hazy: &Hazy, eye: Vec3) -> Option<Self> {
-        let gobo = hazy.gobo.as_ref().filter(|_| hazy.is_smooth())?;
-        let frame = Frame::new(hazy, eye)?;
+        let gobo = hazy.gobo.as_ref().filter(|_| hazy.beam.is_inverse_square())?;
+        let frame = Frame::new(hazy, eye).filter(|frame| frame.is_outside)?;
         let lines = Lines::new(hazy, &frame, gobo);
         let gain = hazy.gain / frame.distance;
-        Some(Self { frame, gain, radius_squared: hazy.radius * hazy.radius, lines })
-    }
-
-    /// Returns the rays through a tile.
-    pub(super) fn sheaf(&self, fan: &Fan) -> Sheaf {
-        let [first, column, row] = fan.vectors().map(|way| self.frame.local(way));
-        Sheaf { first, column, row }
+        Some(Self { frame, gain, lines })
     }
 
     /// Returns the light of the rays through the pixels from `(x, y)` to the right, up to surfaces of
     /// this nearness.
     #[inline(always)]
-    pub(super) fn light(&self, sheaf: &Sheaf, (x, y): (usize, usize), nearness: &[f32; WIDTH]) -> Run {
-        let Frame { distance, axis: [ahead, aside], versine, sine, .. } = self.frame;
-        let start = sheaf.first + sheaf.row * y as f32;
+    pub(super) fn light(&self, sheaf: &Sheaf, at: (usize, usize), nearness: &[f32; WIDTH]) -> [f32; WIDTH] {
+        if sheaf.is_near {
+            self.run::<true>(sheaf, at, nearness)
+        } else {
+            self.run::<false>(sheaf, at, nearness)
+        }
+    }
+
+    /// Computes [`light`](Self::light) of rays that may hit the light's body, or not.
+    #[inline(never)]
+    fn run<const IS_NEAR: bool>(
+        &self,
+        sheaf: &Sheaf,
+        (x, y): (usize, usize),
+        nearness: &[f32; WIDTH],
+    ) -> [f32; WIDTH] {
+        let Frame { axis: [ahead, aside], versine, sine, .. } = self.frame;
+        let row = sheaf.row(x, y);
         let (mut weight, mut across, mut along) = ([0.0; WIDTH], [0.0; WIDTH], [0.0; WIDTH]);
-        let mut is_sampled = [false; WIDTH];
         let per_sine = aside / sine;
         for i in 0..WIDTH {
-            let way = start + sheaf.column * (x + i) as i32 as f32;
+            let way = row(i);
             let squared = way.x * way.x + way.y * way.y;
+            let whole = squared + way.z * way.z;
             let height = vector::sqrt(squared);
             let reciprocal = 1.0 / height;
             let (cos, sin) = (aside * (way.x * reciprocal), way.y * reciprocal);
@@ -98,24 +88,21 @@ impl Shafts {
             let edge = vector::sqrt(if square > 0.0 { square } else { 0.0 });
             // The coordinate of the ray's end on the line from the light to the eye, times the
             // nearness.
-            let far = distance * nearness[i] + way.z;
+            let far = self.frame.far::<IS_NEAR>(way, [squared, whole], nearness[i]);
             let length = vector::sqrt(squared + far * far);
             // `sin psi` and `1 + cos psi` at the end, both times `length * radius`.
             let turn = height * ahead - far * cos;
             let one_plus_cosine = length * radius + (far * ahead + height * cos);
             along[i] = turn / (one_plus_cosine * edge);
-            let whole = squared + way.z * way.z;
             let light = self.gain * vector::sqrt(whole) * reciprocal * edge;
             let is_lit = (cos > 0.0) & (across[i].abs() < 1.0) & (along[i] > -1.0);
-            let is_near = (way.z < 0.0) & (squared * (distance * distance) < self.radius_squared * whole);
-            is_sampled[i] = is_lit & is_near;
-            weight[i] = if is_lit & !is_near { light } else { 0.0 };
+            weight[i] = if is_lit { light } else { 0.0 };
         }
         let mut light = [0.0; WIDTH];
         self.lines.integrals(&across, &along, &mut light);
         for i in 0..WIDTH {
             light[i] *= weight[i];
         }
-        Run { light, is_sampled }
+        light
     }
 }

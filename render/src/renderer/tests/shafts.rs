@@ -5,7 +5,10 @@
 
 use super::*;
 use crate::{
-    light::{air::TileAir, rig::Rig},
+    light::{
+        air::{Seen, TileAir},
+        rig::Rig,
+    },
     scenes::{Example, gobos},
 };
 use core::f32::consts::TAU;
@@ -152,8 +155,8 @@ fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Erro
         }
         let view = renderer.view.as_ref().unwrap();
         let eye = exactly(view.eye());
-        let (hazy, way, shafts) = rig.fixture(0).unwrap().in_air(&renderer.shadows, view.eye()).unwrap();
-        if shafts.is_none() {
+        let (hazy, way, beam) = rig.fixture(0).unwrap().in_air(&renderer.shadows, view.eye()).unwrap();
+        if !matches!(beam.seen, Seen::Shafts(_)) {
             return errors;
         }
         let (rows, column) = renderer.tiles.place(tile);
@@ -165,20 +168,19 @@ fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Erro
             if is_each {
                 air.add_each(hazy, &way);
             } else {
-                air.add(hazy, &way, shafts, 1.0);
+                air.add(hazy, &way, beam);
             }
             air.finish();
             radiance
         });
-        let (first, across) = view.ray(rows.start);
+        let (first, across, down) = view.rays(rows.start, column * LANES);
         for (y, x) in (0..rows.len()).flat_map(|y| (0..columns).map(move |x| (y, x))) {
             number += 1;
             if number % every != 0 {
                 continue;
             }
             let nearness = f64::from(renderer.fragments.block(rows.start + y, column)[x]);
-            let right = (column * LANES + x) as f64;
-            let way = exactly(first) + exactly(across) * right + exactly(view.row()) * y as f64;
+            let way = first + exactly(across) * x as f64 + exactly(down) * y as f64;
             let unit = way.length();
             let Some([truth, open]) = exact.in_scattering(eye, way / unit, unit / nearness) else { continue };
             let [shafts, samples] = [0, 1].map(|i| {

@@ -1,10 +1,10 @@
 //! Integrals of a beam's light over the directions of its lines.
 
-use super::{
-    frame::Frame,
-    pattern::{Pattern, STEPS, split},
+use super::pattern::{Pattern, STEPS, split};
+use crate::{
+    light::air::{frame::Frame, hazy::Hazy},
+    space::vector,
 };
-use crate::{light::air::hazy::Hazy, space::vector};
 use alloc::{vec, vec::Vec};
 use luminaire::{
     haze::ViewRays,
@@ -146,7 +146,8 @@ fn bend(left: &Line, middle: &Line, right: &Line) -> f32 {
 
 /// Integrates the light over a line.
 fn integrals(hazy: &Hazy, frame: &Frame, pattern: &Pattern, across: f32) -> Measured {
-    let Frame { eye, toward, beside, distance, axis: [ahead, aside], versine, sine } = *frame;
+    let Frame { distance, axis: [ahead, aside], versine, sine, .. } = *frame;
+    let [eye, toward, beside] = frame.directions();
     let off = across.clamp(-LAST, LAST) * sine;
     let sin = off / aside;
     let cos = vector::sqrt(1.0 - sin * sin);
