@@ -7,6 +7,7 @@ use luminaire::{
     dynamic::AnyLight,
     falloff::AnyFalloff,
     haze::{BeamScattering, Haze, RayBundle, ViewRays},
+    light::CompiledCone,
     projector::{CompiledGobo, Fixture, Gobo, Projection, Shadow},
 };
 
@@ -27,6 +28,7 @@ pub(crate) struct Hazy {
     /// is 1.
     pub(super) gain: f32,
     pub(super) cone: Cone<AnyFalloff>,
+    pub(super) falloff: CompiledCone<f32, AnyFalloff>,
     pub(super) gobo: Option<(Gobo<'static>, Projection)>,
     /// The radius of the light, which is an opaque sphere.
     pub(super) radius: f32,
@@ -55,6 +57,7 @@ impl Hazy {
             axis: spot.axis().into(),
             gain: spot.intensity() * (haze.density() / 4.0),
             cone: spot.cone(),
+            falloff: spot.cone().compile()?,
             gobo: fixture.gobo(),
             radius: haze.source_radius(),
         }))

@@ -72,8 +72,8 @@ impl Exact {
         }
     }
 
-    /// Returns the in-scattering along a ray from the eye, with the gobo and without it; `None` if
-    /// the ray passes through the light.
+    /// Returns the in-scattering along a ray from the eye, and that without the gobo along the whole line
+    /// of the ray; `None` if the ray passes through the light.
     ///
     /// The midpoint rule over the angle at the light. The gobo is that of the kernel.
     fn in_scattering(&self, eye: DVec3, direction: DVec3, length: f64) -> Option<[f64; 2]> {
@@ -97,20 +97,23 @@ impl Exact {
         if first >= last {
             return Some([0.0; 2]);
         }
-        let mut sums = [0.0; 2];
-        for i in 0..STEPS {
-            let angle = first + (last - first) * (f64::from(i) + 0.5) / f64::from(STEPS);
+        let (mut sum, mut whole) = (0.0, 0.0);
+        let lit = |angle: f64| {
             let way = angle.cos() * foot + angle.sin() * direction;
             let t = 1.0 - (way - self.axis).length_squared() / (2.0 * self.versine);
-            let light = if t > 0.0 { (self.falloff)(t) } else { 0.0 };
+            (way, if t > 0.0 { (self.falloff)(t) } else { 0.0 })
+        };
+        for i in 0..STEPS {
+            let part = (f64::from(i) + 0.5) / f64::from(STEPS);
+            let (way, light) = lit(first + (last - first) * part);
             let depth = way.dot(self.axis);
             let [column, row] =
                 [self.right, self.down].map(|across| (way.dot(across) / depth + 32_768.0).floor() as i32);
             let place = ProjectedPoint::<f32> { column, row, depth: 1.0 };
-            sums[0] += light * f64::from(self.gobo.transmission(&place));
-            sums[1] += light;
+            sum += light * f64::from(self.gobo.transmission(&place)) * (last - first);
+            whole += lit(middle + half * (2.0 * part - 1.0)).1 * 2.0 * half;
         }
-        Some(sums.map(|sum| sum * self.gain * (last - first) / (f64::from(STEPS) * height)))
+        Some([sum, whole].map(|sum| sum * self.gain / (f64::from(STEPS) * height)))
     }
 }
 
@@ -119,7 +122,8 @@ impl Exact {
 struct Errors {
     shafts: f32,
     samples: f32,
-    /// By shafts, relative to the light of the beam without its gobo if that is over full scale.
+    /// By shafts, relative to the light of the whole line of the ray through the beam without its gobo if
+    /// that is over full scale: the lines are as near as this asks.
     relative: f32,
     /// The difference of the errors by shafts and by samples on a ray, relative to the same light.
     more: f32,
@@ -182,13 +186,15 @@ fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Erro
             let nearness = f64::from(renderer.fragments.block(rows.start + y, column)[x]);
             let way = first + exactly(across) * x as f64 + exactly(down) * y as f64;
             let unit = way.length();
-            let Some([truth, open]) = exact.in_scattering(eye, way / unit, unit / nearness) else { continue };
+            let Some([truth, whole]) = exact.in_scattering(eye, way / unit, unit / nearness) else {
+                continue;
+            };
             let [shafts, samples] = [0, 1].map(|i| {
                 let light = f64::from(found[i][y * stride].red[x]);
                 assert!(light >= 0.0, "{light}");
                 255.0 * (light.min(1.0) - truth.min(1.0)).abs() as f32
             });
-            let full = open.max(1.0) as f32;
+            let full = whole.max(1.0) as f32;
             let (relative, more) = (shafts / full, (shafts - samples) / full);
             errors = errors.and(Errors { shafts, samples, relative, more, rays: 1 });
         }
@@ -273,6 +279,6 @@ fn shafts_keep_their_bounds_in_a_search() {
         println!("seed {seed}: {width} x {height}, {worst:?}");
     }
     println!("{seeds} climbs of {} cases: {all:?}", starts + steps);
-    assert!(all.relative <= 2.0 && all.more <= 1.5 && all.shafts < 0.2 * all.samples, "{all:?}");
+    assert!(all.relative <= 1.6 && all.more <= 0.9 && all.shafts < 0.2 * all.samples, "{all:?}");
     assert!(all.rays > 500, "{all:?}");
 }

@@ -6,13 +6,14 @@ use crate::{
     space::vector,
 };
 use alloc::{vec, vec::Vec};
-use luminaire::{
-    haze::ViewRays,
-    projector::{Gobo, Projection},
-};
+use luminaire::projector::{Gobo, Projection};
 
-/// Places for lines, at equal distances in `across`.
+/// Places for lines, at equal distances in a [`bent`] `across`.
 const PLACES: usize = 32_768;
+
+/// How much denser lines are at the edge of the cone. Their lengths fall to 0 there with the root of the
+/// distance from it, and with them the distances between what their steps show of the gobo.
+const BENT: f32 = 0.125;
 
 /// Smallest and largest number of intervals before any is divided. Between these limits each
 /// transmission of the gobo has an interval, so that no stripe is between two lines.
@@ -26,7 +27,7 @@ const TOLERANCE: f32 = 1.5e-3;
 const LEAST: f32 = 0.02;
 
 /// Largest `across` of a line: a line at 1 touches the cone in a point.
-const LAST: f32 = 0.999_9;
+const LAST: f32 = 0.999_99;
 
 /// The largest number below 1 that stays below 2 if 1 is added.
 const ALMOST: f32 = 1.0 - 1.2e-7;
@@ -57,8 +58,9 @@ struct Interval {
 impl Lines {
     pub(super) fn new(hazy: &Hazy, frame: &Frame, gobo: &(Gobo<'static>, Projection)) -> Self {
         let pattern = Pattern::new(gobo);
-        let mut line =
-            |place: usize| integrals(hazy, frame, &pattern, place as f32 * (2.0 / PLACES as f32) - 1.0);
+        let mut line = |place: usize| {
+            integrals(hazy, frame, &pattern, across(place as f32 * (2.0 / PLACES as f32) - 1.0))
+        };
         let [least, most] = INTERVALS;
         let width = PLACES / gobo.0.side().next_power_of_two().clamp(least, most);
         let mut found =
@@ -106,7 +108,7 @@ impl Lines {
         let (mut places, mut numbers) = ([0.0; N], [0_i32; N]);
         let (mut steps, mut rests) = ([0_i32; N], [0.0; N]);
         for i in 0..N {
-            places[i] = scaled(across[i], PLACES);
+            places[i] = scaled(bent(across[i]), PLACES);
             (numbers[i], _) = split(places[i]);
             (steps[i], rests[i]) = split(scaled(along[i], STEPS));
         }
@@ -123,6 +125,21 @@ impl Lines {
             light[i] = left + (right - left) * ((places[i] - interval.first) * interval.reciprocal);
         }
     }
+}
+
+/// Returns an `across` on the scale of the places: its slope is infinite at both edges of the cone.
+#[inline(always)]
+fn bent(across: f32) -> f32 {
+    let square = 1.0 - across * across;
+    let more = BENT * (1.0 - vector::sqrt(if square > 0.0 { square } else { 0.0 }));
+    (across + if across < 0.0 { -more } else { more }) / (1.0 + BENT)
+}
+
+/// Returns the `across` of a place, the inverse of [`bent`].
+fn across(bent: f32) -> f32 {
+    let more = (1.0 + BENT) * bent.abs() - BENT;
+    let whole = 1.0 + BENT * BENT;
+    ((more + BENT * vector::sqrt(whole - more * more)) / whole).copysign(bent)
 }
 
 /// Scales a coordinate from -1 to 1 to a number of parts. The last coordinate is just below the
@@ -146,7 +163,7 @@ fn bend(left: &Line, middle: &Line, right: &Line) -> f32 {
 
 /// Integrates the light over a line.
 fn integrals(hazy: &Hazy, frame: &Frame, pattern: &Pattern, across: f32) -> Measured {
-    let Frame { distance, axis: [ahead, aside], versine, sine, .. } = *frame;
+    let Frame { axis: [ahead, aside], versine, sine, .. } = *frame;
     let [eye, toward, beside] = frame.directions();
     let off = across.clamp(-LAST, LAST) * sine;
     let sin = off / aside;
@@ -157,16 +174,17 @@ fn integrals(hazy: &Hazy, frame: &Frame, pattern: &Pattern, across: f32) -> Meas
     // goes on from there.
     let nearest = (eye * ahead + side * (aside * cos)) / radius;
     let onward = (side * ahead - eye * (aside * cos)) / radius;
-    let square = (versine - off * off / (1.0 + radius)) / ((1.0 - versine) + radius);
-    let edge = vector::sqrt(square);
-    // A ray through the cone that is as far from the light as the eye, and so outside of the light.
-    let half = 2.0 * edge / (1.0 - square) + 0.01;
-    let start = hazy.position + distance * (nearest - onward * half);
-    let direction = luminaire::Vec3::from(onward).map(|c| [c]);
-    let ray = ViewRays { eye: start.into(), direction, length: [2.0 * half * distance] };
+    let least = off * off / (1.0 + radius);
+    let edge = vector::sqrt((versine - least) / ((1.0 - versine) + radius));
+    // The light of a direction is that of the one as far on the other side of the nearest.
     let mut found = [0.0; STEPS];
-    let mut filter = |_: &luminaire::Vec3<[f32; STEPS]>, lights: &mut [f32; STEPS]| found = *lights;
-    hazy.beam.in_scattering_through_each(&ray, &mut filter, &mut [0.0]);
+    let (first, second) = found.split_at_mut(STEPS / 2);
+    for (i, (first, second)) in first.iter_mut().rev().zip(second).enumerate() {
+        let v = edge * ((i as i32 as f32 + 0.5) * (2.0 / STEPS as f32));
+        let share = 1.0 / (1.0 + v * v);
+        let light = 2.0 * share * hazy.falloff.at(least + 2.0 * radius * (v * v) * share);
+        (*first, *second) = (light, light);
+    }
     let open = found.iter().sum::<f32>() * (2.0 / STEPS as f32);
     pattern.filter(nearest, onward, edge, &mut found);
     let (mut line, mut sum) = ([0.0; STEPS + 1], 0.0);

@@ -10,9 +10,9 @@ pub(super) const STEPS: usize = 256;
 /// A gobo in the gate of a light, for look-ups in f32.
 pub(super) struct Pattern {
     side: usize,
-    /// The transmissions to the right of and below each texel, with its own: top left, top right,
-    /// bottom left, bottom right.
-    corners: Vec<[u8; 4]>,
+    /// The transmission between each texel and those to its right and below: the coefficients of 1, of
+    /// the share to the right, of the share down, and of both.
+    corners: Vec<[f32; 4]>,
     /// Vectors whose products with a direction are its coordinates in texels, times the depth.
     right: Vec3,
     down: Vec3,
@@ -26,8 +26,10 @@ impl Pattern {
         let at = |row: usize, column: usize| all.get(row * side + column).copied().unwrap_or_default();
         let corners = (0..side * side).map(|i| {
             let (row, column) = (i / side, i % side);
-            [(row, column), (row, next(column)), (next(row), column), (next(row), next(column))]
-                .map(|(row, column)| at(row, column))
+            let [a, b, c, d] =
+                [(row, column), (row, next(column)), (next(row), column), (next(row), next(column))]
+                    .map(|(row, column)| f32::from(at(row, column)) / 255.0);
+            [a, b - a, c - a, (d - c) - (b - a)]
         });
         let scale = side as f32 / (2.0 * square.tangent());
         Self {
@@ -62,9 +64,8 @@ impl Pattern {
         }
         for i in 0..STEPS {
             let corners = self.corners.get(first[i] as usize).copied().unwrap_or_default();
-            let [a, b, c, d] = corners.map(f32::from);
-            let (top, bottom) = (a + (b - a) * right[i], c + (d - c) * right[i]);
-            lights[i] *= (top + (bottom - top) * down[i]) * (1.0 / 255.0);
+            let [own, across, along, both] = corners;
+            lights[i] *= (own + across * right[i]) + (along + both * right[i]) * down[i];
         }
     }
 }
