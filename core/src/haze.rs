@@ -58,6 +58,7 @@ mod beam;
 #[cfg(feature = "fixed")]
 mod beam16;
 mod bundle;
+mod nodes;
 mod parts;
 mod polynomial;
 mod quadrature;
@@ -66,6 +67,7 @@ mod stretch;
 
 #[cfg(feature = "fixed")]
 pub use self::beam16::BeamScattering16;
+pub(crate) use self::nodes::AtNodes;
 pub use self::{beam::BeamScattering, bundle::RayBundle, parts::TransmittanceFn, rays::ViewRays};
 
 use crate::{

@@ -4,8 +4,9 @@ use super::CompiledAnyLight;
 use crate::{
     attenuation::{AnyAttenuation, Attenuation, InverseSquare},
     cone::CompiledCone,
-    falloff::{AnyFalloff, CompiledAnyFalloff, Falloff},
-    haze::{BeamScattering, Haze, TransmittanceFn, ViewRays},
+    falloff::{AnyFalloff, CompiledAnyFalloff, Falloff, WithFalloff, with_falloff},
+    haze::{AtNodes, BeamScattering, Haze, TransmittanceFn, ViewRays},
+    number::float::FloatRamp,
 };
 
 impl CompiledAnyLight<f32> {
@@ -41,18 +42,32 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// Computes the in-scattered light of `N` rays. The result is bit-identical to
     /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
     ///
-    /// For the inverse-square law there is one loop for each of the falloffs `Soft`, `Hard`,
-    /// `Quadratic` and `Cubic`, without branches on the falloff, and one for all other falloffs. All
-    /// other attenuations share one loop with branches on falloff and attenuation.
+    /// For the inverse-square law there is one loop for polynomials without a hotspot, and for all other
+    /// falloffs one that chooses the falloff once for all rays. All other attenuations share one loop with
+    /// branches on falloff and attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if let Some(curve) = self.polynomial() {
             for (i, light) in lights.iter_mut().enumerate() {
                 *light = self.in_closed_form(curve, &rays.at(i));
             }
         } else if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
-            with_frequent_falloff!(self.falloff, falloff, curve => each(&self.by_square(falloff, curve), rays, lights));
+            let CompiledCone { ramp, falloff, curve, .. } = self.falloff;
+            let at_each = |versines: &AtNodes<N>, intensities: &mut AtNodes<N>| match curve {
+                CompiledAnyFalloff::Power(power) => {
+                    let t = |versine| ramp.rise(versine);
+                    raised(versines, intensities, power.exponent(), t, |x| x);
+                }
+                CompiledAnyFalloff::InvertedPower(power) => {
+                    let u = |versine| 1.0 - ramp.rise(versine);
+                    raised(versines, intensities, power.exponent(), u, |x| 1.0 - x);
+                }
+                _ => with_falloff(falloff, curve, AtEach { ramp, versines, intensities }),
+            };
+            self.by_nodes_each(rays, at_each, lights);
         } else {
-            each(self, rays, lights);
+            for (i, light) in lights.iter_mut().enumerate() {
+                *light = self.by_nodes(&rays.at(i));
+            }
         }
     }
 
@@ -85,14 +100,47 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     }
 }
 
-#[inline(never)]
-fn each<P: Falloff, A: Attenuation, const N: usize>(
-    beam: &BeamScattering<P, A>,
-    rays: &ViewRays<N>,
-    lights: &mut [f32; N],
+/// Sets the intensities of an integer power at the nodes of rays, from `base` of each versine. The loop over the
+/// digits of the exponent is outside that over the rays, so that compilers vectorise it.
+fn raised<const N: usize>(
+    versines: &AtNodes<N>,
+    intensities: &mut AtNodes<N>,
+    exponent: u32,
+    base: impl Fn(f32) -> f32,
+    result: impl Fn(f32) -> f32,
 ) {
-    for (i, light) in lights.iter_mut().enumerate() {
-        *light = beam.by_nodes(&rays.at(i));
+    for (intensities, versines) in intensities.as_flattened_mut().iter_mut().zip(versines.as_flattened()) {
+        let (bases, mut powers) = (versines.map(&base), versines.map(&base));
+        for digit in (0..exponent.max(1).ilog2()).rev() {
+            powers.iter_mut().for_each(|power| *power *= *power);
+            if exponent >> digit & 1 == 1 {
+                powers.iter_mut().zip(&bases).for_each(|(power, base)| *power *= base);
+            }
+        }
+        *intensities = powers.map(&result);
+    }
+}
+
+/// Sets the intensities at the nodes of rays.
+struct AtEach<'a, const N: usize> {
+    ramp: FloatRamp,
+    versines: &'a AtNodes<N>,
+    intensities: &'a mut AtNodes<N>,
+}
+
+impl<const N: usize> WithFalloff<f32> for AtEach<'_, N> {
+    type Output = ();
+
+    #[inline]
+    fn falloff<P: Falloff>(self, falloff: P, curve: P::Compiled<f32>) {
+        let cone = CompiledCone::<f32, P>::from_parts(self.ramp, falloff, curve);
+        let Self { versines, intensities, .. } = self;
+        for (intensities, versines) in intensities.as_flattened_mut().iter_mut().zip(versines.as_flattened())
+        {
+            for i in 0..N {
+                intensities[i] = cone.at(versines[i]);
+            }
+        }
     }
 }
 

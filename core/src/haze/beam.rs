@@ -168,7 +168,13 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Converts the integral for an intensity of 1 to the in-scattered light of this beam.
     #[inline]
     pub(super) fn light(&self, arc: &Arc, scattered: f32) -> f32 {
-        let scattered = if arc.is_any() { scattered } else { 0.0 };
+        self.gained(arc.is_any(), scattered)
+    }
+
+    /// Converts the integral along a ray, of which [any part](Arc::is_any) may be lit.
+    #[inline]
+    pub(super) fn gained(&self, is_any: bool, scattered: f32) -> f32 {
+        let scattered = if is_any { scattered } else { 0.0 };
         scattered.light(self.gain)
     }
 
@@ -220,11 +226,11 @@ fn last(most: f32, holds: impl Fn(f32) -> bool) -> f32 {
 }
 
 #[inline]
-fn lesser(a: f32, b: f32) -> f32 {
+pub(super) fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 #[inline]
-fn greater(a: f32, b: f32) -> f32 {
+pub(super) fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }

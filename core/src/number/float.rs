@@ -211,7 +211,7 @@ impl FloatRamp {
     }
 
     #[inline]
-    fn rise(self, versine: f32) -> f32 {
+    pub(crate) fn rise(self, versine: f32) -> f32 {
         // A versine of NaN is not below the limit, so `t` is 0.
         let rise = if versine < self.limit { (self.outer - versine) * self.reciprocal } else { 0.0 };
         if rise < 1.0 { rise } else { 1.0 }
