@@ -91,7 +91,7 @@ fn color(name: &str, Rgb { red, green, blue }: Rgb<f32>) -> String {
 
 /// Returns the type of the falloff, and the line that makes the cone.
 fn cone(cone: &Cone<AnyFalloff>) -> (String, String) {
-    let (kind, falloff) = falloff_source(cone.falloff());
+    let [kind, falloff, _] = falloff_source::<Fx16>(cone.falloff());
     let [inner, outer, limit] = cone.versines().map(degrees);
     let hotspot = if cone.has_hotspot() { format!(".with_inner({inner})?") } else { String::new() };
     let cutoff = if cone.has_cutoff() { format!(".with_cutoff({limit})?") } else { String::new() };
