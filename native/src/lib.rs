@@ -10,6 +10,11 @@
 /// `None` where this crate knows no instruction: the constant folds away. It knows that of the
 /// floating point units of Arm (`target_abi = "eabihf"`: Cortex-M4F, M7 and M33). Stable Rust does not
 /// show to crates whether a RISC-V has one.
+///
+/// ```
+/// let root = luminaire_native::sqrt(2.0).unwrap_or_else(|| 2.0_f32.sqrt());
+/// assert_eq!(root, 2.0_f32.sqrt());
+/// ```
 #[inline(always)]
 #[must_use]
 pub fn sqrt(x: f32) -> Option<f32> {
