@@ -166,7 +166,11 @@ mod tests {
         for x in others.into_iter().flat_map(|x| [x, -x]).chain(normal.map(|x| -x)) {
             assert_eq!(inverse_sqrt(x), 0.0, "{x}");
         }
-        assert!(normal.into_iter().all(|x| inverse_sqrt(x) > 0.0));
+        for x in normal {
+            let error = inverse_sqrt(x) * x.sqrt() - 1.0;
+            let is_exact = cfg!(any(feature = "libm", feature = "std")) || !cfg!(feature = "micromath");
+            assert!(if is_exact { inverse_sqrt(x) == 1.0 / x.sqrt() } else { error.abs() < 1e-6 }, "{x}");
+        }
     }
 
     #[test]
