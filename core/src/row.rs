@@ -55,21 +55,6 @@ pub trait Points<S: Scalar> {
     fn at(&self, index: usize) -> Vec3<S::Length>;
 
     /// Sets the irradiance from a light at the points from an index on, with the normal of each index.
-    fn fill<L: LightModel<S>>(
-        &self,
-        light: &L,
-        normal: impl Fn(usize) -> Vec3<S>,
-        first: usize,
-        arrived: &mut [S::Irradiance],
-    );
-}
-
-impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Points<S> for F {
-    #[inline]
-    fn at(&self, index: usize) -> Vec3<S::Length> {
-        self(index)
-    }
-
     #[inline]
     fn fill<L: LightModel<S>>(
         &self,
@@ -80,9 +65,16 @@ impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Points<S> for F {
     ) {
         for (i, arrived) in arrived.iter_mut().enumerate() {
             let index = first.wrapping_add(i);
-            let surface = SurfacePoint::matte(self(index), normal(index));
+            let surface = SurfacePoint::matte(self.at(index), normal(index));
             *arrived = light.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
         }
+    }
+}
+
+impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Points<S> for F {
+    #[inline]
+    fn at(&self, index: usize) -> Vec3<S::Length> {
+        self(index)
     }
 }
 

@@ -11,14 +11,12 @@ pub use self::{
     spot::CompiledSpotLight,
 };
 
-use core::ops::Range;
-
 use crate::{
     attenuation::Attenuation,
     color::Rgb,
     cone::CompiledCone,
     falloff::Falloff,
-    number::{Fraction, Offset, OffsetAlong, Ray, Scalar, Share},
+    number::{Fraction, Offset, Ray, Scalar, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -119,53 +117,6 @@ fn reaches<S: Scalar>(
 ) -> bool {
     let tip = S::moved_back(position, axis, outside, radius);
     tip.is_none_or(|tip| !S::Offset::between(tip, center).is_center_outside(axis, outside))
-}
-
-/// Sets each value by its index and the offset from a light to a point, which differs from the given one in x
-/// alone.
-///
-/// The points of a stretch share most of the computation of their offsets. In the inner loop that part, and
-/// what an evaluation computes of it, is constant.
-#[inline(always)]
-fn fill_by_offset<S: Scalar, O: OffsetAlong<S>, T>(
-    [light, point]: [Vec3<S::Length>; 2],
-    x: impl Fn(usize) -> S::Length,
-    mut values: &mut [T],
-    value: impl Fn(usize, &O) -> T,
-) {
-    let mut start = 0;
-    while !values.is_empty() {
-        let here = Vec3 { x: x(start), ..point };
-        let stretch = O::stretch(light, here);
-        let end = start + values.len();
-        let count = first_not(start..end, |i| O::is_in(&stretch, x(i))) - start;
-        let Some((part, rest)) = values.split_at_mut_checked(count.max(1)) else { return };
-        if count == 0 {
-            part.fill_with(|| value(start, &O::between(light, here)));
-        } else {
-            for (i, to) in part.iter_mut().enumerate() {
-                *to = value(start + i, &O::along(&stretch, x(start + i)));
-            }
-        }
-        start += part.len();
-        values = rest;
-    }
-}
-
-/// Returns the first index of a range for which a test fails, or the end of the range. The test fails for all
-/// that follow.
-fn first_not(Range { mut start, mut end }: Range<usize>, holds: impl Fn(usize) -> bool) -> usize {
-    // The last one first: most stretches are whole.
-    let mut middle = end.saturating_sub(1);
-    while start < end {
-        if holds(middle) {
-            start = middle + 1;
-        } else {
-            end = middle;
-        }
-        middle = start.midpoint(end);
-    }
-    start
 }
 
 /// A compiled cone and its axis.

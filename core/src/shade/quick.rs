@@ -1,12 +1,14 @@
 //! Spotlights, compiled for the quick evaluation.
 
-use super::{Incident, LightModel, SurfacePoint, fill_by_offset, lobe, reaches};
+use core::ops::Range;
+
+use super::{Incident, LightModel, SurfacePoint, lobe, reaches};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
     falloff::{Falloff, SoftOrHard},
-    number::{Fraction, Offset, Quick, Ray, Share},
+    number::{Fraction, Offset, OffsetAlong, Quick, Ray, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -107,18 +109,36 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
         self.at::<H>(&offset, (surface.normal, surface.view), highlight, skips)
     }
 
+    /// The points of a stretch share most of the computation of their offsets. In the inner loop that part, and
+    /// what the evaluation computes of it, is constant.
     #[inline(always)]
     fn fill_along(
         &self,
         [y, z]: [S::Length; 2],
         x: impl Fn(usize) -> S::Length,
         normal: impl Fn(usize) -> Vec3<S>,
-        arrived: &mut [S::Irradiance],
+        mut arrived: &mut [S::Irradiance],
     ) {
-        let point = Vec3 { x: S::Length::default(), y, z };
-        fill_by_offset([self.position, point], x, arrived, |i, offset: &S::QuickOffset| {
+        let light = |i: usize, offset: &S::QuickOffset| {
             self.at::<NoSpecular>(offset, (normal(i), Vec3::default()), &(), true).diffuse
-        });
+        };
+        let mut start = 0;
+        while !arrived.is_empty() {
+            let here = Vec3 { x: x(start), y, z };
+            let stretch = S::QuickOffset::stretch(self.position, here);
+            let end = start + arrived.len();
+            let count = first_not(start..end, |i| S::QuickOffset::is_in(&stretch, x(i))) - start;
+            let Some((part, rest)) = arrived.split_at_mut_checked(count.max(1)) else { return };
+            if count == 0 {
+                part.fill_with(|| light(start, &S::QuickOffset::between(self.position, here)));
+            } else {
+                for (i, to) in part.iter_mut().enumerate() {
+                    *to = light(start + i, &S::QuickOffset::along(&stretch, x(start + i)));
+                }
+            }
+            start += part.len();
+            arrived = rest;
+        }
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
@@ -154,4 +174,20 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
         let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.value().scalar());
         Incident { diffuse, specular: light(falloff.times(Share::of_scalar(lobe))) }
     }
+}
+
+/// Returns the first index of a range for which a test fails, or the end of the range. The test fails for all
+/// that follow.
+fn first_not(Range { mut start, mut end }: Range<usize>, holds: impl Fn(usize) -> bool) -> usize {
+    // The last one first: most stretches are whole.
+    let mut middle = end.saturating_sub(1);
+    while start < end {
+        if holds(middle) {
+            start = middle + 1;
+        } else {
+            end = middle;
+        }
+        middle = start.midpoint(end);
+    }
+    start
 }
