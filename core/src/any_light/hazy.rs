@@ -110,7 +110,8 @@ fn raised<const N: usize>(
     result: impl Fn(f32) -> f32,
 ) {
     for (intensities, versines) in intensities.as_flattened_mut().iter_mut().zip(versines.as_flattened()) {
-        let (bases, mut powers) = (versines.map(&base), versines.map(&base));
+        let bases = versines.map(&base);
+        let mut powers = bases;
         for digit in (0..exponent.max(1).ilog2()).rev() {
             powers.iter_mut().for_each(|power| *power *= *power);
             if exponent >> digit & 1 == 1 {
@@ -137,9 +138,7 @@ impl<const N: usize> WithFalloff<f32> for AtEach<'_, N> {
         let Self { versines, intensities, .. } = self;
         for (intensities, versines) in intensities.as_flattened_mut().iter_mut().zip(versines.as_flattened())
         {
-            for i in 0..N {
-                intensities[i] = cone.at(versines[i]);
-            }
+            cone.at_each(versines, intensities);
         }
     }
 }
