@@ -50,7 +50,9 @@ export class Cores {
   #wake(number) {
     const core = this.#cores[number];
     core.eventRegistered = true;
-    if (core.waiting) [core.waiting, this.#cycles[number]] = [false, this.#cycles[this.turn]];
+    if (!core.waiting) return;
+    core.waiting = false;
+    this.#cycles[number] = Math.max(...this.#cycles);
   }
 
   #status() {

@@ -121,9 +121,9 @@ impl Seen {
         outside(start..end, &self.shadows)
     }
 
-    /// The object that a column shows.
+    /// The object that a column shows: of two, the one that is drawn last.
     fn object(&self, column: usize) -> Option<usize> {
-        self.objects.iter().position(|object| object.contains(&column))
+        self.objects.iter().rposition(|object| object.contains(&column))
     }
 
     /// The material that a column shows.

@@ -104,7 +104,7 @@ fn from_middle(point: Vec3<Length>) -> [i32; 2] {
 
 /// Whether a point is within the column's circle, seen from above.
 #[inline(always)]
-fn is_over(point: &Vec3<Length>) -> bool {
+pub(super) fn is_over(point: &Vec3<Length>) -> bool {
     let [right, front] = from_middle(*point).map(|way| way >> 4);
     let radius = steps(COLUMN_RADIUS) >> 4;
     right * right + front * front < radius * radius
@@ -119,12 +119,6 @@ fn normal(point: Vec3<Length>) -> Vec3<Fx16> {
 
 /// Where the column can shadow a point.
 pub(super) const WEDGE: Wedge = Wedge::of_column(COLUMN, COLUMN_RADIUS, COLUMN_HEIGHT);
-
-/// Whether a point is inside the column, seen from above, where it is hidden.
-#[inline(always)]
-pub(super) fn is_inside(point: &Vec3<Length>) -> bool {
-    is_over(point)
-}
 
 /// Whether the column is between a point outside it and the light, which hangs higher.
 #[inline(always)]

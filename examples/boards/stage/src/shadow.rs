@@ -23,7 +23,7 @@ pub(super) fn cast(seen: &mut Seen, sites: &[Site], lights: &mut [Light16]) {
     let width = lights.len();
     *by_ball = shadowed(by_ball, width, &wedge(ball::WEDGE), backdrop, ball::is_between);
     *by_column = shadowed(by_column, width, &wedge(column::WEDGE), backdrop, |way| {
-        column::is_inside(&way.point()) || column::is_between(way)
+        column::is_over(&way.point()) || column::is_between(way)
     });
     shade(on_column, sites, lights, ball::WEDGE, ball::is_between);
     shade(on_ball, sites, lights, column::WEDGE, column::is_between);
