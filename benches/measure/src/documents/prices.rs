@@ -155,7 +155,7 @@ of three on a Cortex-M0. `lit-inverse-square-libgcc` is the lit point in [C](../
 12.2, `-O3`): 25 multiplications, 13 additions and two comparisons. Arm's own
 [routines](https://github.com/ARM-software/optimized-routines/tree/master/fp/armv6-m) are the fastest that we know: a
 multiplication takes 46 instructions, where gcc's takes 118 and Rust's 114, an addition 45 and gcc's 68, and a lit point in C
-took 1,733, where gcc's took 3,854 (measured once, for another text of as many multiplications and additions). The floats in the
+took 1,733, where gcc's took 3,854 (measured once, elsewhere, for another text of the same light). The floats in the
 boot ROM of an RP2040, which its SDK takes by default, are not counted. So a ratio between fixed point and floats on a Cortex-M0
 is one to Arm's.
 ";
