@@ -21,6 +21,7 @@
 //! ```
 
 mod carried;
+mod interpolation;
 
 use core::ops::RangeInclusive;
 

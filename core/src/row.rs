@@ -69,6 +69,18 @@ pub trait Points<S: Scalar> {
             *arrived = light.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
         }
     }
+
+    /// Sets the irradiance as [`fill`](Self::fill) does, at every `N`-th index.
+    #[inline(always)]
+    fn fill_every<L: LightModel<S>, const N: usize>(
+        &self,
+        light: &L,
+        normal: Vec3<S>,
+        first: usize,
+        arrived: &mut [S::Irradiance],
+    ) {
+        (|i: usize| self.at(first.wrapping_add(i.wrapping_mul(N)))).fill(light, |_| normal, 0, arrived);
+    }
 }
 
 impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Points<S> for F {
@@ -102,6 +114,18 @@ impl<S: Scalar, F: Fn(usize) -> S::Length> Points<S> for AlongX<S::Length, F> {
     ) {
         let x = |i: usize| (self.x)(first.wrapping_add(i));
         light.fill_along([self.y, self.z], x, |i| normal(first.wrapping_add(i)), arrived);
+    }
+
+    #[inline(always)]
+    fn fill_every<L: LightModel<S>, const N: usize>(
+        &self,
+        light: &L,
+        normal: Vec3<S>,
+        first: usize,
+        arrived: &mut [S::Irradiance],
+    ) {
+        let x = |i: usize| (self.x)(first.wrapping_add(i.wrapping_mul(N)));
+        light.fill_along([self.y, self.z], x, |_| normal, arrived);
     }
 }
 
@@ -182,6 +206,55 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
         self.points.fill(light, normal, first, arrived);
     }
 
+    /// Sets `arrived` as [`fill`](Self::fill) does at every `N`-th point from index `first` on, and linearly
+    /// between these points; `N` is 2, 4 or 8.
+    ///
+    /// [`interpolation_bound`](crate::SpotLight::interpolation_bound) bounds the error of a light with an
+    /// inverse square. In fixed point means are rounded down, by at most 1/2, 3/4 or 9/8 of a step of the
+    /// format. The light is evaluated at up to `N` indices beyond the end of `arrived`, too.
+    /// The start of [`reach`](Self::reach) is a multiple of 16: from there, the pixels of a row depend on no
+    /// other light of the row.
+    ///
+    /// ```
+    /// use luminaire::{Angle, Cone, Fx16, Length, Rgb, Scalar, SpotLight, light::Row, number::Light16};
+    /// use luminaire::display::{Rgb565, clip};
+    ///
+    /// let cone = Cone::soft(Angle::degrees(40.0))?;
+    /// let spot = SpotLight::new([5.0, 3.0, 1.0], [0.0, -1.0, 0.0], cone)?.with_intensity(4.5)?;
+    /// let light = spot.compile_quick::<Fx16>()?;
+    /// // A row of a floor, 64 pixels to the metre: the points that are evaluated are 1/16 m apart.
+    /// let row = Row::along_x(Fx16::normal([0.0, 1.0, 0.0]), [Length::ZERO, Fx16::length(1.0)], |column| {
+    ///     Length::from_bits((column as i32) << (16 - 6))
+    /// });
+    /// let mut arrived = [Light16::ZERO; 640];
+    /// let lit = row.reach(&light, arrived.len());
+    /// row.fill_interpolated::<_, 4>(&light, lit.start, &mut arrived[lit]);
+    /// // Less than a code of eight bits in linear light.
+    /// assert!(spot.interpolation_bound(1.0 / 16.0, 3.0).unwrap() < 0.9 / 255.0);
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn fill_interpolated<L: LightModel<S>, const N: usize>(
+        &self,
+        light: &L,
+        first: usize,
+        arrived: &mut [S::Irradiance],
+    ) {
+        const { assert!(matches!(N, 2 | 4 | 8), "N is 2, 4 or 8") };
+        let mut evaluated = [S::Irradiance::default(); RUNS + 1];
+        for (i, points) in arrived.chunks_mut(RUNS * N).enumerate() {
+            let from = first.wrapping_add(i * RUNS * N);
+            let last = points.len().div_ceil(N);
+            let ends = evaluated.get_mut(..=last).unwrap_or_default();
+            self.points.fill_every::<_, N>(light, self.normal, from, ends);
+            for (run, ends) in points.chunks_mut(N).zip(ends.windows(2)) {
+                if let [from, to] = *ends {
+                    set_between::<S>(from, to, run, N);
+                }
+            }
+        }
+    }
+
     /// Calls `show` for each pixel that receives light, with the pixel, its index and the sum of
     /// the lights, each times its colour. Pixels without light keep their values.
     ///
@@ -213,6 +286,30 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
             if sum != Rgb::default() {
                 show(pixel, column, sum);
             }
+        }
+    }
+}
+
+/// The runs of interpolated points whose ends are evaluated together.
+const RUNS: usize = 16;
+
+/// Sets a run of points between two values: the first point to `from`, and the point after `length` points would
+/// have `to`.
+#[inline(always)]
+fn set_between<S: Scalar>(from: S::Irradiance, to: S::Irradiance, run: &mut [S::Irradiance], length: usize) {
+    let middle = S::mean_light(from, to);
+    let quarter = |from, to| {
+        let middle = S::mean_light(from, to);
+        [from, S::mean_light(from, middle), middle, S::mean_light(middle, to)]
+    };
+    let set =
+        |run: &mut [_], values: &[_]| run.iter_mut().zip(values).for_each(|(point, value)| *point = *value);
+    match length {
+        2 => set(run, &[from, middle]),
+        4 => set(run, &quarter(from, to)),
+        _ => {
+            let ([a, b, c, d], [e, f, g, h]) = (quarter(from, middle), quarter(middle, to));
+            set(run, &[a, b, c, d, e, f, g, h]);
         }
     }
 }

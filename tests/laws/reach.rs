@@ -44,7 +44,7 @@ fn sphere<S: Format>(words: &mut Words<'_>) -> Option<()> {
     Some(())
 }
 
-/// The pixels of a row have the light of single calls without early-outs.
+/// The pixels of a row have the light of single calls without early-outs, or of the means of such calls.
 pub fn rows_have_the_light_of_their_points<S: Format>(words: &[u32]) {
     let _: Option<()> = row::<S, _>(&mut Words::new(words), |spot| spot.compile::<S>().ok());
 }
@@ -96,7 +96,40 @@ fn row<S: Format, L: LightModel<S>>(
         let expected = [normal, normal_of(i)].map(single);
         assert_eq!([arrived, facing], expected, "{light:?} at {:?} along x, point {i} of {count}", point(i));
     }
+    let line = Row::new(normal, point);
+    let single =
+        |point| light.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse;
+    let on_line = |i| single(point(3 + i));
+    let along_x = |i| single(Vec3 { x: point(3 + i).x, ..start });
+    interpolated::<S, 2>(count, |arrived| line.fill_interpolated::<_, 2>(&light, 3, arrived), on_line);
+    interpolated::<S, 4>(count, |arrived| along.fill_interpolated::<_, 4>(&light, 3, arrived), along_x);
+    interpolated::<S, 8>(count, |arrived| along.fill_interpolated::<_, 8>(&light, 3, arrived), along_x);
     Some(())
+}
+
+/// Every `N`-th value is that of a single call, and the values between differ from the exact means by the
+/// rounding of the format.
+fn interpolated<S: Format, const N: usize>(
+    count: usize,
+    fill: impl Fn(&mut [S::Irradiance]),
+    single: impl Fn(usize) -> S::Irradiance,
+) {
+    let mut filled = vec![S::Irradiance::default(); count];
+    fill(&mut filled);
+    for (i, filled) in filled.into_iter().enumerate() {
+        let (run, part) = (i / N * N, (i % N) as f64 / N as f64);
+        if i == run {
+            assert_eq!(filled, single(i), "point {i} of {count}");
+            continue;
+        }
+        let [from, to] = [run, run + N].map(|i| S::exact_light(single(i)));
+        let exact = from + part * (to - from);
+        // A mean is rounded by half a step, and that of two means carries half of their errors.
+        let steps = [0.5, 0.75, 1.125][N.ilog2() as usize - 1];
+        let bound = steps * S::exact(S::scalar_from_bits(1)) + exact * f64::from(f32::EPSILON);
+        let error = (S::exact_light(filled) - exact).abs();
+        assert!(error <= bound, "point {i} of {count}, every {N}: {error} from {exact}, expected {bound}");
+    }
 }
 
 fn double(v: Vec3<f32>) -> DVec3 {

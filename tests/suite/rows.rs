@@ -4,7 +4,7 @@ use fastrand::Rng;
 use luminaire::{
     AmbientLight, Angle, Cone, Fx16, Fx32, Material, Rgb, SpotLight, Vec3,
     display::clip,
-    falloff::{Soft, Step},
+    falloff::{AnyFalloff, Cubic, Falloff, Hard, RealPower, Soft, Step},
     light::{CompiledSpotLight, Row, SurfacePoint},
     specular::BlinnPhong,
 };
@@ -12,7 +12,10 @@ use support::{
     assert_that,
     format::Format,
     in_every_format,
-    oracle::DVec3,
+    oracle::{
+        self, DVec3,
+        climb::{self, Search},
+    },
     sweep::{self, half},
 };
 
@@ -182,6 +185,84 @@ fn rows_at_the_ends_of_a_format_have_the_light_of_their_points() {
         }
     }
     in_every_format!(assert_rows);
+}
+
+/// A light 1 from the nearest point of a segment of a flat surface, and the length of the segment. The four
+/// numbers are the cosine between the segment and the direction to that point, two coordinates of the
+/// axis relative to that direction, and the length.
+type Segment = [f64; 4];
+
+/// The error of linear interpolation over a segment, in the middle and at quarters, in units of the bound.
+fn interpolation_error(light: &SpotLight<AnyFalloff>, [s, x, y, length]: Segment) -> f64 {
+    let (cone, intensity) = (light.cone(), f64::from(light.intensity()));
+    let falloff = cone.falloff();
+    let [inner, outer, _] = cone.versines().map(f64::from);
+    // The light is at the origin, and the line along x passes it at the depth c.
+    let c = (1.0 - s * s).sqrt();
+    let nearest = DVec3::new(s, -c, 0.0);
+    let axis = (nearest + x * DVec3::new(c, s, 0.0) + y * DVec3::Z).normalize();
+    let lit = |t: f64| {
+        let way = nearest + t * length * DVec3::X;
+        let distance = way.length();
+        let versine = oracle::versine_between(way, axis);
+        let argument = ((outer - versine) / (outer - inner)).clamp(0.0, 1.0);
+        intensity * falloff.formula().exact(argument) * c / distance.powi(3)
+    };
+    let [from, to] = [0.0, 1.0].map(lit);
+    let error = |t: f64| (lit(t) - from - t * (to - from)).abs();
+    let bound = light.interpolation_bound(length as f32, 1.0).expect("a bound");
+    [0.25, 0.5, 0.75].map(error).into_iter().fold(0.0, f64::max) / f64::from(bound)
+}
+
+/// Interpolation between points of a flat surface keeps its bound, and half of the bound is found.
+#[test]
+fn interpolation_keeps_its_bound() {
+    let mut rng = Rng::with_seed(25);
+    // Of falloffs without and with a kink at the edge of the cone.
+    let mut most = [0.0_f64; 2];
+    let falloffs = [
+        Soft.into(),
+        Hard.into(),
+        Cubic::with_slopes(0.3, 0.5).unwrap().into(),
+        RealPower::new(2.5).unwrap().into(),
+    ];
+    for falloff in falloffs.into_iter().cycle().take(60) {
+        let falloff: AnyFalloff = falloff;
+        let half_angle = 1.0 * 89.0_f32.powf(rng.f32());
+        let cone = Cone::from_outer(falloff, half(half_angle)).expect("a sound angle");
+        let cone =
+            if rng.bool() { cone.with_inner(half(half_angle * rng.f32())).expect("less") } else { cone };
+        let light = SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone).expect("a sound light");
+        let size = f64::from(half_angle).to_radians().sin();
+        let somewhere = |rng: &mut Rng| {
+            let signed = |rng: &mut Rng| 2.0 * rng.f64() - 1.0;
+            [
+                signed(rng).abs() * 0.999,
+                2.0 * size * signed(rng),
+                2.0 * size * signed(rng),
+                size * 0.01_f64.powf(rng.f64()),
+            ]
+        };
+        let moved = |rng: &mut Rng, mut at: Segment| {
+            let size = f64::from(climb::size(rng));
+            match rng.u8(..4) {
+                0 => at[0] = (at[0] + size).clamp(0.0, 0.9999),
+                1 => at[1] += at[3] * size,
+                2 => at[2] += at[3] * size,
+                _ => at[3] *= 1.0 + 0.5 * size,
+            }
+            at
+        };
+        let search = Search { starts: 500, climbs: 3, steps: 500, seed: rng.u64(..) };
+        let worst = search.worst(somewhere, moved, |at| interpolation_error(&light, at)).expect("an error");
+        assert!(worst.error <= 1.0, "{light:?}: {worst:?}");
+        let most = &mut most[usize::from(
+            cone.versines()[0] > 0.0 || matches!(falloff, AnyFalloff::Hard(_) | AnyFalloff::Cubic(_)),
+        )];
+        *most = most.max(worst.error);
+    }
+    println!("{most:.3?} of the bound");
+    assert!(most[0] > 0.5 && most[1] > 0.8, "{most:?}");
 }
 
 fn assert_vertices<S: Format>() {

@@ -243,6 +243,8 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn filter(light: Self::Received, color: Self) -> Self::Received;
     /// Returns the sum of two lights.
     fn add_light(a: Self::Received, b: Self::Received) -> Self::Received;
+    /// Returns the mean of two lights, in fixed point rounded down.
+    fn mean_light(a: Self::Received, b: Self::Received) -> Self::Received;
     /// Converts a light to a gain.
     fn light_to_gain(light: Self::Received) -> Self::Gain;
     /// Multiplies a light by a gain; a gain of one changes no bit.

@@ -628,6 +628,11 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
+    fn mean_light(a: f32, b: f32) -> f32 {
+        0.5 * a + 0.5 * b
+    }
+
+    #[inline]
     fn light_to_gain(light: f32) -> f32 {
         light
     }

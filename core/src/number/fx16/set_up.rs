@@ -338,6 +338,11 @@ impl Arithmetic for Fx16 {
     }
 
     #[inline]
+    fn mean_light(a: Light16, b: Light16) -> Light16 {
+        Light16::from_bits(u32::midpoint(a.to_bits(), b.to_bits()))
+    }
+
+    #[inline]
     fn light_to_gain(light: Light16) -> Gain16 {
         Gain16::normalised(light.to_bits(), 14)
     }

@@ -274,6 +274,11 @@ impl Arithmetic for Fx32 {
     }
 
     #[inline]
+    fn mean_light(a: Light32, b: Light32) -> Light32 {
+        Light32::from_bits(u64::midpoint(a.to_bits(), b.to_bits()))
+    }
+
+    #[inline]
     fn light_to_gain(light: Light32) -> Gain32 {
         Gain32::normalised(light.to_bits(), 30)
     }

@@ -1,0 +1,78 @@
+//! A bound of the error of linear interpolation between points of a flat surface.
+//!
+//! On a straight line of a flat surface, a point at the distance `d` from the light has the irradiance
+//! `E = I P(t) H / d^3`, with the light's height `H` above the surface. Let `s` and `c` be cosine and sine of
+//! the angle between the line and the direction from the light, so `H <= c d`. Along the line
+//!
+//! ```text
+//! H (d^-3)'  <= 3 s c d^-3          v'  <= sqrt(2 w) c / d
+//! H (d^-3)'' <= c |15 s^2 - 3| d^-4   v'' <= (c^2 + 2 s c sqrt(2 w)) / d^2
+//! ```
+//!
+//! with the versine `v` of the direction, at most the outer versine `w`: its sine is at most `sqrt(2 w)`.
+//! With `t = (w - v) / span`, the largest slope `P1` and curvature `P2` of the falloff, and the maxima
+//! over `s` of `c |15 s^2 - 3|` (4.1313), `8 s c^2` (3.0792) and `2 s c^2` (0.7699), the second derivative is
+//!
+//! ```text
+//! |E''| <= I / d^4 (2 w P2 / span^2 + (1 + 3.0792 sqrt(2 w)) P1 / span + 4.1313)
+//! ```
+//!
+//! Linear interpolation between points `h` apart errs by at most `h^2 / 8` times it, and by at most `h / 4`
+//! times each kink of the slope between them. A falloff has kinks where the cone ends and where its full
+//! intensity begins, of `I / d^2 |v'|` times its slope there over the span. A run of points crosses such an
+//! edge once, or twice with slopes that add up to at most `h` times the largest `v''`.
+
+use crate::{
+    attenuation::InverseSquare,
+    falloff::{Falloff, Formula},
+    light::SpotLight,
+    trig::square_root,
+};
+
+use super::above;
+
+/// Largest curvature of the inverse square on a flat surface.
+const FALL: f64 = 4.1313;
+
+impl<P: Falloff> SpotLight<P, InverseSquare> {
+    /// Returns an upper bound of the error of linear interpolation of the irradiance between points that are
+    /// `spacing` apart on a straight line of a flat surface, no part of which is nearer than `nearest`.
+    ///
+    /// The bound is that of exact arithmetic: 1 is full scale and 1/255 a linear code. A display whose
+    /// codes run from 0 to `last` shows it as at most `last` times the sRGB encoding of the bound, because
+    /// the encoding is concave. `core/src/bound/interpolation.rs` has the derivation.
+    ///
+    /// `None` if the intensity jumps at the edge of the cone, if the falloff is neither a polynomial nor a
+    /// power of at least 2, or if `spacing` and `nearest` are not positive numbers.
+    pub fn interpolation_bound(&self, spacing: f32, nearest: f32) -> Option<f32> {
+        let [inner, outer, limit] = self.cone().versines().map(f64::from);
+        let falloff = self.cone().falloff();
+        // The slopes at t = 0 and t = 1, the largest slope, and the largest curvature.
+        let [start, end, slope, curvature] = match falloff.formula() {
+            Formula::Polynomial(curve) => {
+                let [a, b, c] = curve.map(f64::from);
+                let slope = |t: f64| (a + t * (2.0 * b + t * (3.0 * c))).abs();
+                let curvature = |t: f64| (2.0 * b + 6.0 * c * t).abs();
+                let turn = -b / (3.0 * c);
+                let middle = if turn > 0.0 && turn < 1.0 { slope(turn) } else { 0.0 };
+                let [start, end] = [slope(0.0), slope(1.0)];
+                [start, end, start.max(end).max(middle), curvature(0.0).max(curvature(1.0))]
+            }
+            Formula::Power(p) if p >= 2.0 => {
+                let p = f64::from(p);
+                [0.0, p, p, p * (p - 1.0)]
+            }
+            _ => return None,
+        };
+        let positive = |length: f32| Some(f64::from(length)).filter(|length| *length > 0.0);
+        let (nearest, true) = (positive(nearest)?, limit >= outer) else { return None };
+        let h = positive(spacing)? / nearest;
+        let (span, sine) = (outer - inner, square_root(2.0 * outer));
+        let curvature = 2.0 * outer * curvature / (span * span) + (1.0 + 3.0792 * sine) * slope / span;
+        // The axis is no edge: there the versine has no slope.
+        let at_edges = start + if inner > 0.0 { end } else { 0.0 };
+        let crossed = sine.max(h * (1.0 + 0.7699 * sine));
+        let error = h * h / 8.0 * (curvature + FALL) + h / 4.0 * at_edges * crossed / span;
+        Some(above(f64::from(self.intensity()) / (nearest * nearest) * error))
+    }
+}
