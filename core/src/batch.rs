@@ -3,8 +3,9 @@
 //! Every result is bit-identical to the result of a single-point call; only the order of the work
 //! differs. In `f32` the points are processed in blocks. A first pass computes the square roots of
 //! a block, and a second pass does all other computations. So no computation waits for a square
-//! root, and compilers vectorise both passes to the width of the target. Fixed point is processed
-//! point by point, with early-outs.
+//! root, and compilers vectorise both passes to the width of the target; with the feature `native` to that
+//! of the processor, if it has AVX2. Fixed point is processed point by point, with early-outs: without
+//! them, compilers do not vectorise it either, because of its tables.
 //!
 //! If slices differ in length, the shortest slice determines the number of points. Elements beyond
 //! this number are not changed.
@@ -124,7 +125,7 @@ fn rows<T: Copy>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item
 }
 
 /// Computes the irradiance at each point of a block.
-#[inline]
+#[inline(always)]
 fn light_block<S: Scalar>(
     source: &impl Batched<S>,
     points: Vec3<&[S::Length; BLOCK]>,
@@ -143,7 +144,7 @@ fn light_block<S: Scalar>(
 }
 
 /// Adds light, multiplied by a colour, to a channel.
-#[inline]
+#[inline(always)]
 fn add<S: Scalar>(sum: &mut S::Irradiance, light: S::Irradiance, color: S) {
     *sum = S::add_light(*sum, S::filter(light, color));
 }
@@ -189,6 +190,15 @@ fn add_singly<S: Scalar, L: LightModel<S>>(
     }
 }
 
+/// Runs a loop over many points with the vectors of the processor, by the feature `native`.
+#[inline(always)]
+fn with_vectors(work: impl FnOnce()) {
+    #[cfg(feature = "native")]
+    luminaire_native::with_vectors(work);
+    #[cfg(not(feature = "native"))]
+    work();
+}
+
 /// Computes the irradiance at each point, in blocks.
 fn irradiance_each<S: Scalar, L: Batched<S>>(
     light: &L,
@@ -199,10 +209,16 @@ fn irradiance_each<S: Scalar, L: Batched<S>>(
 ) {
     let whole = in_blocks::<S>(count);
     let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
-    for ((points, normals), lights) in sites.zip(blocks_mut(lights)) {
-        let (Some(points), Some(normals), Some(lights)) = (points, normals, lights) else { continue };
-        light_block(light, points, normals, lights);
-    }
+    let blocks = sites.zip(blocks_mut(lights));
+    with_vectors(
+        #[inline(always)]
+        || {
+            for ((points, normals), lights) in blocks {
+                let (Some(points), Some(normals), Some(lights)) = (points, normals, lights) else { continue };
+                light_block(light, points, normals, lights);
+            }
+        },
+    );
     irradiance_singly(light, whole..count, points, normals, lights);
 }
 
@@ -218,14 +234,20 @@ fn add_each<S: Scalar, L: Batched<S>>(
     let sites = blocks(points, 0..whole).zip(blocks(normals, 0..whole));
     let sums = blocks_mut(red).zip(blocks_mut(green)).zip(blocks_mut(blue));
     let mut lights = Lanes([S::Irradiance::default(); BLOCK]);
-    for ((points, normals), ((red, green), blue)) in sites.zip(sums) {
-        let (Some(points), Some(normals)) = (points, normals) else { continue };
-        light_block(light, points, normals, &mut lights.0);
-        for (sums, color) in [(red, color.red), (green, color.green), (blue, color.blue)] {
-            let Some(sums) = sums else { continue };
-            sums.iter_mut().zip(&lights.0).for_each(|(sum, &light)| add(sum, light, color));
-        }
-    }
+    let blocks = sites.zip(sums);
+    with_vectors(
+        #[inline(always)]
+        || {
+            for ((points, normals), ((red, green), blue)) in blocks {
+                let (Some(points), Some(normals)) = (points, normals) else { continue };
+                light_block(light, points, normals, &mut lights.0);
+                for (sums, color) in [(red, color.red), (green, color.green), (blue, color.blue)] {
+                    let Some(sums) = sums else { continue };
+                    sums.iter_mut().zip(&lights.0).for_each(|(sum, &light)| add(sum, light, color));
+                }
+            }
+        },
+    );
     add_singly(light, whole..count, points, normals, Rgb { red, green, blue });
 }
 

@@ -146,7 +146,7 @@
 //! |---|---|
 //! | `fixed` (default) | [`Fx16`] and [`Fx32`], on the types of the crate `fixed` |
 //! | `libm` (default) | trigonometry for set-up and a square root, bit-identical on every target |
-//! | `native-sqrt` (default) | the square root of an Arm floating point unit, bit-identical to that of `libm`, by the unsafe code of the crate `luminaire-native` |
+//! | `native` (default) | the square root of an Arm floating point unit, and AVX2 for slices where the processor has it, both bit-identical, by the unsafe code of the crate `luminaire-native` |
 //! | `std` | the processor's square root, bit-identical to that of `libm` |
 //! | `micromath` | square roots and sines without `libm` and `std`: angles within 0.13 %, so results differ from those of the other features |
 //! | `bytemuck` | [`Vec3`], [`Rgb`], pixels and fixed-point numbers cast to bytes; the only unsafe code |

@@ -8,7 +8,7 @@
 //! - `micromath`, a separate tier because its results are approximations.
 //! - A series, so that a build of constants and integers needs no other crate.
 //!
-//! The square root is the first available of `std`'s, that of the processor by `native-sqrt`, and the
+//! The square root is the first available of `std`'s, that of the processor by `native`, and the
 //! backend's. Every backend except `micromath` rounds the square root correctly, so all of these are
 //! bit-identical.
 
@@ -22,7 +22,7 @@ pub(crate) use power::{real_power, square_root};
 /// Returns the square root.
 #[inline]
 pub(crate) fn sqrt(x: f32) -> f32 {
-    #[cfg(all(feature = "native-sqrt", not(feature = "std")))]
+    #[cfg(all(feature = "native", not(feature = "std")))]
     if let Some(root) = luminaire_native::sqrt(x) {
         return root;
     }

@@ -23,7 +23,7 @@ const COMMON: &str = "no_panic_common";
 /// that selects them: with the arithmetic of the number formats, and so with `libm`; the kernel's own
 /// series instead of `libm`, with the conversions to other crates; and `micromath`.
 pub(crate) const CONFIGURATIONS: [(&str, &str); 3] = [
-    ("arithmetic", "fixed,arithmetic,native-sqrt"),
+    ("arithmetic", "fixed,arithmetic,native"),
     ("interop", "fixed,bytemuck,defmt,embedded-graphics-core04,glam034,mint05,serde"),
     ("micromath", "fixed,micromath"),
 ];

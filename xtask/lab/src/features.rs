@@ -22,7 +22,7 @@ pub(crate) const SETS: [(&str, &[&str]); 5] = [
         &[
             "--no-default-features",
             "--features",
-            "arithmetic,bytemuck,defmt,embedded-graphics-core04,fixed,glam034,libm,micromath,mint05,native-sqrt,serde",
+            "arithmetic,bytemuck,defmt,embedded-graphics-core04,fixed,glam034,libm,micromath,mint05,native,serde",
         ],
     ),
 ];
