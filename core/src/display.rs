@@ -33,7 +33,6 @@ mod encode;
 mod exposure;
 mod fit;
 mod gray;
-mod level;
 mod pack;
 mod palette;
 mod pixel;
@@ -52,7 +51,7 @@ pub use self::{
     pack::{Layout, pack},
     palette::Palette,
     pixel::{Pixel, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888},
-    pwm::{Pwm, Pwm8, Pwm10, Pwm12, Pwm16, TemporalDither},
+    pwm::{Pwm, Pwm8, TemporalDither},
     ramp::Rgb565Ramp,
     srgb::{decode_srgb, encode_srgb, encode_srgb_each},
 };

@@ -3,7 +3,7 @@
 use super::{
     curve::Srgb,
     dither::{dithered, dithered_word, threshold},
-    pixel::{Packed, Pixel},
+    pixel::{Pixel, Sealed},
     srgb::{nearest_code, nearest_of_word},
 };
 use crate::{
@@ -11,34 +11,35 @@ use crate::{
     number::{Scalar, Word, float::clamp},
 };
 
-/// The weights of the channels in the luminance (ITU-R BT.709: 0.2126, 0.7152, 0.0722), in units of
-/// 2^-16. Their sum is exactly 1, so white stays white.
-const WEIGHTS: Rgb<u16> = Rgb::new(13_933, 46_871, 4_732);
+/// The weights of red and blue in the luminance (ITU-R BT.709: 0.2126 and 0.0722), in units of 2^-16.
+/// Green has the rest, 0.7152, so that white stays white.
+const RED: u16 = 13_933;
+const BLUE: u16 = 4_732;
 
 /// Returns the luminance of a linear colour clipped to `[0, 1]`.
 ///
-/// The weights are off by at most 5.3e-6 of full scale in all. In `Fx16` the sum is exact, in units
-/// of 2^-30; in `Fx32` it is rounded down to that unit.
+/// In `Fx16` it is exact, in units of 2^-30; in `Fx32` it is rounded down to that unit.
 #[inline]
 fn luminance<S: Scalar>(color: Rgb<S>) -> Word {
     let Rgb { red, green, blue } = color.map(S::word);
     match (red, green, blue) {
         (Word::Single(red), Word::Single(green), Word::Single(blue)) => {
-            let part = |value, weight| clamp(value) * (f32::from(weight) / 65_536.0);
-            let (red, green) = (part(red, WEIGHTS.red), part(green, WEIGHTS.green));
-            Word::Single(red + green + part(blue, WEIGHTS.blue))
+            let (red, green, blue) = (clamp(red), clamp(green), clamp(blue));
+            let part = |weight| f32::from(weight) / 65_536.0;
+            // As differences, so that equal channels have exactly their own luminance.
+            Word::Single(green + part(RED) * (red - green) + part(BLUE) * (blue - green))
         }
         #[cfg(feature = "fixed")]
         (Word::Steps14(red), Word::Steps14(green), Word::Steps14(blue)) => {
-            let part = |value: i16, weight| i32::from(value.clamp(0, 1 << 14)) * i32::from(weight);
-            let (red, green) = (part(red, WEIGHTS.red), part(green, WEIGHTS.green));
-            Word::Steps30(red + green + part(blue, WEIGHTS.blue))
+            let [red, green, blue] = [red, green, blue].map(|channel| i32::from(channel.clamp(0, 1 << 14)));
+            let sum = (green << 16) + i32::from(RED) * (red - green) + i32::from(BLUE) * (blue - green);
+            Word::Steps30(sum)
         }
         #[cfg(feature = "fixed")]
         (Word::Steps30(red), Word::Steps30(green), Word::Steps30(blue)) => {
-            let part = |value: i32, weight| i64::from(value.clamp(0, 1 << 30)) * i64::from(weight);
-            let (red, green) = (part(red, WEIGHTS.red), part(green, WEIGHTS.green));
-            Word::Steps30((red + green + part(blue, WEIGHTS.blue) >> 16) as i32)
+            let [red, green, blue] = [red, green, blue].map(|channel| i64::from(channel.clamp(0, 1 << 30)));
+            let sum = (green << 16) + i64::from(RED) * (red - green) + i64::from(BLUE) * (blue - green);
+            Word::Steps30((sum >> 16) as i32)
         }
         // The words of one format are of one kind.
         #[cfg(feature = "fixed")]
@@ -58,7 +59,7 @@ macro_rules! grays {
             /// The last code: white.
             pub const LAST: u8 = u8::MAX >> (8 - $bits);
 
-            /// Returns the grey nearest to light without a colour, such as an irradiance.
+            /// Returns the nearest grey of light without a colour, such as one channel.
             #[inline]
             pub fn from_luminance<S: Scalar>(light: S) -> Self {
                 Self(nearest_code::<S, Srgb, { (1 << $bits) - 1 }>(light))
@@ -71,19 +72,13 @@ macro_rules! grays {
             }
         }
 
-        impl Packed for $name {
-            #[inline]
-            fn packed(self) -> u32 {
-                self.to_bits()
-            }
-        }
+        impl Sealed for $name {}
 
         /// The grey of a colour is that of its luminance in linear light, 0.2126 red + 0.7152 green +
-        /// 0.0722 blue (ITU-R BT.709), with weights that sum to exactly 1. The weights are off by at
-        /// most 5.3e-6 of full scale in all; in `Fx16` nothing else is rounded.
+        /// 0.0722 blue (ITU-R BT.709), within 5.4e-6 of full scale: the weights are multiples of 2^-16
+        /// that sum to exactly 1, and are off by 5.3e-6 in all. In `Fx16` nothing else is rounded.
         impl Pixel for $name {
             const BITS: u32 = $bits;
-            const PACKED_BITS: u32 = $bits;
 
             #[inline]
             fn nearest<S: Scalar>(color: Rgb<S>) -> Self {

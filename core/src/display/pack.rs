@@ -44,21 +44,24 @@ pub fn pack<P: Pixel>(pixels: &[P], layout: Layout, bytes: &mut [u8]) -> usize {
     // Bits that no byte has yet: fewer than 8 before a pixel, which adds at most 24.
     let (mut held, mut width) = (0, 0);
     for pixel in pixels.iter().take(count) {
+        let bits = match (P::BITS, pixel.to_bits()) {
+            // The six bits of a channel are the upper ones of a byte.
+            (18, bits) => (bits & 0x3_f000) << 6 | (bits & 0xfc0) << 4 | (bits & 0x3f) << 2,
+            (_, bits) => bits,
+        };
         match layout {
-            Layout::MsbFirst => held = held << P::PACKED_BITS | pixel.packed(),
-            Layout::LsbFirst => held |= pixel.packed() << width,
+            Layout::MsbFirst => held = held << P::PACKED_BITS | bits,
+            Layout::LsbFirst => held |= bits << width,
         }
         width += P::PACKED_BITS;
         while width >= 8 {
             width -= 8;
-            let byte = match layout {
-                Layout::MsbFirst => held >> width,
-                Layout::LsbFirst => held,
+            let (byte, rest) = match layout {
+                Layout::MsbFirst => (held >> width, held),
+                Layout::LsbFirst => (held, held >> 8),
             };
             bytes.by_ref().take(1).for_each(|to| *to = byte as u8);
-            if layout == Layout::LsbFirst {
-                held >>= 8;
-            }
+            held = rest;
         }
     }
     if width > 0 {

@@ -26,7 +26,7 @@ use crate::{
 ///
 /// The colour of a cell need not be the nearest to every colour in the cell. If the nearest is `d`
 /// away, the colour of the cell is at most `1.009 d + 52` away (derived: twice the 25.5 from the
-/// middle to a corner of a cell, and the change of the weights with `r`).
+/// middle to a corner of a cell, and the change of the weights with `r`; 49.9 found).
 ///
 /// ```
 /// use luminaire::{Rgb, display::Palette};
@@ -69,8 +69,8 @@ impl<'a> Palette<'a> {
         Ok(Self::from_cells(colors, cells, (sum / count.max(1)) as u8))
     }
 
-    /// Creates a palette from the [cells](Self::cells) and the [spacing](Self::spacing) that
-    /// [`new`](Self::new) computed, for example in a build script.
+    /// Creates a palette from its [cells](Self::cells), as [`new`](Self::new) computed them in a build
+    /// script, and a [spacing](Self::spacing): 0 switches the dither off.
     pub const fn from_cells(colors: &'a [Rgb<u8>], cells: [u8; CELLS], spacing: u8) -> Self {
         Self { colors, cells, spacing }
     }
@@ -83,12 +83,6 @@ impl<'a> Palette<'a> {
     /// Returns the range of the dither in sRGB codes.
     pub const fn spacing(&self) -> u8 {
         self.spacing
-    }
-
-    /// Returns the palette with this range of the dither in sRGB codes: less for a smoother picture
-    /// with more visible bands.
-    pub const fn with_spacing(self, spacing: u8) -> Self {
-        Self { spacing, ..self }
     }
 
     /// Returns the colour of an index; black for an index past the last colour.

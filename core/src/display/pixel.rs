@@ -7,11 +7,8 @@ use super::{
 };
 use crate::{color::Rgb, number::Scalar};
 
-/// How a pixel is packed. The trait is private, which seals [`Pixel`].
-pub trait Packed: Copy {
-    /// Returns the lowest [`Pixel::PACKED_BITS`] bits as a display expects them.
-    fn packed(self) -> u32;
-}
+/// Seals [`Pixel`].
+pub trait Sealed: Copy {}
 
 /// A pixel of a display: [`Gray1`](super::Gray1) to [`Gray8`](super::Gray8), [`Rgb332`] to
 /// [`Rgb888`].
@@ -24,27 +21,28 @@ pub trait Packed: Copy {
 /// assert_eq!(Rgb332::nearest(amber), Rgb332(0b111_100_00));
 /// assert_eq!(Gray4::dithered(amber, 3, 5), Gray4(11));
 /// ```
-pub trait Pixel: Packed {
+pub trait Pixel: Sealed {
     /// The number of bits of a pixel.
     const BITS: u32;
-    /// The number of bits that a pixel takes in [`pack`](super::pack): unused bits count.
-    const PACKED_BITS: u32;
+    /// The number of bits that a pixel takes in [`pack`](super::pack), with its unused bits.
+    const PACKED_BITS: u32 = match Self::BITS {
+        15 => 16,
+        18 => 24,
+        bits => bits,
+    };
 
-    /// Returns the pixel nearest to a linear colour clipped to `[0, 1]`, channel by channel, in the
-    /// sRGB encoding.
-    ///
-    /// The colour is rounded once, to exactly the nearest code of each channel.
+    /// Returns the nearest sRGB pixel to a linear colour, clipped to `[0, 1]`: each channel has
+    /// exactly the nearest code.
     fn nearest<S: Scalar>(color: Rgb<S>) -> Self;
 
-    /// Returns the pixel of a linear colour at `(x, y)`, with ordered dither in linear light.
+    /// Returns the pixel of a linear colour at `(x, y)`, with ordered dither.
     ///
     /// Each channel is dithered as by [`encode_srgb_dithered`](super::encode_srgb_dithered), with
-    /// codes of the channel's width: over a cell of 8 x 8 pixels the mean light is correct, within
-    /// 0.0081 of a step.
+    /// codes of the channel's width: the mean light of a cell of 8 x 8 pixels is within 0.0081 of a
+    /// step.
     fn dithered<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self;
 
-    /// Returns the bits of the pixel in the lowest [`BITS`](Self::BITS) bits: red above green above
-    /// blue.
+    /// Returns the lowest [`BITS`](Self::BITS) bits of the pixel: red above green above blue.
     fn to_bits(self) -> u32;
 }
 
@@ -58,10 +56,9 @@ const fn widened(code: u16, last: u16) -> u8 {
     ((code * 255 + last / 2) / last) as u8
 }
 
-/// Declares pixels with the bits of red, green and blue, and how they are packed.
+/// Declares pixels with the bits of red, green and blue.
 macro_rules! pixels {
-    ($($(#[$doc:meta])* $name:ident($store:ty): $red:literal $green:literal $blue:literal,
-       packed in $packed:literal by $pack:expr;)*) => {$(
+    ($($(#[$doc:meta])* $name:ident($store:ty): $red:literal $green:literal $blue:literal;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
         #[repr(transparent)]
@@ -111,16 +108,10 @@ macro_rules! pixels {
             }
         }
 
-        impl Packed for $name {
-            #[inline]
-            fn packed(self) -> u32 {
-                ($pack)(self.to_bits())
-            }
-        }
+        impl Sealed for $name {}
 
         impl Pixel for $name {
             const BITS: u32 = $red + $green + $blue;
-            const PACKED_BITS: u32 = $packed;
 
             #[inline]
             fn nearest<S: Scalar>(color: Rgb<S>) -> Self {
@@ -148,27 +139,16 @@ macro_rules! pixels {
 }
 
 pixels! {
-    /// A pixel of a byte: three upper bits of red, three of green, two lower bits of blue.
-    Rgb332(u8): 3 3 2, packed in 8 by |bits| bits;
-    /// A pixel of twelve bits, four for each channel: red in the upper bits. The upper four bits of the
-    /// integer are unused.
-    ///
-    /// Packed, two pixels take three bytes.
-    Rgb444(u16): 4 4 4, packed in 12 by |bits| bits;
-    /// A pixel of 15 bits, five for each channel: red in the upper bits. The upper bit of the integer
-    /// is unused.
-    ///
-    /// Packed, a pixel takes two bytes.
-    Rgb555(u16): 5 5 5, packed in 16 by |bits| bits;
+    /// A pixel of eight bits: three upper bits of red, three of green, two lower bits of blue.
+    Rgb332(u8): 3 3 2;
+    /// A pixel of twelve bits: four of red above four of green and four of blue.
+    Rgb444(u16): 4 4 4;
+    /// A pixel of 15 bits: five of red above five of green and five of blue.
+    Rgb555(u16): 5 5 5;
     /// A pixel of 16 bits: five upper bits of red, six middle bits of green, five lower bits of blue.
-    Rgb565(u16): 5 6 5, packed in 16 by |bits| bits;
-    /// A pixel of 18 bits, six for each channel: red in the upper bits. The upper 14 bits of the integer
-    /// are unused.
-    ///
-    /// Packed, each channel is in the upper six bits of a byte, as controllers such as the ILI9488 and
-    /// the ST7789 expect it by SPI.
-    Rgb666(u32): 6 6 6, packed in 24 by |bits| (bits & 0x3f000) << 6 | (bits & 0xfc0) << 4 | (bits & 0x3f) << 2;
-    /// A pixel of 24 bits, eight for each channel: red in the upper bits. The upper byte of the integer
-    /// is unused.
-    Rgb888(u32): 8 8 8, packed in 24 by |bits| bits;
+    Rgb565(u16): 5 6 5;
+    /// A pixel of 18 bits: six of red above six of green and six of blue.
+    Rgb666(u32): 6 6 6;
+    /// A pixel of 24 bits: eight of red above eight of green and eight of blue.
+    Rgb888(u32): 8 8 8;
 }

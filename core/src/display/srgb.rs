@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 
 use super::{
     curve::{Formula, Law, Srgb, linear},
-    level,
+    pwm,
 };
 use crate::{
     number::{Scalar, Word, float::clamp},
@@ -128,7 +128,7 @@ pub(super) fn nearest_code<S: Scalar, L: Law, const LAST: usize>(linear: S) -> u
 #[inline(always)] // A format has one kind of word: the other arms are removed before a caller inlines this.
 pub(super) fn nearest_of_word<L: Law, const LAST: usize>(linear: Word) -> u8 {
     if let Formula::Linear = L::FORMULA {
-        return level::nearest(linear, LAST.count_ones()) as u8;
+        return pwm::nearest(linear, LAST.count_ones()) as u8;
     }
     match linear {
         Word::Single(linear) => encode_float::<L, LAST>(linear),

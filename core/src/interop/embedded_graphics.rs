@@ -32,76 +32,51 @@ use crate::{
     display::{Gray1, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888},
 };
 use embedded_graphics_core::pixelcolor::{
-    self, Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, GrayColor, IntoStorage, RgbColor,
-    raw::{RawU16, RawU24},
+    self, Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, RgbColor,
+    raw::{RawData as _, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
 };
 
-impl From<Gray1> for BinaryColor {
-    fn from(pixel: Gray1) -> Self {
-        (pixel.0 & Gray1::LAST == 1).into()
-    }
-}
-
-impl From<BinaryColor> for Gray1 {
-    fn from(color: BinaryColor) -> Self {
-        Self(color.is_on().into())
-    }
-}
-
-/// Implements conversions between greys and types of the same names.
-macro_rules! grays {
-    ($($name:ident)*) => {$(
-        impl From<$name> for pixelcolor::$name {
-            fn from(pixel: $name) -> Self {
-                Self::new(pixel.0)
-            }
-        }
-
-        impl From<pixelcolor::$name> for $name {
-            fn from(color: pixelcolor::$name) -> Self {
-                Self(color.luma())
-            }
-        }
-    )*};
-}
-
-grays!(Gray2 Gray4 Gray8);
-
-/// Implements conversions between pixels and types of the same names, and those with blue in the
-/// upper bits.
+/// Implements conversions between pixels and types with the same bits, and from these to types with
+/// blue in the upper bits.
 macro_rules! pixels {
-    ($($name:ident($raw:ident) $swapped:ident;)*) => {$(
-        impl From<$name> for pixelcolor::$name {
+    ($($name:ident: $same:ty, $raw:ident $(, $swapped:ident)?;)*) => {$(
+        impl From<$name> for $same {
             fn from(pixel: $name) -> Self {
                 $raw::new(pixel.0).into()
             }
         }
 
-        impl From<pixelcolor::$name> for $name {
-            fn from(pixel: pixelcolor::$name) -> Self {
-                Self(pixel.into_storage())
+        impl From<$same> for $name {
+            fn from(pixel: $same) -> Self {
+                Self($raw::from(pixel).into_inner())
             }
         }
 
-        impl From<$name> for $swapped {
-            fn from(pixel: $name) -> Self {
-                pixelcolor::$name::from(pixel).into()
+        $(
+            impl From<$name> for $swapped {
+                fn from(pixel: $name) -> Self {
+                    <$same>::from(pixel).into()
+                }
             }
-        }
 
-        impl From<$swapped> for $name {
-            fn from(pixel: $swapped) -> Self {
-                pixelcolor::$name::from(pixel).into()
+            impl From<$swapped> for $name {
+                fn from(pixel: $swapped) -> Self {
+                    <$same>::from(pixel).into()
+                }
             }
-        }
+        )?
     )*};
 }
 
 pixels! {
-    Rgb555(RawU16) Bgr555;
-    Rgb565(RawU16) Bgr565;
-    Rgb666(RawU24) Bgr666;
-    Rgb888(RawU24) Bgr888;
+    Gray1: BinaryColor, RawU1;
+    Gray2: pixelcolor::Gray2, RawU2;
+    Gray4: pixelcolor::Gray4, RawU4;
+    Gray8: pixelcolor::Gray8, RawU8;
+    Rgb555: pixelcolor::Rgb555, RawU16, Bgr555;
+    Rgb565: pixelcolor::Rgb565, RawU16, Bgr565;
+    Rgb666: pixelcolor::Rgb666, RawU24, Bgr666;
+    Rgb888: pixelcolor::Rgb888, RawU24, Bgr888;
 }
 
 /// Implements conversions between codes of eight bits and types with their own channel order.
@@ -126,18 +101,38 @@ both_ways!(pixelcolor::Rgb888, Bgr888);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use embedded_graphics_core::pixelcolor::raw::ToBytes as _;
+    use embedded_graphics_core::pixelcolor::{IntoStorage as _, raw::ToBytes as _};
 
     #[test]
     fn every_pixel_keeps_its_bits_and_comes_back() {
-        for pixel in (0..=u16::MAX).map(Rgb565) {
-            let (rgb, bgr) = (pixelcolor::Rgb565::from(pixel), Bgr565::from(pixel));
-            assert_eq!(rgb.into_storage(), pixel.0);
-            assert_eq!((rgb.to_be_bytes(), rgb.to_le_bytes()), (pixel.to_be_bytes(), pixel.to_le_bytes()));
-            let swapped = pixel.0 >> 11 | pixel.0 & 0x07e0 | pixel.0 << 11;
-            assert_eq!(bgr.into_storage(), swapped);
-            assert_eq!((Rgb565::from(rgb), Rgb565::from(bgr)), (pixel, pixel));
+        macro_rules! assert_kept {
+            ($($name:ident: $same:ty, $bits:literal $(, $swapped:ident by $width:literal)?;)*) => {$(
+                // Of 2^24 pixels every 251st.
+                for bits in (0..1_u32 << $bits).step_by(if $bits > 18 { 251 } else { 1 }) {
+                    let pixel = $name(bits.try_into().expect("the bits of the pixel"));
+                    let same = <$same>::from(pixel);
+                    assert_eq!((u32::from(same.into_storage()), $name::from(same)), (bits, pixel));
+                    $(
+                        let (swapped, upper) = ($swapped::from(pixel), $bits - $width);
+                        let ends = bits >> upper | (bits & ((1 << $width) - 1)) << upper;
+                        let middle = bits & (1 << upper) - (1 << $width);
+                        assert_eq!(u32::from(swapped.into_storage()), ends | middle);
+                        assert_eq!($name::from(swapped), pixel);
+                    )?
+                }
+            )*};
         }
+        assert_kept! {
+            Gray2: pixelcolor::Gray2, 2;
+            Gray4: pixelcolor::Gray4, 4;
+            Gray8: pixelcolor::Gray8, 8;
+            Rgb555: pixelcolor::Rgb555, 15, Bgr555 by 5;
+            Rgb565: pixelcolor::Rgb565, 16, Bgr565 by 5;
+            Rgb666: pixelcolor::Rgb666, 18, Bgr666 by 6;
+            Rgb888: pixelcolor::Rgb888, 24, Bgr888 by 8;
+        }
+        assert_eq!([0, 1].map(|bit| BinaryColor::from(Gray1(bit))), [BinaryColor::Off, BinaryColor::On]);
+        assert_eq!([BinaryColor::Off, BinaryColor::On].map(Gray1::from), [Gray1(0), Gray1(1)]);
     }
 
     #[test]
@@ -149,35 +144,5 @@ mod tests {
             assert_eq!(bgr.to_be_bytes(), [255 - code, 1, code]);
             assert_eq!((Rgb::from(rgb), Rgb::from(bgr)), (color, color));
         }
-    }
-    /// Each pixel of a grid over all codes has the channels of the type of the same name, red and blue
-    /// swapped in the other, and comes back.
-    #[test]
-    fn pixels_keep_their_channels_and_come_back() {
-        macro_rules! assert_kept {
-            ($($name:ident $swapped:ident)*) => {$(
-                for codes in (0..4_096_u16).map(|i| crate::display::Rgb444(i).to_codes()) {
-                    let pixel = $name::from_codes(codes);
-                    let (rgb, bgr) = (pixelcolor::$name::from(pixel), $swapped::from(pixel));
-                    assert_eq!([rgb.r(), rgb.g(), rgb.b()], [bgr.r(), bgr.g(), bgr.b()]);
-                    let Rgb { red, green, blue } = codes;
-                    let near = |code: u8, last: u8| (u32::from(code) * u32::from(last) + 127) / 255;
-                    let last = [pixelcolor::$name::MAX_R, pixelcolor::$name::MAX_G, pixelcolor::$name::MAX_B];
-                    let expected = [near(red, last[0]), near(green, last[1]), near(blue, last[2])];
-                    assert_eq!([rgb.r(), rgb.g(), rgb.b()].map(u32::from), expected);
-                    assert_eq!(($name::from(rgb), $name::from(bgr)), (pixel, pixel));
-                }
-            )*};
-        }
-        assert_kept!(Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
-        for code in 0..=u8::MAX {
-            let gray = (Gray2(code & 3), Gray4(code & 15), Gray8(code));
-            let there: (pixelcolor::Gray2, pixelcolor::Gray4, pixelcolor::Gray8) =
-                (gray.0.into(), gray.1.into(), gray.2.into());
-            assert_eq!((there.0.luma(), there.1.luma(), there.2.luma()), (code & 3, code & 15, code));
-            assert_eq!((there.0.into(), there.1.into(), there.2.into()), gray);
-        }
-        assert_eq!([0, 1].map(|code| BinaryColor::from(Gray1(code))), [BinaryColor::Off, BinaryColor::On]);
-        assert_eq!([BinaryColor::Off, BinaryColor::On].map(Gray1::from), [Gray1(0), Gray1(1)]);
     }
 }
