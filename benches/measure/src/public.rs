@@ -34,7 +34,6 @@ const TYPES: Rows = &[
             "luminaire::display::Rgb666",
         ],
     ),
-    ("Curve", &["luminaire::display::Gamma28", "luminaire::display::Linear", "luminaire::display::Srgb"]),
     ("SpecularLobe", &["AnyLobe", "NoSpecular"]),
     ("Highlight", &["Phong", "BlinnPhong", "DualConeLobe", "MirroredPhong"]),
     ("LightModel", &["CompiledAnyLight<Format>"]),
@@ -67,7 +66,8 @@ const CONSTANTS: Rows = &[("u32", &["4", "1", "31", "3"]), ("usize", &["4", "0",
 const REFUSED: Rows = &[("of", &["0", "1"]), ("of_knots", &["0"]), ("duty", &["31"]), ("next", &["31"])];
 
 /// Private modules of other crates, whose items the crates export from the module above.
-const PRIVATE: [&str; 4] = ["formatter::", "range::", "rgb_color::", "traits::"];
+const PRIVATE: [&str; 6] =
+    ["binary_color::", "formatter::", "gray_color::", "range::", "rgb_color::", "traits::"];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.
