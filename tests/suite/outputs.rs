@@ -86,7 +86,8 @@ const CHANNELS: [Channel; 26] = channels! {
 };
 
 /// Every 16-bit value, and of the other formats the values around each threshold, has the nearest
-/// code. All other values have it, too, because codes never fall.
+/// code. All other values have it, too: a bisection finds it, or in f32 a polynomial of sRGB that is
+/// less than half a code off.
 #[test]
 fn every_code_is_the_nearest() {
     for Channel { name, last, law, narrow, wide, float, .. } in CHANNELS {
