@@ -67,6 +67,8 @@ pub enum Parameter {
     Intensity,
     /// The linear colour of a light or of a material.
     Color,
+    /// The number of colours of a palette.
+    ColorCount,
     /// The direction in which a directional light travels.
     Direction,
     /// The position at which the beam of a spotlight ends.
@@ -177,6 +179,7 @@ impl fmt::Display for Parameter {
             Self::Axis => "axis",
             Self::Intensity => "intensity",
             Self::Color => "color",
+            Self::ColorCount => "number of colors",
             Self::Direction => "direction",
             Self::EndPoint => "end point",
             Self::Attenuation => "attenuation coefficient",

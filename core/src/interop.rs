@@ -5,7 +5,7 @@
 //! |---|---|---|---|---|---|
 //! | `bytemuck` | `Pod` | `Pod` | `Pod` | | `Pod` |
 //! | `defmt` | `Format` | `Format` | `Format` | `Format` | `Format` |
-//! | `embedded-graphics-core04` | | `Rgb888`, `Bgr888` | `Rgb565`, `Bgr565` | | |
+//! | `embedded-graphics-core04` | | `Rgb888`, `Bgr888` | `Rgb565`, `Bgr565`, and other pixels | | |
 //! | `glam034` | `Vec3` | `Vec3` | | | |
 //! | `mint05` | `Vector3`, `Point3` | `Vector3` | | | |
 //! | `serde` | array | array | 16 bits | degrees | their bits |

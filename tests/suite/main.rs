@@ -32,6 +32,8 @@ mod kept;
 mod lit;
 mod numbers;
 mod operations;
+mod outputs;
+mod palette;
 mod projection;
 mod properties;
 mod refusals;

@@ -25,6 +25,15 @@ const TYPES: Rows = &[
     ("Falloff", &["AnyFalloff"]),
     ("Attenuation", &["AnyAttenuation"]),
     ("Window", &["Cut", "GltfWindow", "SquareWindow"]),
+    (
+        "Pixel",
+        &[
+            "luminaire::display::Gray4",
+            "luminaire::display::Rgb444",
+            "luminaire::display::Rgb565",
+            "luminaire::display::Rgb666",
+        ],
+    ),
     ("SpecularLobe", &["AnyLobe", "NoSpecular"]),
     ("Highlight", &["Phong", "BlinnPhong", "DualConeLobe", "MirroredPhong"]),
     ("LightModel", &["CompiledAnyLight<Format>"]),
@@ -54,10 +63,11 @@ const OF_NUMBERS: &str = "Clone Debug Default Deserialize Eq Format Hash Named O
 /// of arrays. A length is a square number, as patterns require.
 const CONSTANTS: Rows = &[("u32", &["4", "1", "31", "3"]), ("usize", &["4", "0", "1", "64"])];
 /// Lengths that a function refuses to be compiled for.
-const REFUSED: Rows = &[("of", &["0", "1"]), ("of_knots", &["0"])];
+const REFUSED: Rows = &[("of", &["0", "1"]), ("of_knots", &["0"]), ("duty", &["31"]), ("next", &["31"])];
 
 /// Private modules of other crates, whose items the crates export from the module above.
-const PRIVATE: [&str; 4] = ["formatter::", "range::", "rgb_color::", "traits::"];
+const PRIVATE: [&str; 6] =
+    ["binary_color::", "formatter::", "gray_color::", "range::", "rgb_color::", "traits::"];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.

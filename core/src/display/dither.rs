@@ -14,17 +14,16 @@
 //! light only needs a table of the light of each code.
 //!
 //! There is no amplitude parameter. Full dither keeps the mean light. Without dither
-//! ([`encode_srgb`](super::encode_srgb), [`Rgb565::from_linear`]) each pixel shows the nearest
+//! ([`encode_srgb`](super::encode_srgb), [`Pixel::nearest`](super::Pixel::nearest)) each pixel shows the nearest
 //! code. Any amplitude between no dither and full dither would show bands again.
 
+use core::marker::PhantomData;
+
 use super::{
-    Rgb565,
-    srgb::{curve, linear, nearest_integer},
+    curve::{Formula, Law, Srgb, linear},
+    srgb::{curve, nearest_integer},
 };
-use crate::{
-    color::Rgb,
-    number::{Scalar, Word, float::clamp},
-};
+use crate::number::{Scalar, Word, float::clamp};
 
 /// Returns the sRGB code of a linear value for the pixel at `(x, y)`, with ordered dither.
 ///
@@ -46,7 +45,7 @@ use crate::{
 /// ```
 #[inline]
 pub fn encode_srgb_dithered<S: Scalar>(linear: S, x: u32, y: u32) -> u8 {
-    dithered::<S, 255>(linear, threshold(x, y))
+    dithered::<S, Srgb, 255>(linear, threshold(x, y))
 }
 
 /// Returns the dithered sRGB codes of the linear values of neighbouring pixels, of which the first
@@ -82,7 +81,7 @@ pub fn encode_srgb_dithered_each<S: Scalar, const N: usize>(linear: &[S; N], x: 
                 (lower[i] + u32::from(is_past)) as u8
             }
             #[cfg(feature = "fixed")]
-            _ => dithered::<S, 255>(linear[i], row[i % 8]),
+            _ => dithered::<S, Srgb, 255>(linear[i], row[i % 8]),
         };
     }
     codes
@@ -93,67 +92,44 @@ static EIGHT_BIT_STEPS: [(f32, f32); 256] = {
     let mut table = [(1.0, 0.0); 256];
     let mut code = 0;
     while code < 255 {
-        let here = CodeLight::<255>::FLOAT[code];
-        let next = if code < 254 { CodeLight::<255>::FLOAT[code + 1] } else { 1.0 };
+        let here = CodeLight::<Srgb, 255>::FLOAT[code];
+        let next = if code < 254 { CodeLight::<Srgb, 255>::FLOAT[code + 1] } else { 1.0 };
         table[code] = (here, next - here);
         code += 1;
     }
     table
 };
 
-impl Rgb565 {
-    /// Returns the RGB565 pixel of a linear colour at `(x, y)`, with ordered dither.
-    ///
-    /// Each channel is dithered as by [`encode_srgb_dithered`], with codes of five and six bits.
-    #[inline(always)] // `rgb565-dithered` on Cortex-M0: +5 instructions without.
-    pub fn from_linear_dithered<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self {
-        let threshold = threshold(x, y);
-        let red = dithered::<S, 31>(color.red, threshold);
-        let green = dithered::<S, 63>(color.green, threshold);
-        let blue = dithered::<S, 31>(color.blue, threshold);
-        Self::pack(red.into(), green.into(), blue.into())
-    }
-
-    /// Returns the pixel of [`from_linear_dithered`](Self::from_linear_dithered), bit for bit, with
-    /// fewer instructions in fixed point.
-    ///
-    /// A table of 512 bytes replaces half of the search for the codes. The instructions and bytes
-    /// of both are on the page of effects (`docs/EFFECTS.md`). In `f32` the two functions are the
-    /// same.
-    #[inline(always)] // As above.
-    pub fn from_linear_dithered_fast<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self {
-        let threshold = threshold(x, y);
-        let red = dithered_fast::<S, 32>(color.red, threshold);
-        let green = dithered_fast::<S, 64>(color.green, threshold);
-        let blue = dithered_fast::<S, 32>(color.blue, threshold);
-        Self::pack(red.into(), green.into(), blue.into())
-    }
-}
-
 /// Returns one of the two codes in `[0, LAST]` around a linear value clamped to `[0, 1]`.
 ///
 /// The result is the upper code if the value is more than `threshold / 128` of the way from the
 /// light of the lower code to the light of the upper code.
 #[inline]
-fn dithered<S: Scalar, const LAST: usize>(linear: S, threshold: u8) -> u8 {
-    match linear.word() {
-        Word::Single(linear) => dithered_float::<LAST>(linear, threshold),
+pub(super) fn dithered<S: Scalar, L: Law, const LAST: usize>(linear: S, threshold: u8) -> u8 {
+    dithered_word::<L, LAST>(linear.word(), threshold)
+}
+
+/// Returns the code of [`dithered`] for the linear value in a word.
+#[inline(always)] // A format has one kind of word: the other arms are removed before a caller inlines this.
+pub(super) fn dithered_word<L: Law, const LAST: usize>(linear: Word, threshold: u8) -> u8 {
+    match linear {
+        Word::Single(linear) => dithered_float::<L, LAST>(linear, threshold),
         #[cfg(feature = "fixed")]
         Word::Steps14(linear) => {
-            dithered_fixed::<LAST>(u32::from(linear.clamp(0, 1 << 14) as u16) << 10, threshold)
+            dithered_fixed::<L, LAST>(u32::from(linear.clamp(0, 1 << 14) as u16) << 10, threshold)
         }
         #[cfg(feature = "fixed")]
-        Word::Steps30(linear) => dithered_fixed::<LAST>(linear.clamp(0, 1 << 30) as u32 >> 6, threshold),
+        Word::Steps30(linear) => dithered_fixed::<L, LAST>(linear.clamp(0, 1 << 30) as u32 >> 6, threshold),
     }
 }
 
 /// Returns the code of [`dithered`] for the last code `COUNT - 1`, by [`CodeStart`].
 #[inline(always)]
-fn dithered_fast<S: Scalar, const COUNT: usize>(linear: S, threshold: u8) -> u8 {
+pub(super) fn dithered_fast<S: Scalar, const COUNT: usize>(linear: S, threshold: u8) -> u8 {
     match linear.word() {
         Word::Single(linear) => match COUNT {
-            32 => dithered_float::<31>(linear, threshold),
-            _ => dithered_float::<63>(linear, threshold),
+            32 => dithered_float::<Srgb, 31>(linear, threshold),
+            _ => dithered_float::<Srgb, 63>(linear, threshold),
         },
         #[cfg(feature = "fixed")]
         Word::Steps14(linear) => {
@@ -164,9 +140,13 @@ fn dithered_fast<S: Scalar, const COUNT: usize>(linear: S, threshold: u8) -> u8 
     }
 }
 
-/// Returns the threshold of a pixel, in 128ths of the step from one code's light to the next.
+/// Returns the dither's threshold of the pixel at `(x, y)`, for other outputs: an odd number of
+/// 128ths, from 1 to 127, of the step from one code's light to the next.
+///
+/// A pixel shows the upper code if its value is farther than this from the lower code. Each of the
+/// 64 thresholds occurs once in each cell of 8 x 8 pixels, in the order of Bayer's matrix.
 #[inline]
-fn threshold(x: u32, y: u32) -> u8 {
+pub fn threshold(x: u32, y: u32) -> u8 {
     MATRIX[(y % 8) as usize][(x % 8) as usize]
 }
 
@@ -202,21 +182,21 @@ const fn rank(x: usize, y: usize) -> u8 {
 /// With 24 bits, 128 times a difference of two table values fits 32 bits.
 const BITS: u32 = 24;
 /// Returns the light of a code in `[0, last]`, as the nearest multiple of 2^-24.
-const fn light(code: usize, last: usize) -> u32 {
-    (linear(code as f64 / last as f64) * (1 << BITS) as f64 + 0.5) as u32
+const fn light(formula: Formula, code: usize, last: usize) -> u32 {
+    (linear(formula, code as f64 / last as f64) * (1 << BITS) as f64 + 0.5) as u32
 }
 
-/// Tables of the light of the codes up to `LAST`.
-pub(super) struct CodeLight<const LAST: usize>;
+/// Tables of the light of a curve's codes up to `LAST`.
+pub(super) struct CodeLight<L, const LAST: usize>(PhantomData<L>);
 
-impl<const LAST: usize> CodeLight<LAST> {
+impl<L: Law, const LAST: usize> CodeLight<L, LAST> {
     /// The light of the codes from 1 on, in units of 2^-24.
     #[cfg(feature = "fixed")]
     const STEPS: [u32; LAST] = {
         let mut table = [0; LAST];
         let mut code = 0;
         while code < LAST {
-            table[code] = light(code + 1, LAST);
+            table[code] = light(L::FORMULA, code + 1, LAST);
             code += 1;
         }
         table
@@ -228,7 +208,7 @@ impl<const LAST: usize> CodeLight<LAST> {
         let mut table = [0.0; LAST];
         let mut code = 0;
         while code < LAST {
-            table[code] = light(code, LAST) as f32 / (1 << BITS) as f32;
+            table[code] = light(L::FORMULA, code, LAST) as f32 / (1 << BITS) as f32;
             code += 1;
         }
         table
@@ -241,8 +221,8 @@ impl<const LAST: usize> CodeLight<LAST> {
 /// the value is past the threshold.
 #[cfg(feature = "fixed")]
 #[inline]
-fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
-    let mut left = CodeLight::<LAST>::STEPS.as_slice();
+fn dithered_fixed<L: Law, const LAST: usize>(linear: u32, threshold: u8) -> u8 {
+    let mut left = CodeLight::<L, LAST>::STEPS.as_slice();
     let (mut code, mut here, mut next) = (0, 0, 1 << BITS);
     // One iteration per bit of the code: a constant, so the compiler unrolls the loop.
     for _ in 0..=LAST.ilog2() {
@@ -260,15 +240,20 @@ fn dithered_fixed<const LAST: usize>(linear: u32, threshold: u8) -> u8 {
 
 /// Returns the dithered code of a value in f32.
 ///
-/// The polynomial gives the nearest code or, at worst, the other of the two codes around the value.
+/// For sRGB a polynomial gives the nearest code or, at worst, the other of the two codes around the
+/// value; for other curves a bisection finds the lower code.
 /// The result equals that of `dithered_fixed` for the same value. The only exceptions are values so
 /// near a threshold, within a relative 2^-24, that the products in the comparison round.
 #[inline]
-fn dithered_float<const LAST: usize>(linear: f32, threshold: u8) -> u8 {
+fn dithered_float<L: Law, const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);
-    let light = |code: usize| CodeLight::<LAST>::FLOAT.get(code).copied().unwrap_or(1.0);
-    let near = (curve(linear, LAST as f32) + 0.5) as i32 as usize;
-    let code = near.saturating_sub(usize::from(linear < light(near))).min(LAST - 1);
+    let light = |code: usize| CodeLight::<L, LAST>::FLOAT.get(code).copied().unwrap_or(1.0);
+    let code = if let Formula::Srgb = L::FORMULA {
+        let near = (curve(linear, LAST as f32) + 0.5) as i32 as usize;
+        near.saturating_sub(usize::from(linear < light(near))).min(LAST - 1)
+    } else {
+        CodeLight::<L, LAST>::FLOAT.partition_point(|light| *light <= linear).saturating_sub(1)
+    };
     let (here, next) = (light(code), light(code + 1));
     let is_past = (linear - here) * 128.0 > (next - here) * f32::from(threshold);
     (code + usize::from(is_past)) as u8
@@ -289,7 +274,7 @@ impl<const COUNT: usize> CodeStart<COUNT> {
         let mut table = [0; COUNT];
         let mut code = 0;
         while code < COUNT {
-            table[code] = light(code, COUNT - 1);
+            table[code] = light(Formula::Srgb, code, COUNT - 1);
             code += 1;
         }
         table

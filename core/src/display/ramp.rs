@@ -4,6 +4,7 @@ use core::array;
 
 use super::{
     Rgb565,
+    curve::Srgb,
     dither::{self, CodeLight},
 };
 use crate::{
@@ -120,9 +121,9 @@ fn middle(level: usize) -> f32 {
 /// As in the dither, the place between two codes is that in linear light.
 fn steps<const LAST: usize>(value: f32) -> u32 {
     let value = clamp(value);
-    let lights = CodeLight::<LAST>::FLOAT.into_iter().enumerate();
+    let lights = CodeLight::<Srgb, LAST>::FLOAT.into_iter().enumerate();
     let (code, from) = lights.take_while(|(_, light)| *light <= value).last().unwrap_or_default();
-    let to = CodeLight::<LAST>::FLOAT.get(code + 1).copied().unwrap_or(1.0);
+    let to = CodeLight::<Srgb, LAST>::FLOAT.get(code + 1).copied().unwrap_or(1.0);
     32 * code as u32 + (32.0 * (value - from) / (to - from) + 0.5) as u32
 }
 

@@ -1,39 +1,12 @@
-//! Pixels of small displays: 5 bits of red, 6 of green, 5 of blue.
+//! What pixels of 5 bits of red, 6 of green and 5 of blue have besides those of other widths.
 
-use super::srgb::nearest_code;
+use super::{
+    dither::{dithered_fast, threshold},
+    pixel::{Pixel as _, Rgb565},
+};
 use crate::{color::Rgb, number::Scalar};
 
-/// A pixel of 16 bits: five upper bits of red, six middle bits of green, five lower bits of blue.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
-#[repr(transparent)]
-pub struct Rgb565(pub u16);
-
-/// Converts a code in `[0, 255]` to the nearest code in `[0, last]`.
-const fn nearest(code: u8, last: u16) -> u16 {
-    (code as u16 * last + 127) / 255
-}
-
-/// Converts a code in `[0, last]` to the nearest code in `[0, 255]`.
-const fn widened(code: u16, last: u16) -> u8 {
-    ((code * 255 + last / 2) / last) as u8
-}
-
 impl Rgb565 {
-    pub(super) const fn pack(red: u16, green: u16, blue: u16) -> Self {
-        Self(red << 11 | green << 5 | blue)
-    }
-
-    /// Returns the nearest pixel to codes of eight bits.
-    ///
-    /// ```
-    /// use luminaire::{Rgb, display::Rgb565};
-    /// assert_eq!(Rgb565::from_codes(Rgb::new(255, 128, 0)), Rgb565(0b11111_100000_00000));
-    /// ```
-    #[inline]
-    pub const fn from_codes(codes: Rgb<u8>) -> Self {
-        Self::pack(nearest(codes.red, 31), nearest(codes.green, 63), nearest(codes.blue, 31))
-    }
-
     /// Returns the nearest sRGB pixel to a linear colour, clipped to `[0, 1]`.
     ///
     /// The colour is rounded once; a conversion through codes of eight bits would round some
@@ -41,16 +14,31 @@ impl Rgb565 {
     /// uses no floats.
     #[inline]
     pub fn from_linear<S: Scalar>(color: Rgb<S>) -> Self {
-        let red = nearest_code::<S, 31>(color.red);
-        let green = nearest_code::<S, 63>(color.green);
-        let blue = nearest_code::<S, 31>(color.blue);
-        Self::pack(red.into(), green.into(), blue.into())
+        Self::nearest(color)
     }
 
-    /// Returns the nearest codes of eight bits. [`from_codes`](Self::from_codes) restores the pixel
-    /// from these codes.
-    pub const fn to_codes(self) -> Rgb<u8> {
-        Rgb::new(widened(self.0 >> 11, 31), widened(self.0 >> 5 & 63, 63), widened(self.0 & 31, 31))
+    /// Returns the RGB565 pixel of a linear colour at `(x, y)`, with ordered dither.
+    ///
+    /// Each channel is dithered as by [`encode_srgb_dithered`](super::encode_srgb_dithered), with
+    /// codes of five and six bits.
+    #[inline(always)] // `rgb565-dithered` on Cortex-M0: +5 instructions without.
+    pub fn from_linear_dithered<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self {
+        Self::dithered(color, x, y)
+    }
+
+    /// Returns the pixel of [`from_linear_dithered`](Self::from_linear_dithered), bit for bit, with
+    /// fewer instructions in fixed point.
+    ///
+    /// A table of 512 bytes replaces half of the search for the codes. The instructions and bytes
+    /// of both are on the page of effects (`docs/EFFECTS.md`). In `f32` the two functions are the
+    /// same.
+    #[inline(always)] // As above.
+    pub fn from_linear_dithered_fast<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self {
+        let threshold = threshold(x, y);
+        let red = dithered_fast::<S, 32>(color.red, threshold);
+        let green = dithered_fast::<S, 64>(color.green, threshold);
+        let blue = dithered_fast::<S, 32>(color.blue, threshold);
+        Self::of_channels(red.into(), green.into(), blue.into())
     }
 
     /// Returns the two bytes, first the upper byte with red: the order that most SPI displays
@@ -69,17 +57,5 @@ impl Rgb565 {
     #[inline]
     pub const fn to_le_bytes(self) -> [u8; 2] {
         self.0.to_le_bytes()
-    }
-}
-
-impl From<u16> for Rgb565 {
-    fn from(bits: u16) -> Self {
-        Self(bits)
-    }
-}
-
-impl From<Rgb565> for u16 {
-    fn from(pixel: Rgb565) -> Self {
-        pixel.0
     }
 }

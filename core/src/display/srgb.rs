@@ -1,8 +1,14 @@
-//! The sRGB encoding (IEC 61966-2-1): the nearest code, by the exact thresholds between codes.
+//! The nearest code, by the exact thresholds between codes, and the sRGB encoding (IEC 61966-2-1).
 //!
-//! In f32 a polynomial selects the threshold with which the value is compared. In fixed point a
-//! bisection finds the threshold.
+//! In f32 a polynomial selects the threshold of sRGB with which the value is compared. In fixed
+//! point, and for powers, a bisection finds the threshold.
 
+use core::marker::PhantomData;
+
+use super::{
+    curve::{Formula, Law, Srgb, linear},
+    pwm,
+};
 use crate::{
     number::{Scalar, Word, float::clamp},
     trig,
@@ -44,7 +50,7 @@ const DECODE: [f32; 8] = [
 /// ```
 #[inline]
 pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
-    nearest_code::<S, 255>(linear)
+    nearest_code::<S, Srgb, 255>(linear)
 }
 
 /// Returns the sRGB codes of linear values: for each value the code of [`encode_srgb`].
@@ -78,7 +84,7 @@ static EIGHT_BIT_THRESHOLDS: [f32; 256] = {
     let mut table = [f32::INFINITY; 256];
     let mut code = 0;
     while code < 255 {
-        table[code] = Thresholds::<255>::FLOAT[code];
+        table[code] = Thresholds::<Srgb, 255>::FLOAT[code];
         code += 1;
     }
     table
@@ -94,33 +100,57 @@ pub(super) fn nearest_integer(value: f32) -> u32 {
     ((if value > 0.0 { value } else { 0.0 }) + INTEGERS).to_bits() & 0xff
 }
 
-/// Returns the code in `[0, LAST]` nearest to a linear value.
+/// Counts the thresholds that a linear value reaches, by bisection.
+///
+/// The number of comparisons is the number of bits of the code, for every value.
+macro_rules! code {
+    ($thresholds:expr, $linear:expr) => {{
+        let (thresholds, linear) = ($thresholds, $linear);
+        let (mut code, mut step) = (0, thresholds.len().div_ceil(2));
+        while step > 0 {
+            // The index is always in bounds, but the compiler cannot prove this. An index
+            // expression would add a panic.
+            let reaches = thresholds.get(code + step - 1).is_some_and(|threshold| linear >= *threshold);
+            code += if reaches { step } else { 0 };
+            step /= 2;
+        }
+        code as u8
+    }};
+}
+
+/// Returns the code of a curve in `[0, LAST]` nearest to a linear value.
 #[inline]
-pub(super) fn nearest_code<S: Scalar, const LAST: usize>(linear: S) -> u8 {
-    match linear.word() {
-        Word::Single(linear) => encode_float::<LAST>(linear),
+pub(super) fn nearest_code<S: Scalar, L: Law, const LAST: usize>(linear: S) -> u8 {
+    nearest_of_word::<L, LAST>(linear.word())
+}
+
+/// Returns the code in `[0, LAST]` nearest to the linear value in a word.
+#[inline(always)] // A format has one kind of word: the other arms are removed before a caller inlines this.
+pub(super) fn nearest_of_word<L: Law, const LAST: usize>(linear: Word) -> u8 {
+    if let Formula::Linear = L::FORMULA {
+        return pwm::nearest(linear, LAST.count_ones()) as u8;
+    }
+    match linear {
+        Word::Single(linear) => encode_float::<L, LAST>(linear),
         #[cfg(feature = "fixed")]
-        Word::Steps14(linear) => encode_steps14::<LAST>(linear),
+        Word::Steps14(linear) => encode_steps14::<L, LAST>(linear),
         #[cfg(feature = "fixed")]
-        Word::Steps30(linear) => encode_steps30::<LAST>(linear),
+        Word::Steps30(linear) => encode_steps30::<L, LAST>(linear),
     }
 }
 
 /// Returns the code in `[0, LAST]` nearest to a linear value in f32.
 #[inline]
-fn encode_float<const LAST: usize>(linear: f32) -> u8 {
+fn encode_float<L: Law, const LAST: usize>(linear: f32) -> u8 {
     let linear = clamp(linear);
-    settled::<LAST>(linear, curve(linear, LAST as f32) as i32 as usize)
-}
-
-/// Returns the nearest code of a clamped value, given the approximate code from the polynomial.
-#[inline]
-fn settled<const LAST: usize>(linear: f32, code: usize) -> u8 {
+    let thresholds = &Thresholds::<L, LAST>::FLOAT;
+    let Formula::Srgb = L::FORMULA else { return code!(thresholds, linear) };
+    let code = curve(linear, LAST as f32) as i32 as usize;
     // The threshold between the two codes around the value. For a value near the light of a code,
     // the polynomial may select the threshold on the other side of that code. The comparison with
     // the threshold below the code's light and the comparison with the threshold above give the
     // same code. Beyond the last threshold `get` returns `None`; an index expression would panic.
-    let reaches = Thresholds::<LAST>::FLOAT.get(code).is_some_and(|threshold| linear >= *threshold);
+    let reaches = thresholds.get(code).is_some_and(|threshold| linear >= *threshold);
     (code + usize::from(reaches)) as u8
 }
 
@@ -148,11 +178,11 @@ fn polynomial<const N: usize>(coefficients: [f32; N], x: f32) -> f32 {
     coefficients.into_iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 
-/// Thresholds between the codes in `[0, LAST]`.
+/// Thresholds between the codes of a curve in `[0, LAST]`.
 ///
 /// The threshold at an index is the smallest linear value of the format whose nearest code is one
-/// more than the index. A table is only linked for a `LAST` that is used.
-struct Thresholds<const LAST: usize>;
+/// more than the index. A table is only linked for a curve and a `LAST` that are used.
+struct Thresholds<L, const LAST: usize>(PhantomData<L>);
 
 /// Builds a table from an expression that is evaluated for each threshold in f64.
 macro_rules! of_each {
@@ -160,7 +190,7 @@ macro_rules! of_each {
         let mut table = [$zero; LAST];
         let mut code = 0;
         while code < LAST {
-            let $threshold = linear((code as f64 + 0.5) / LAST as f64);
+            let $threshold = linear(L::FORMULA, (code as f64 + 0.5) / LAST as f64);
             table[code] = $entry;
             code += 1;
         }
@@ -168,7 +198,7 @@ macro_rules! of_each {
     }};
 }
 
-impl<const LAST: usize> Thresholds<LAST> {
+impl<L: Law, const LAST: usize> Thresholds<L, LAST> {
     const FLOAT: [f32; LAST] = of_each!(0.0, threshold => {
         let nearest = threshold as f32;
         if (nearest as f64) < threshold { f32::from_bits(nearest.to_bits() + 1) } else { nearest }
@@ -191,57 +221,16 @@ const fn steps(linear: f64, bits: u32) -> u32 {
     if (whole as f64) < exact { whole + 1 } else { whole }
 }
 
-/// Returns the linear light of an sRGB value in `[0, 1]`, within 1e-15.
-///
-/// The curve is `x = v^(12/5)`, so `x >= v^(12/5)` is equivalent to `x^5 >= v^12`: a comparison of
-/// products. By this comparison a bisection finds the least `x`. The function is evaluated at
-/// compile time.
-pub(super) const fn linear(value: f64) -> f64 {
-    if value <= 12.92 * 0.003_130_8 {
-        return value / 12.92;
-    }
-    let base = (value + 0.055) / 1.055;
-    let cube = base * base * base;
-    let twelfth = cube * cube * cube * cube;
-    // Floats from zero up have the same order as their bits, read as integers.
-    let (mut below, mut above) = (0, 1.0_f64.to_bits());
-    while above - below > 1 {
-        let middle = u64::midpoint(below, above);
-        let x = f64::from_bits(middle);
-        if x * x * x * x * x >= twelfth { above = middle } else { below = middle }
-    }
-    f64::from_bits(above)
-}
-
-/// Counts the thresholds that a linear value reaches, by bisection.
-///
-/// The number of comparisons is the number of bits of the code, for every value.
-#[cfg(feature = "fixed")]
-macro_rules! code {
-    ($thresholds:expr, $linear:expr) => {{
-        let (thresholds, linear) = ($thresholds, $linear);
-        let (mut code, mut step) = (0, thresholds.len().div_ceil(2));
-        while step > 0 {
-            // The index is always in bounds, but the compiler cannot prove this. An index
-            // expression would add a panic.
-            let reaches = thresholds.get(code + step - 1).is_some_and(|threshold| linear >= *threshold);
-            code += if reaches { step } else { 0 };
-            step /= 2;
-        }
-        code as u8
-    }};
-}
-
 /// Returns the nearest code of a value in units of 2^-14.
 #[cfg(feature = "fixed")]
 #[inline]
-fn encode_steps14<const LAST: usize>(linear: i16) -> u8 {
-    code!(&Thresholds::<LAST>::SIXTEEN, linear.max(0) as u16)
+fn encode_steps14<L: Law, const LAST: usize>(linear: i16) -> u8 {
+    code!(&Thresholds::<L, LAST>::SIXTEEN, linear.max(0) as u16)
 }
 
 /// Returns the nearest code of a value in units of 2^-30.
 #[cfg(feature = "fixed")]
 #[inline]
-fn encode_steps30<const LAST: usize>(linear: i32) -> u8 {
-    code!(&Thresholds::<LAST>::THIRTY_TWO, linear.max(0) as u32)
+fn encode_steps30<L: Law, const LAST: usize>(linear: i32) -> u8 {
+    code!(&Thresholds::<L, LAST>::THIRTY_TWO, linear.max(0) as u32)
 }
