@@ -25,8 +25,16 @@ const TYPES: Rows = &[
     ("Falloff", &["AnyFalloff"]),
     ("Attenuation", &["AnyAttenuation"]),
     ("Window", &["Cut", "GltfWindow", "SquareWindow"]),
-    ("Pixel", &["Gray4", "Rgb444", "Rgb565", "Rgb666"]),
-    ("Curve", &["Gamma28", "Linear", "Srgb"]),
+    (
+        "Pixel",
+        &[
+            "luminaire::display::Gray4",
+            "luminaire::display::Rgb444",
+            "luminaire::display::Rgb565",
+            "luminaire::display::Rgb666",
+        ],
+    ),
+    ("Curve", &["luminaire::display::Gamma28", "luminaire::display::Linear", "luminaire::display::Srgb"]),
     ("SpecularLobe", &["AnyLobe", "NoSpecular"]),
     ("Highlight", &["Phong", "BlinnPhong", "DualConeLobe", "MirroredPhong"]),
     ("LightModel", &["CompiledAnyLight<Format>"]),

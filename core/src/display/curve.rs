@@ -1,19 +1,15 @@
 //! The curves between linear light and codes.
 
-/// A curve as a formula for the linear light of an encoded value in `[0, 1]`.
+/// The linear light of an encoded value: the value, IEC 61966-2-1, or a power of this number of fifths.
 #[derive(Clone, Copy, Debug)]
 pub enum Formula {
-    /// The encoded value itself.
     Linear,
-    /// IEC 61966-2-1.
     Srgb,
-    /// The encoded value to the power of this number of fifths.
     Fifths(u32),
 }
 
-/// A curve of the kernel. The trait is private, which seals [`Curve`](super::Curve).
+/// What seals [`Curve`](super::Curve).
 pub trait Law {
-    /// The formula of the curve.
     const FORMULA: Formula;
 }
 

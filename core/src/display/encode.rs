@@ -19,17 +19,14 @@ use crate::number::Scalar;
 /// assert_eq!([Linear::encode(light), Srgb::encode(light)], [51, 124]);
 /// assert_eq!([Gamma22::encode(light), Gamma28::encode(light)], [123, 144]);
 /// ```
-pub trait Curve: Law {
+pub trait Curve: Law + Sized {
     /// Returns the code nearest to linear light among the encoded values, as
     /// [`encode_srgb`](super::encode_srgb) does for sRGB.
     ///
     /// The code is 0 for light up to 0 and NaN, and 255 for light from 1 on. The result is exactly
     /// the nearest code, for every value of every format; a tie of the linear curve is rounded up.
     #[inline]
-    fn encode<S: Scalar>(light: S) -> u8
-    where
-        Self: Sized,
-    {
+    fn encode<S: Scalar>(light: S) -> u8 {
         nearest_code::<S, Self, 255>(light)
     }
 
@@ -39,10 +36,7 @@ pub trait Curve: Law {
     /// Over a cell of 8 x 8 pixels the mean light of the codes equals the light, within 1/128 of the
     /// step from one code's light to the next and 2^-24 of full scale.
     #[inline]
-    fn encode_dithered<S: Scalar>(light: S, x: u32, y: u32) -> u8
-    where
-        Self: Sized,
-    {
+    fn encode_dithered<S: Scalar>(light: S, x: u32, y: u32) -> u8 {
         dithered::<S, Self, 255>(light, threshold(x, y))
     }
 }

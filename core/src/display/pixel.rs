@@ -16,10 +16,11 @@ pub trait Sealed: Copy {}
 /// The trait is sealed. A table is only linked for a width of channels that is used.
 ///
 /// ```
-/// use luminaire::{Fx16, Rgb, display::{Gray4, Pixel, Rgb332}};
+/// use luminaire::{Fx16, Rgb, display::{Gray4, Pixel, Rgb332, Rgb565}};
 /// let amber = Rgb::new(1.0, 0.35, 0.01).map(Fx16::from_f32);
 /// assert_eq!(Rgb332::nearest(amber), Rgb332(0b111_100_00));
 /// assert_eq!(Gray4::dithered(amber, 3, 5), Gray4(11));
+/// assert_eq!(Rgb565::from_codes(Rgb::new(255, 128, 0)), Rgb565(0b11111_100000_00000));
 /// ```
 pub trait Pixel: Sealed {
     /// The number of bits of a pixel.

@@ -100,12 +100,12 @@ pub(super) fn nearest(linear: Word, bits: u32) -> u16 {
         #[cfg(feature = "fixed")]
         Word::Steps14(linear) => {
             let linear = u32::from(linear.clamp(0, 1 << 14) as u16);
-            ((linear << bits) - linear + (1 << 13) >> 14) as u16
+            (((linear << bits) - linear + (1 << 13)) >> 14) as u16
         }
         #[cfg(feature = "fixed")]
         Word::Steps30(linear) => {
             let linear = u64::from(linear.clamp(0, 1 << 30) as u32);
-            ((linear << bits) - linear + (1 << 29) >> 30) as u16
+            (((linear << bits) - linear + (1 << 29)) >> 30) as u16
         }
     }
 }
@@ -123,11 +123,11 @@ fn fine(linear: Word, bits: u32) -> u32 {
         #[cfg(feature = "fixed")]
         Word::Steps14(linear) => {
             let linear = u32::from(linear.clamp(0, 1 << 14) as u16);
-            return (linear << bits) - linear << 2;
+            return ((linear << bits) - linear) << 2;
         }
         #[cfg(feature = "fixed")]
         Word::Steps30(linear) => linear.clamp(0, 1 << 30) as u32,
     };
     let steps = u64::from(steps);
-    ((steps << bits) - steps + 0x3fff >> 14) as u32
+    (((steps << bits) - steps + 0x3fff) >> 14) as u32
 }
