@@ -57,10 +57,11 @@ pub(crate) struct Pick {
     /// cortex-m0, cortex-m3, cortex-m4f, rv32imc, cortex-m7, cortex-m33 or hazard3
     #[arg(long)]
     pub(crate) chip: Chip,
-    /// rgb565 or rgb888
+    /// gray1, gray2, gray4, gray8, rgb332, rgb444, rgb555, rgb565, rgb666, rgb888, ws2812-8, pwm-10, pwm-12 or
+    /// pwm-16
     #[arg(long)]
     pub(crate) display: Display,
-    /// Largest error in steps of the display, after encoding in sRGB [default: 1]
+    /// Largest error in steps of the display, after its encoding [default: 1]
     #[arg(long, conflicts_with = "codes")]
     steps: Option<f64>,
     /// Largest error in linear codes, 1/255 of full scale

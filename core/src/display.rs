@@ -6,6 +6,7 @@
 //! | for | output | curve |
 //! |---|---|---|
 //! | a LED by pulse width, 1 to 16 bits | [`Pwm::duty`]; without steps at low light [`TemporalDither`] | linear |
+//! | a strip of addressable LEDs, such as WS2812 | [`LedStrip`], its bytes with a limit of the current | linear |
 //! | a LED driver or a panel that itself applies a gamma to eight bits | [`Curve::encode`] of [`Gamma22`] or [`Gamma28`] | power |
 //! | a matrix of LEDs of eight bits without a gamma | [`Curve::encode_dithered`] of [`Linear`] | linear |
 //! | a colour display | [`Rgb332`], [`Rgb444`], [`Rgb555`], [`Rgb565`], [`Rgb666`], [`Rgb888`], each a [`Pixel`] | sRGB |
@@ -33,6 +34,7 @@ mod encode;
 mod exposure;
 mod fit;
 mod gray;
+mod leds;
 mod pack;
 mod palette;
 mod pixel;
@@ -48,6 +50,7 @@ pub use self::{
     exposure::{CompiledExposure, Exposure},
     fit::{clip, compress_keep_hue},
     gray::{Gray1, Gray2, Gray4, Gray8},
+    leds::{LedOrder, LedStrip},
     pack::{Layout, pack},
     palette::Palette,
     pixel::{Pixel, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888},

@@ -28,6 +28,7 @@ fn spotlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let arrived = light.irradiance(point, normal);
     assert_eq!(arrived, light.irradiance_unskipped(point, normal), "{spot:?} {point:?} {normal:?}");
     assert_sound::<S>(arrived);
+    assert_sound::<S>(light.irradiance_facing(point));
     let falloff = cone.compile::<S>().ok()?;
     assert_within_one(falloff.at(S::versine_from_bits(words.wide())), "falloff of a versine");
     assert_within_one(falloff.at(falloff.versine(f32::from_bits(words.next()))), "falloff of a number");

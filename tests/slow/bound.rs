@@ -40,6 +40,8 @@ trait Evaluation {
         point: Vec3<<Self::Format as Scalar>::Length>,
         normal: Vec3<Self::Format>,
     ) -> f64;
+    /// The light at a surface that faces the light.
+    fn facing(compiled: &Self::Compiled, point: Vec3<<Self::Format as Scalar>::Length>) -> f64;
 }
 
 struct Standard<S>(S);
@@ -61,6 +63,10 @@ impl<S: Format> Evaluation for Standard<S> {
     fn light(compiled: &Self::Compiled, point: Vec3<S::Length>, normal: Vec3<S>) -> f64 {
         S::exact_light(compiled.irradiance(point, normal))
     }
+
+    fn facing(compiled: &Self::Compiled, point: Vec3<S::Length>) -> f64 {
+        S::exact_light(compiled.irradiance_facing(point))
+    }
 }
 
 impl<S: Format + Quick> Evaluation for Fast<S> {
@@ -78,6 +84,10 @@ impl<S: Format + Quick> Evaluation for Fast<S> {
 
     fn light(compiled: &Self::Compiled, point: Vec3<S::Length>, normal: Vec3<S>) -> f64 {
         S::exact_light(compiled.irradiance(point, normal))
+    }
+
+    fn facing(compiled: &Self::Compiled, point: Vec3<S::Length>) -> f64 {
+        S::exact_light(compiled.irradiance_facing(point))
     }
 }
 
@@ -170,9 +180,11 @@ impl<E: Evaluation> Beam<E> {
         };
         let cosine = (-way.dot(exact_normal) / distance).clamp(0.0, 1.0);
         let gain = f64::from(self.light.intensity()) * self.light.attenuation().exact(distance);
-        let exact = (falloff * cosine * gain).min(1.0);
-        let found = E::light(&self.compiled, point, normal).min(1.0);
-        let error = oracle::counted((found - exact).abs());
+        let error = |found: f64, cosine: f64| {
+            oracle::counted((found.min(1.0) - (falloff * cosine * gain).min(1.0)).abs())
+        };
+        let error = error(E::light(&self.compiled, point, normal), cosine)
+            .max(error(E::facing(&self.compiled, point), 1.0));
         if error > 0.0 { error / f64::from(self.bound.light) } else { 0.0 }
     }
 }

@@ -185,9 +185,8 @@ export class PricePanel {
 
   /** Asks the worker, if it is idle: after an answer it gets the newest question. */
   #ask() {
-    /** @type {Record<string, string>} */
-    const units = { rgb565: "steps of 1/63", rgb888: "steps of 1/255", codes: "of 255" };
-    element("unit").textContent = units[select("display").value];
+    const last = select("display").selectedOptions[0].dataset.last;
+    element("unit").textContent = last === undefined ? "of 255" : `steps of 1/${last}`;
     if (!this.#light) return;
     const question = this.#question(this.#light);
     if (this.#asked !== undefined) return;

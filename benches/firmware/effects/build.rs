@@ -13,7 +13,7 @@ use luminaire::{
     SpotLight, Vec3,
     attenuation::{Attenuation, AttenuationVisitor, InverseSquare, NoAttenuation, attenuations},
     codegen::{Named, Source, as_source},
-    display::{Exposure, Rgb565Ramp},
+    display::{Exposure, Palette, Rgb565Ramp},
     dynamic::{Effect, Effects},
     falloff::{
         AnyFalloff, Cubic, Falloff, FalloffVisitor, Hard, ListedFalloff, Quadratic, Soft, constant_falloffs,
@@ -23,6 +23,8 @@ use luminaire::{
     projector::{Gobo, Projection, Shadow},
     specular::{LobeVisitor, Phong, SpecularLobe, lobes},
 };
+include!("src/paper.rs");
+
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.1);
@@ -132,6 +134,8 @@ fn constants<S: Scalar>() -> Outcome {
         "ramp",
         &Rgb565Ramp::new(AMBER.map(|channel| 0.09 * channel), AMBER.map(|channel| 0.9 * channel))?,
     )?;
+    let cells = format!("{:?}", Palette::new(&PAPER)?.cells());
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("cells.rs"), cells)?;
     macro_rules! row {
         ($name:literal, $edge:expr) => {
             spot_of::<S, _, _>(

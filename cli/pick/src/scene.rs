@@ -131,14 +131,12 @@ impl Request {
 
     /// Returns the bound of the error of a light, after its colour and a material.
     fn with_material(&self, offer: &Offer) -> f64 {
-        /// The largest derivative of the sRGB encoding.
-        const SLOPE: f64 = 12.92;
         let is_16 = matches!(offer.evaluation, Evaluation::Fx16 | Evaluation::Fx16Quick);
         // Two products, each with a rounding error of at most a step of 2^-14.
         let rounding = if is_16 { 2.0 / 16_384.0 } else { 0.0 };
         offer.bound
             + match self.tolerance {
-                Tolerance::Steps(_) => COLORS * offer.bound + rounding * SLOPE * self.display.steps(),
+                Tolerance::Steps(_) => COLORS * offer.bound + rounding * self.display.slope(),
                 Tolerance::Codes(_) => rounding * 255.0,
             }
     }

@@ -68,23 +68,71 @@ named! {
 }
 
 named! {
-    /// A display. Its values are encoded in sRGB and then rounded to steps.
+    /// A display. Its values are encoded in sRGB, for LEDs in linear light, and then rounded to steps. With
+    /// channels of several widths a step is that of the widest.
     Display {
-        /// 5, 6 and 5 bits for red, green and blue. A step is 1/63 after encoding, the step of the
-        /// green channel.
+        /// Black and white.
+        Gray1 = "gray1",
+        /// Four greys.
+        Gray2 = "gray2",
+        /// 16 greys.
+        Gray4 = "gray4",
+        /// 256 greys.
+        Gray8 = "gray8",
+        /// 3, 3 and 2 bits for red, green and blue.
+        Rgb332 = "rgb332",
+        /// Four bits per channel.
+        Rgb444 = "rgb444",
+        /// Five bits per channel.
+        Rgb555 = "rgb555",
+        /// 5, 6 and 5 bits for red, green and blue.
         Rgb565 = "rgb565",
-        /// 8 bits per channel. A step is 1/255 after encoding.
+        /// Six bits per channel.
+        Rgb666 = "rgb666",
+        /// Eight bits per channel.
         Rgb888 = "rgb888",
+        /// A strip of LEDs with duties of eight bits.
+        Ws2812 = "ws2812-8",
+        /// LEDs with duties of ten bits.
+        Pwm10 = "pwm-10",
+        /// LEDs with duties of twelve bits.
+        Pwm12 = "pwm-12",
+        /// LEDs with duties of 16 bits.
+        Pwm16 = "pwm-16",
     }
 }
 
 impl Display {
     /// Returns the number of steps from black to full scale.
     pub fn steps(self) -> f64 {
-        match self {
-            Self::Rgb565 => 63.0,
-            Self::Rgb888 => 255.0,
-        }
+        let bits = match self {
+            Self::Gray1 => 1,
+            Self::Gray2 => 2,
+            Self::Rgb332 => 3,
+            Self::Gray4 | Self::Rgb444 => 4,
+            Self::Rgb555 => 5,
+            Self::Rgb565 | Self::Rgb666 => 6,
+            Self::Gray8 | Self::Rgb888 | Self::Ws2812 => 8,
+            Self::Pwm10 => 10,
+            Self::Pwm12 => 12,
+            Self::Pwm16 => 16,
+        };
+        f64::from((1 << bits) - 1)
+    }
+
+    /// Returns whether the steps are those of linear light.
+    pub fn is_linear(self) -> bool {
+        matches!(self, Self::Ws2812 | Self::Pwm10 | Self::Pwm12 | Self::Pwm16)
+    }
+
+    /// Returns linear light in steps, before the rounding to a step.
+    pub(crate) fn encoded(self, light: f64) -> f64 {
+        self.steps() * if self.is_linear() { light } else { srgb_code(light) / 255.0 }
+    }
+
+    /// Returns the largest derivative of [`encoded`](Self::encoded), in steps of full scale.
+    pub(crate) fn slope(self) -> f64 {
+        self.steps() * if self.is_linear() { 1.0 } else { 12.92 }
     }
 }
 
@@ -92,7 +140,7 @@ impl Display {
 #[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Tolerance {
-    /// In steps of the display, after encoding in sRGB and before the rounding to steps.
+    /// In steps of the display, after the encoding and before the rounding to steps.
     Steps(f64),
     /// In linear codes: 1/255 of full scale in linear light.
     Codes(f64),
@@ -112,9 +160,9 @@ impl Tolerance {
         match self {
             Self::Steps(_) => {
                 let lower = error.clamp(from, to);
-                let up = srgb_code((from + error).min(1.0)) - srgb_code(from);
-                let down = srgb_code(lower) - srgb_code((lower - error).max(0.0));
-                up.max(down) * display.steps() / 255.0
+                let up = display.encoded((from + error).min(1.0)) - display.encoded(from);
+                let down = display.encoded(lower) - display.encoded((lower - error).max(0.0));
+                up.max(down)
             }
             Self::Codes(_) => 255.0 * error,
         }
@@ -124,7 +172,7 @@ impl Tolerance {
     pub(crate) fn error(self, display: Display, found: f64, exact: f64) -> f64 {
         let [found, exact] = [found, exact].map(|light| light.clamp(0.0, 1.0));
         match self {
-            Self::Steps(_) => counted((srgb_code(found) - srgb_code(exact)).abs() * display.steps() / 255.0),
+            Self::Steps(_) => counted((display.encoded(found) - display.encoded(exact)).abs()),
             Self::Codes(_) => linear_codes(found, exact),
         }
     }

@@ -29,6 +29,17 @@ fn pick_floating_point_unit_takes_f32() {
 }
 
 #[test]
+fn steps_of_leds_are_linear_codes() {
+    let light = level(20.0);
+    let bound = |request: Request| request.pick(&light).unwrap().bound.value;
+    let leds = bound(Request::new(Chip::CortexM0, Display::Ws2812).steps(1.2));
+    assert_eq!(leds, bound(Request::new(Chip::CortexM0, Display::Rgb888).codes(1.2)));
+    assert!(leds < bound(Request::new(Chip::CortexM0, Display::Rgb888).steps(1.2)));
+    let fine = Request::new(Chip::CortexM0, Display::Pwm16).steps(1.0).pick(&light).unwrap();
+    assert_eq!(fine.evaluation, Evaluation::Fx32);
+}
+
+#[test]
 fn price_of_a_bright_light_includes_the_fine_evaluation() {
     let dim = Light { intensity: 1.0, ..Light::default() };
     let tight = Request::new(Chip::CortexM0, Display::Rgb565).codes(1.2);

@@ -64,12 +64,23 @@ impl<const BITS: u32> TemporalDither<BITS> {
     /// Returns the duty of the next frame.
     #[inline]
     pub fn next<S: Scalar>(&mut self, light: S) -> u16 {
+        self.next_dimmed(light, FULL)
+    }
+
+    /// Returns the duty of the next frame for light times a factor, at most [`FULL`].
+    #[inline]
+    pub(super) fn next_dimmed<S: Scalar>(&mut self, light: S, factor: u32) -> u16 {
+        let light = fine(light.word(), Pwm::<BITS>::LAST.count_ones());
+        let dimmed = if factor == FULL { light } else { (u64::from(light) * u64::from(factor) >> 16) as u32 };
         // At most 2^32 - 1: the largest product is (2^16 - 1) * 2^16.
-        let sum = fine(light.word(), Pwm::<BITS>::LAST.count_ones()) + u32::from(self.carry);
+        let sum = dimmed + u32::from(self.carry);
         self.carry = sum as u16;
         (sum >> 16) as u16
     }
 }
+
+/// The factor 1, in units of 2^-16.
+pub(super) const FULL: u32 = 1 << 16;
 
 /// Returns a linear value clamped to `[0, 1]` times `2^bits - 1`, rounded to nearest, ties up, for up
 /// to 16 bits.

@@ -47,6 +47,22 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
+    /// Returns the irradiance of a surface that faces the light at a point, like
+    /// [`CompiledSpotLight::irradiance_facing`](super::CompiledSpotLight::irradiance_facing).
+    #[inline]
+    pub fn irradiance_facing(&self, point: Vec3<S::Length>) -> S::Irradiance {
+        let offset = S::QuickOffset::between(self.position, point);
+        if A::is_beyond::<S, _>(&self.attenuation, &offset) {
+            return S::Irradiance::default();
+        }
+        let ray = offset.ray();
+        let falloff = self.cone.toward(&ray, self.axis);
+        if falloff == Share::of_scalar(S::ZERO) {
+            return S::Irradiance::default();
+        }
+        A::light::<S, _, _>(&self.attenuation, &offset, &ray, falloff, self.intensity)
+    }
+
     /// Returns `false` only if no point within `radius` of `center` receives light, like
     /// [`CompiledSpotLight::can_reach`](super::CompiledSpotLight::can_reach).
     pub fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

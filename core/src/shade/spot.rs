@@ -60,6 +60,36 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
+    /// Returns the irradiance of a surface that faces the light at a point: what an LED, a particle or
+    /// another small body without a normal receives, not yet multiplied by the colours.
+    ///
+    /// It is the product of intensity, falloff and attenuation. Points outside the cone or beyond the
+    /// range are rejected before the square root; they receive exactly zero. The error is at most
+    /// that of [`error_bound`](crate::SpotLight::error_bound).
+    ///
+    /// ```
+    /// use luminaire::{Angle, Cone, Fx16, SpotLight};
+    /// let cone = Cone::soft(Angle::degrees(15.0))?;
+    /// let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(8.0)?;
+    /// let light = spot.compile::<Fx16>()?;
+    /// assert_eq!(light.irradiance_facing(Fx16::point([0.0, 0.0, 0.0])).to_f32(), 0.5);
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
+    #[inline]
+    pub fn irradiance_facing(&self, point: Vec3<S::Length>) -> S::Irradiance {
+        let offset = S::Offset::between(self.position, point);
+        let Self { axis, outside, ref attenuation, intensity, .. } = *self;
+        if offset.is_outside(axis, outside) || A::is_beyond::<S, _>(attenuation, &offset) {
+            return S::Irradiance::default();
+        }
+        if offset.is_near(self.fine_below) {
+            let ray = S::fine_ray(&offset);
+            return A::light(attenuation, &offset, &ray, self.cone.toward(&ray, axis), intensity);
+        }
+        let ray = offset.ray();
+        A::light(attenuation, &offset, &ray, self.cone.toward(&ray, axis), intensity)
+    }
+
     /// Returns the falloff of the cone alone at a point, in `[0, 1]`.
     #[inline]
     pub fn falloff_at(&self, point: Vec3<S::Length>) -> S {

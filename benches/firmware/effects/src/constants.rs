@@ -1,9 +1,9 @@
 //! The lights and surfaces of the programs. The build script writes their values.
 
 use luminaire::{
-    Scalar, Vec3,
+    Rgb, Scalar, Vec3,
     attenuation::NoAttenuation,
-    display::{CompiledExposure, Rgb565Ramp},
+    display::{CompiledExposure, LedOrder, LedStrip, Palette, Rgb565Ramp},
     falloff::Soft,
     light::{CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight},
     projector::{CompiledGobo, Shadow},
@@ -54,6 +54,15 @@ constants! {
     "specular.rs" SPECULAR: Format;
     "matte.rs" MATTE: CompiledMaterial<Format, NoSpecular>;
 }
+
+/// A strip of LEDs that a white LED exceeds.
+pub const STRIP: LedStrip = LedStrip::new(LedOrder::Grb).with_limit(40, 20, 1);
+
+/// The colours of electronic paper of seven colours.
+pub static PALETTE: Palette<'static> =
+    Palette::from_cells(&PAPER, include!(concat!(env!("OUT_DIR"), "/cells.rs")), 255);
+
+include!("paper.rs");
 
 /// The constant of the file ramp.rs: the paper in the light, a table that is not copied.
 pub static RAMP: Rgb565Ramp = include!(concat!(env!("OUT_DIR"), "/ramp.rs"));

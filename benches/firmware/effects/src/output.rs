@@ -1,7 +1,10 @@
 //! Results of effects.
 
 use luminaire::number::{Light16, Light32};
-use luminaire::{Fx16, Fx32, Rgb, display::Rgb565};
+use luminaire::{
+    Fx16, Fx32, Rgb,
+    display::{Gray1, Gray2, Gray4, Gray8, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666},
+};
 use luminaire_kernels::Value;
 
 /// A result of an effect.
@@ -29,7 +32,28 @@ outputs! {
     Fx32: |value| value.bits();
     Light32: |value| value.bits();
     u8: |code| code.into();
-    Rgb565: |pixel| pixel.0.into();
+    u16: |duty| duty.into();
+}
+
+macro_rules! pixels {
+    ($($pixel:ty)*) => {$(
+        impl Output for $pixel {
+            #[inline(always)]
+            fn fold(self) -> u32 {
+                self.0.into()
+            }
+        }
+    )*};
+}
+
+pixels! { Gray1 Gray2 Gray4 Gray8 Rgb332 Rgb444 Rgb555 Rgb565 Rgb666 }
+
+/// The bytes of an LED.
+impl Output for [u8; 3] {
+    #[inline(always)]
+    fn fold(self) -> u32 {
+        Rgb::from(self).fold()
+    }
 }
 
 /// Folding three channels into one takes two instructions on every processor, whatever their type.

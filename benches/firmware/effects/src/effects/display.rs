@@ -1,8 +1,16 @@
 //! From light to the codes of a display, in three channels.
 
-use luminaire::{Rgb, display::Rgb565};
+use core::hint::black_box;
 
-use crate::constants::{EXPOSURE, RAMP};
+use luminaire::{
+    Rgb,
+    display::{
+        Curve, Gamma22, Gamma28, Gray1, Gray2, Gray4, Gray8, Pixel, Pwm, Pwm8, Rgb332, Rgb444, Rgb555,
+        Rgb565, Rgb666,
+    },
+};
+
+use crate::constants::{EXPOSURE, PALETTE, RAMP, STRIP};
 use crate::format::{Color, Format, Light};
 use crate::input::Place;
 
@@ -40,6 +48,67 @@ effects! { each;
     /// The same pixels. In fixed point the search for the codes starts from a table of 512 bytes.
     "RGB565, dithered fast", pixel, [Dither] over "rgb565";
     fn rgb565_dithered_fast((color, Place { x, y }): (Color, Place)) -> Rgb565 { Rgb565::from_linear_dithered_fast(color, x, y) }
+
+    /// Black and white: electronic paper, small monochrome displays.
+    "1-bit grey, dithered", pixel, [Dither];
+    fn gray1((color, Place { x, y }): (Color, Place)) -> Gray1 { Gray1::dithered(color, x, y) }
+
+    /// Four greys.
+    "2-bit grey, dithered", pixel, [Dither];
+    fn gray2((color, Place { x, y }): (Color, Place)) -> Gray2 { Gray2::dithered(color, x, y) }
+
+    /// 16 greys.
+    "4-bit grey, dithered", pixel, [Dither];
+    fn gray4((color, Place { x, y }): (Color, Place)) -> Gray4 { Gray4::dithered(color, x, y) }
+
+    /// 256 greys.
+    "8-bit grey", color, [];
+    fn gray8(color: Color) -> Gray8 { Gray8::nearest(color) }
+
+    /// Pixels of eight bits.
+    "RGB332, dithered", pixel, [Dither];
+    fn rgb332((color, Place { x, y }): (Color, Place)) -> Rgb332 { Rgb332::dithered(color, x, y) }
+
+    /// Pixels of twelve bits, the fastest of many SPI displays.
+    "RGB444, dithered", pixel, [Dither];
+    fn rgb444((color, Place { x, y }): (Color, Place)) -> Rgb444 { Rgb444::dithered(color, x, y) }
+
+    /// Pixels of 15 bits.
+    "RGB555, dithered", pixel, [Dither];
+    fn rgb555((color, Place { x, y }): (Color, Place)) -> Rgb555 { Rgb555::dithered(color, x, y) }
+
+    /// Pixels of 18 bits.
+    "RGB666, dithered", pixel, [Dither];
+    fn rgb666((color, Place { x, y }): (Color, Place)) -> Rgb666 { Rgb666::dithered(color, x, y) }
+
+    /// The nearest of seven colours of electronic paper, dithered, from a table of 4,096 bytes.
+    "palette, dithered", pixel, [Dither];
+    fn palette((color, Place { x, y }): (Color, Place)) -> u8 { PALETTE.dithered(color, x, y) }
+
+    /// Duties of eight bits for an LED.
+    "LED", color, [];
+    fn led(color: Color) -> Rgb<u16> { color.map(Pwm8::duty) }
+
+    /// Duties of 16 bits for an LED.
+    "LED of 16 bits", color, [];
+    fn led16(color: Color) -> Rgb<u16> { color.map(Pwm::<16>::duty) }
+
+    /// Duties of eight bits that carry their rounding to the next frame, dimmed by the limit of a strip.
+    "LED, dithered in time", color, [Dither] over "led";
+    fn led_dithered(color: Color) -> [u8; 3] {
+        let mut bytes = [0; 3];
+        let mut dithers = black_box([Rgb::default()]);
+        STRIP.write(&[color], &mut dithers, &mut bytes);
+        bytes
+    }
+
+    /// Codes of eight bits for a driver that applies a gamma of 2.2 to them.
+    "gamma 2.2", color, [];
+    fn gamma22(color: Color) -> Rgb<u8> { color.map(Gamma22::encode) }
+
+    /// Codes of eight bits for a driver that applies a gamma of 2.8 to them.
+    "gamma 2.8", color, [];
+    fn gamma28(color: Color) -> Rgb<u8> { color.map(Gamma28::encode) }
 
     /// The pixel of a surface of one colour by its irradiance: the colours, the sum, the clip and the
     /// dither in a table of 2,560 bytes.
