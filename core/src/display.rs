@@ -35,6 +35,7 @@ mod exposure;
 mod fit;
 mod gray;
 mod leds;
+mod levels;
 mod pack;
 mod palette;
 mod pixel;
@@ -55,6 +56,10 @@ pub use self::{
     palette::Palette,
     pixel::{Pixel, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888},
     pwm::{Pwm, Pwm8, TemporalDither},
-    ramp::Rgb565Ramp,
+    ramp::{Ramp, Rgb565Ramp},
     srgb::{decode_srgb, encode_srgb, encode_srgb_each},
+};
+pub(crate) use self::{
+    levels::{offsets, packed, shown},
+    srgb::decode,
 };
