@@ -3,6 +3,7 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod board;
+pub mod drawn;
 pub mod frame;
 mod measure;
 #[cfg(feature = "effects")]

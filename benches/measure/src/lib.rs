@@ -6,6 +6,7 @@ pub mod conform;
 mod counted;
 pub mod device;
 mod documents;
+mod drawn;
 mod effects;
 mod frame;
 mod ladder;
@@ -83,6 +84,7 @@ fn on(target: Target, check: bool, progress: &Progress) -> Result<Record> {
             if board.name == c::FLOATS_OF_C {
                 c::add_lit_by_libgcc(&mut group, progress)?;
             }
+            drawn::add(board, &mut group, progress)?;
             let picture = frame::draw(board, &mut group, check, progress)?;
             let groups = [("picture", picture), (board.name, group)];
             Ok(Record(groups.map(|(name, group)| (name.to_owned(), group)).into()))

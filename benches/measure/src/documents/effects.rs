@@ -6,8 +6,10 @@ use luminaire_effects::Entry;
 use tools::turntable::LOADS;
 
 use super::text::{cells, table};
+use crate::drawn::{DRAWN, PREFIX};
 use crate::effects::{SUITED, catalogue, figure, has_price};
 use crate::record::{Group, Record};
+use crate::target::{BOARDS, Board};
 
 const INTRODUCTION: &str = "\
 # What effects cost
@@ -51,6 +53,7 @@ pub(super) fn page(record: &Record) -> Result<String> {
         let rows = chapter.entries.iter().map(|entry| row(record, entry)).collect::<Result<Vec<_>>>()?;
         text += &format!("\n## {}\n\n{}\n\n{}", chapter.title, chapter.note, table(&heads, rows));
     }
+    text += &drawn(record);
     Ok(text + &frames(&record.group("demo")))
 }
 
@@ -81,6 +84,26 @@ fn row(record: &Record, entry: &Entry) -> Result<Vec<String>> {
         }
     }
     Ok(row)
+}
+
+/// The table of what a point of each row call costs.
+fn drawn(record: &Record) -> String {
+    let mut heads = cells(["row call", "what it is"]);
+    heads.extend(BOARDS.iter().map(|board| board.title.to_owned()));
+    heads.insert(3, "RP2040, cycles".to_owned());
+    let rows = DRAWN.iter().map(|(name, title, what)| {
+        let mut row = cells([title, what]);
+        let figure = |board: &Board, unit: &str| {
+            let figure = record.group(board.name).number(&format!("{PREFIX}{name}"), unit);
+            figure.map_or_else(String::new, |figure| format!("{figure:.1}"))
+        };
+        row.extend(BOARDS.iter().map(|board| figure(board, "instructions")));
+        row.insert(3, figure(&BOARDS[0], "cycles"));
+        row
+    });
+    let note = "Instructions of one pixel, point or LED, with the loop around it, in `fx16` by the quick evaluation; \
+                pixels are dithered RGB565. The program is [`drawn`](../benches/firmware/src/drawn.rs).";
+    format!("\n## Rows, drawables and LEDs\n\n{note}\n\n{}", table(&heads, rows))
 }
 
 /// The table of what each effect adds to a frame, in the order of the library.
