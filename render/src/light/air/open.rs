@@ -1,8 +1,8 @@
 //! A beam without gobo and shadow map as seen from the eye: its in-scattering by a formula.
 //!
-//! The falloff is a polynomial of `t` of degree 3 or less, a power or an inverted power. Along a ray, the
-//! directions from the light form an arc. With the angle `psi` from its direction nearest to the axis and
-//! the `psi` of the cone's edge, let `s = sin(psi/2) / sin(edge/2)` and `m = sin^2(edge/2)`. Then
+//! The falloff is a polynomial of `t` of degree 3 or less, a power or an inverted power. Along a ray,
+//! the directions from the light form an arc. With the angle `psi` from its direction nearest to the
+//! axis and the `psi` of the cone's edge, let `s = sin(psi/2) / sin(edge/2)` and `m = sin^2(edge/2)`. Then
 //!
 //! ```text
 //! t = top (1 - s^2),   d(psi) = 2 sqrt(m) ds / sqrt(1 - m s^2)
@@ -34,7 +34,7 @@ pub(crate) struct Open {
     pub(super) frame: Frame,
     /// The in-scattering at `h = 1` of a line whose integral is 1.
     gain: f32,
-    /// The coefficients of t, t^2 and t^3, or the exponent and the `t` that is faint beside a `t` of 1.
+    /// The coefficients of t, t^2 and t^3, or the exponent and the `t` that is faint beside 1.
     curve: [f32; 3],
     outer: f32,
     /// The fall of t per versine.
