@@ -50,7 +50,7 @@ pub(super) struct Sheaf {
 
 /// Sine of the angle between the axis and the line from the light to the eye, relative to the sine of
 /// the outer angle, up to which the eye counts as in the cone or in the opposite cone.
-const OUTSIDE: f32 = 1.01;
+pub(super) const OUTSIDE: f32 = 1.01;
 
 /// Least distance of the eye, in radii of the light.
 const CLEARANCE: f32 = 1.5;
@@ -110,15 +110,10 @@ impl Frame {
     /// surface, or at the light's body if the ray hits it before. `squared` is the squared distance of
     /// `way` from the line to the light, and `whole` its squared length.
     #[inline(always)]
-    pub(super) fn far<const IS_NEAR: bool>(
-        &self,
-        way: Vec3,
-        [squared, whole]: [f32; 2],
-        nearness: f32,
-    ) -> f32 {
+    pub(super) fn far(&self, is_near: bool, way: Vec3, [squared, whole]: [f32; 2], nearness: f32) -> f32 {
         let Self { distance, radius_squared, per_excess, .. } = *self;
         let surface = distance * nearness + way.z;
-        if !IS_NEAR {
+        if !is_near {
             return surface;
         }
         let inside = radius_squared * whole - distance * distance * squared;

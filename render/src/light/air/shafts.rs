@@ -88,7 +88,7 @@ impl Shafts {
             let edge = vector::sqrt(if square > 0.0 { square } else { 0.0 });
             // The coordinate of the ray's end on the line from the light to the eye, times the
             // nearness.
-            let far = self.frame.far::<IS_NEAR>(way, [squared, whole], nearness[i]);
+            let far = self.frame.far(IS_NEAR, way, [squared, whole], nearness[i]);
             let length = vector::sqrt(squared + far * far);
             // `sin psi` and `1 + cos psi` at the end, both times `length * radius`.
             let turn = height * ahead - far * cos;

@@ -51,8 +51,9 @@ impl<'a> TileAir<'a> {
         match &beam.seen {
             Seen::Open(open) => {
                 let sheaf = open.frame.sheaf(&self.fan);
+                let run = open.way(&sheaf);
                 self.add_runs(&sides, hazy.color, |_, at, nearness: &[_; WIDTH]| {
-                    open.light(&sheaf, at, nearness)
+                    run(open, &sheaf, at, nearness)
                 });
             }
             Seen::Shafts(shafts) => {

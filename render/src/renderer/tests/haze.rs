@@ -18,7 +18,7 @@ use luminaire::{
     Angle, Cone, SpotLight, Vec3,
     attenuation::AnyAttenuation,
     dynamic::AnyLight,
-    falloff::{AnyFalloff, Falloff as _},
+    falloff::{AnyFalloff, Falloff as _, IntegerPower, InvertedIntegerPower},
     haze::Haze,
     projector::Gobo,
 };
@@ -172,11 +172,17 @@ fn error(renderer: &mut Renderer<f32>, fixtures: &[Fixture]) -> (f64, [f32; 2]) 
     (worst, [few_rays, each_rays].map(|rays| rays as f32 / pixels))
 }
 
-/// Every hazy example from several cameras, at several times, with and without shadow maps.
+/// Every hazy example from several cameras, at several times, with and without shadow maps, with its own
+/// falloffs and with powers.
 #[test]
 fn haze_of_examples_errs_by_at_most_half_a_code() {
     let (width, height) = if is_full() { (960, 540) } else { (300, 170) };
-    for &example in Example::ALL {
+    let [steep, steepest] = [12, 128].map(|exponent| IntegerPower::new(exponent).unwrap().into());
+    let flat: AnyFalloff = InvertedIntegerPower::new(4).unwrap().into();
+    let falloffs = [None, Some(steep), Some(steepest), Some(flat)];
+    for (&example, falloff) in
+        Example::ALL.iter().flat_map(|example| falloffs.map(|falloff| (example, falloff)))
+    {
         let setup = example.setup().unwrap();
         if setup.scene.haze().is_none() {
             continue;
@@ -189,8 +195,11 @@ fn haze_of_examples_errs_by_at_most_half_a_code() {
             camera.orbit(0.7 * time, 0.05 * (time % 7.0) - 0.1);
             camera.zoom(1.0 - 0.08 * (time % 8.0));
             let mut fixtures = setup.fixtures_at(0.37 * time).unwrap();
-            if time % 3.0 == 1.0 {
-                for fixture in &mut fixtures {
+            for fixture in &mut fixtures {
+                if let (AnyLight::Spot(spot), Some(falloff)) = (*fixture.light(), falloff) {
+                    *fixture = AnyLight::from(spot.with_cone(spot.cone().with_falloff(falloff))).into();
+                }
+                if time % 3.0 == 1.0 {
                     *fixture = fixture.with_shadow(64).unwrap();
                 }
             }
@@ -202,7 +211,7 @@ fn haze_of_examples_errs_by_at_most_half_a_code() {
             sums = [sums[0] + rays[0], sums[1] + rays[1]];
         }
         let rays = sums.map(|sum| sum / count);
-        println!("{}: {worst:.3} linear codes, rays per pixel {rays:.3?}", example.name());
+        println!("{} {falloff:?}: {worst:.3} linear codes, rays per pixel {rays:.3?}", example.name());
         assert!(worst <= BOUND, "{}: {worst} linear codes", example.name());
         assert!(rays[0] < 0.6 * rays[1] && rays[0] > 0.1, "{}: {rays:?} rays per pixel", example.name());
     }
@@ -257,7 +266,8 @@ impl Case {
             3 => target - position + offset(&genes[7..]) * scale,
             _ => target - eye + offset(&genes[7..]) * 0.3,
         };
-        let falloff = AnyFalloff::samples().nth((genes[10] * AnyFalloff::COUNT as f32) as usize)?;
+        let number = genes[10] * AnyFalloff::COUNT as f32;
+        let falloff = AnyFalloff::drawn(number as usize, || number.fract()).ok()?;
         let outer = 0.3 * 500.0_f32.powf(genes[11]);
         let mut cone = Cone::from_outer(falloff, Angle::degrees(outer)).ok()?;
         if genes[13] > 0.6 {
