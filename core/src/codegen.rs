@@ -26,7 +26,7 @@
 //!
 //! All compiled lights can be written, including those of [another system](crate::import), except
 //! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). Other values that can be written are the
-//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`Rgb565Ramp`], [`CompiledGobo`],
+//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`Ramp`], [`Gradient`], [`CompiledGobo`],
 //! [`Shadow`], [`BeamScattering`] and [`BeamScattering16`]. The generated text calls `const`
 //! functions that accept any bits, and evaluation is defined for any bits. The bits are specific to
 //! this version of the crate: generate the text in each build and do not store it.
@@ -61,7 +61,8 @@ use crate::{
     attenuation::Attenuation,
     color::Rgb,
     cone::CompiledCone,
-    display::{CompiledExposure, Rgb565Ramp},
+    display::{CompiledExposure, Pixel, Ramp},
+    draw::Gradient,
     falloff::Falloff,
     haze::BeamScattering,
     material::CompiledMaterial,
@@ -175,9 +176,16 @@ impl<S: Scalar> Source for CompiledExposure<S> {
     }
 }
 
-impl Source for Rgb565Ramp {
+impl<P: Pixel> Source for Ramp<P> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "Rgb565Ramp::from_levels({:?})", self.levels())
+        write!(out, "Ramp::<{}>::from_levels({:?})", name::<P>(), self.levels())
+    }
+}
+
+impl<P: Pixel, const N: usize> Source for Gradient<P, N> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let (levels, shape) = self.parts();
+        write!(out, "Gradient::<{}, {N}>::from_parts({levels:?}, Shape::{shape:?})", name::<P>())
     }
 }
 

@@ -33,6 +33,7 @@ mod encode;
 mod exposure;
 mod fit;
 mod gray;
+mod levels;
 mod pack;
 mod palette;
 mod pixel;
@@ -52,6 +53,10 @@ pub use self::{
     palette::Palette,
     pixel::{Pixel, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888},
     pwm::{Pwm, Pwm8, TemporalDither},
-    ramp::Rgb565Ramp,
+    ramp::{Ramp, Rgb565Ramp},
     srgb::{decode_srgb, encode_srgb, encode_srgb_each},
+};
+pub(crate) use self::{
+    levels::{offsets, packed, shown},
+    srgb::decode,
 };

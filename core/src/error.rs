@@ -67,8 +67,22 @@ pub enum Parameter {
     Intensity,
     /// The linear colour of a light or of a material.
     Color,
-    /// The number of colours of a palette.
+    /// The number of colours of a palette or a gradient.
     ColorCount,
+    /// A coordinate of a place on a screen, in pixels.
+    Place,
+    /// The distance in pixels between the two places of a linear gradient.
+    GradientLength,
+    /// The radius of a radial gradient, in pixels.
+    GradientRadius,
+    /// The width of a sprite, in pixels.
+    Width,
+    /// The number of normals of a sprite.
+    NormalCount,
+    /// The number of indices of materials of a sprite.
+    MaterialCount,
+    /// The number of ramps of a sprite.
+    RampCount,
     /// The direction in which a directional light travels.
     Direction,
     /// The position at which the beam of a spotlight ends.
@@ -153,6 +167,8 @@ pub enum Expected {
     RangeBetween(f32, f32),
     /// An integer in this closed interval.
     WholeBetween(u32, u32),
+    /// A number of pixels in whole rows of this width.
+    RowsOf(u32),
     /// A vector of finite components whose length is neither zero nor too large or small to be
     /// squared in f32.
     Direction,
@@ -180,6 +196,13 @@ impl fmt::Display for Parameter {
             Self::Intensity => "intensity",
             Self::Color => "color",
             Self::ColorCount => "number of colors",
+            Self::Place => "place",
+            Self::GradientLength => "length of the gradient",
+            Self::GradientRadius => "radius of the gradient",
+            Self::Width => "width",
+            Self::NormalCount => "number of normals",
+            Self::MaterialCount => "number of materials",
+            Self::RampCount => "number of ramps",
             Self::Direction => "direction",
             Self::EndPoint => "end point",
             Self::Attenuation => "attenuation coefficient",
@@ -253,6 +276,7 @@ impl Expected {
             | Self::RangeBetween(least, most) => (least..=most).contains(&value),
             Self::WholeBetween(least, most) => (least as f32..=most as f32).contains(&value),
             Self::Exactly(only) => value == only,
+            Self::RowsOf(width) => width != 0 && value as u32 % width == 0,
             Self::Direction => false,
         }
     }
@@ -314,6 +338,7 @@ impl fmt::Display for Expected {
                 write!(f, "a distance from {least} to {most}, or an attenuation without a range")
             }
             Self::WholeBetween(least, most) => write!(f, "a whole number from {least} to {most}"),
+            Self::RowsOf(width) => write!(f, "whole rows, a multiple of the width {width}"),
             Self::Direction => f.write_str("finite components and a length between 1e-18 and 1e18"),
         }
     }
@@ -323,7 +348,8 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { parameter, value, accepted } = *self;
         write!(f, "{parameter} = ")?;
-        let counts = matches!(accepted, Expected::WholeBetween(..) | Expected::Exactly(_));
+        let counts =
+            matches!(accepted, Expected::WholeBetween(..) | Expected::RowsOf(_) | Expected::Exactly(_));
         if counts && (1.0..1e18).contains(&value) && value as u64 as f32 == value {
             write!(f, "{}", value as u64)?;
         } else {

@@ -159,7 +159,7 @@
 
 // Modules, lowest first: `error`, `models`, `search`, `source`, `stored`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
-// `haze`, `material`, `row`, `light`, `any_light`, `bound`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
+// `haze`, `material`, `row`, `draw`, `light`, `any_light`, `bound`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
 
 #![no_std]
@@ -180,6 +180,7 @@ pub mod codegen;
 mod color;
 mod cone;
 pub mod display;
+pub mod draw;
 pub mod dynamic;
 mod effect;
 pub mod error;

@@ -23,6 +23,7 @@ pub use crate::{
 pub use crate::shade::LightModel;
 
 use crate::{
+    attenuation::Attenuation,
     color::{Rgb, checked_color},
     error::{Error, Expected, Parameter, check_between, check_components},
     number::Scalar,
@@ -62,6 +63,26 @@ impl Emission {
         check_between(Parameter::Intensity, intensity, 0.0, 1e9)?;
         Ok(Self { intensity, ..self })
     }
+}
+
+/// Returns the distance from which on the irradiance of a facing surface is less than `light`.
+fn range_above<A: Attenuation>(attenuation: A, intensity: f32, light: f32) -> f32 {
+    if A::is_inverse_square::<f32>(&attenuation.constants()) {
+        if light > 0.0 {
+            // The factor is more than the rounding errors of the roots and the quotient.
+            let distance = trig::sqrt(intensity) / trig::sqrt(light) * (1.0 + 4.0 * f32::EPSILON);
+            return if distance > f32::MIN_POSITIVE { distance } else { f32::MIN_POSITIVE };
+        }
+        return f32::INFINITY;
+    }
+    // Positive floats have the order of their bits. The factor is more than the error of a power.
+    let (mut near, mut far) = (0, f32::INFINITY.to_bits());
+    while far - near > 1 {
+        let middle = u32::midpoint(near, far);
+        let factor = attenuation.exact(f32::from_bits(middle).into()) * (1.0 + 1e-9);
+        if f64::from(intensity) * factor < f64::from(light) { far = middle } else { near = middle }
+    }
+    f32::from_bits(far)
 }
 
 /// Returns the position if all components are finite, or an error that shows the first component

@@ -38,7 +38,7 @@ pub struct AsSource<'a, T>(&'a T);
 
 impl<T: Source> fmt::Display for AsSource<'_, T> {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        let import = "use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};";
+        let import = "use ::luminaire::{attenuation::*, codegen::*, display::*, draw::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};";
         let reason = "an expression need not have names of both kinds";
         write!(
             out,

@@ -17,6 +17,7 @@ mod display;
 mod display_ramp;
 mod dither;
 mod domain;
+mod draw;
 mod falloff_ends;
 mod figures;
 mod generated;

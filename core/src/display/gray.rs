@@ -3,12 +3,14 @@
 use super::{
     curve::Srgb,
     dither::{dithered, dithered_word, threshold},
+    levels::steps,
     pixel::{Pixel, Sealed},
-    srgb::{nearest_code, nearest_of_word},
+    srgb::{first_step, nearest_code, nearest_of_word},
 };
 use crate::{
     color::Rgb,
     number::{Scalar, Word, float::clamp},
+    source::named,
 };
 
 /// The weights of red and blue in the luminance (ITU-R BT.709: 0.2126 and 0.0722), in units of 2^-16.
@@ -72,13 +74,32 @@ macro_rules! grays {
             }
         }
 
-        impl Sealed for $name {}
+        named!($name);
+
+        impl Sealed for $name {
+            const WIDTHS: Rgb<u32> = Rgb::new(0, $bits, 0);
+
+            fn steps(color: Rgb<f32>) -> Rgb<u32> {
+                let gray = match luminance(color) {
+                    Word::Single(gray) => gray,
+                    #[cfg(feature = "fixed")]
+                    _ => 0.0,
+                };
+                Rgb::new(0, steps::<{ (1 << $bits) - 1 }>(gray, Self::FRACTION), 0)
+            }
+
+            #[inline(always)]
+            fn of_bits(bits: u32) -> Self {
+                Self(bits as u8)
+            }
+        }
 
         /// The grey of a colour is that of its luminance in linear light, 0.2126 red + 0.7152 green +
         /// 0.0722 blue (ITU-R BT.709), within 5.4e-6 of full scale: the weights are multiples of 2^-16
         /// that sum to exactly 1, and are off by 5.3e-6 in all. In `Fx16` nothing else is rounded.
         impl Pixel for $name {
             const BITS: u32 = $bits;
+            const FIRST_STEP: f32 = first_step((1 << $bits) - 1);
 
             #[inline]
             fn nearest<S: Scalar>(color: Rgb<S>) -> Self {

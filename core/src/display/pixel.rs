@@ -3,12 +3,32 @@
 use super::{
     curve::Srgb,
     dither::{self, dithered},
-    srgb::nearest_code,
+    levels::steps,
+    srgb::{first_step, nearest_code},
 };
-use crate::{color::Rgb, number::Scalar};
+use crate::{
+    color::Rgb,
+    number::Scalar,
+    source::{Named, named},
+};
 
-/// Seals [`Pixel`].
-pub trait Sealed: Copy {}
+/// Seals [`Pixel`], and has the channels of a pixel for tables of [levels](super::levels).
+pub trait Sealed: Copy + PartialEq + core::fmt::Debug + Named {
+    /// The bits of each channel. A grey pixel has a green channel only.
+    const WIDTHS: Rgb<u32>;
+    /// The fraction bits of each channel in a level.
+    const FRACTION: u32 = {
+        let free = (32 - Self::WIDTHS.red - Self::WIDTHS.green - Self::WIDTHS.blue) / 3;
+        if free < 5 { free } else { 5 }
+    };
+
+    /// Returns the channels of a linear colour clipped to `[0, 1]`, in steps with
+    /// [`FRACTION`](Self::FRACTION) bits.
+    fn steps(color: Rgb<f32>) -> Rgb<u32>;
+
+    /// Returns the pixel of these bits; higher ones are cut off.
+    fn of_bits(bits: u32) -> Self;
+}
 
 /// A pixel of a display: [`Gray1`](super::Gray1) to [`Gray8`](super::Gray8), [`Rgb332`] to
 /// [`Rgb888`].
@@ -31,6 +51,12 @@ pub trait Pixel: Sealed {
         18 => 24,
         bits => bits,
     };
+    /// The light of the first step, rounded down: a pixel without dither whose channels are all below
+    /// this is black.
+    ///
+    /// With it a program skips lights that are too far to be seen: see
+    /// [`SpotLight::range_above`](crate::SpotLight::range_above).
+    const FIRST_STEP: f32;
 
     /// Returns the nearest sRGB pixel to a linear colour, clipped to `[0, 1]`: each channel has
     /// exactly the nearest code.
@@ -109,10 +135,28 @@ macro_rules! pixels {
             }
         }
 
-        impl Sealed for $name {}
+        named!($name);
+
+        impl Sealed for $name {
+            const WIDTHS: Rgb<u32> = Rgb::new($red, $green, $blue);
+
+            fn steps(color: Rgb<f32>) -> Rgb<u32> {
+                let red = steps::<{ (1 << $red) - 1 }>(color.red, Self::FRACTION);
+                let green = steps::<{ (1 << $green) - 1 }>(color.green, Self::FRACTION);
+                let blue = steps::<{ (1 << $blue) - 1 }>(color.blue, Self::FRACTION);
+                Rgb::new(red, green, blue)
+            }
+
+            #[inline(always)]
+            fn of_bits(bits: u32) -> Self {
+                Self(bits as _)
+            }
+        }
 
         impl Pixel for $name {
             const BITS: u32 = $red + $green + $blue;
+            // No channel is wider than green.
+            const FIRST_STEP: f32 = first_step((1 << $green) - 1);
 
             #[inline]
             fn nearest<S: Scalar>(color: Rgb<S>) -> Self {

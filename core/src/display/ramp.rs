@@ -1,19 +1,18 @@
 //! Dithered pixels of surfaces of one colour, from a table.
 
-use core::array;
+use core::{array, marker::PhantomData};
 
 use super::{
-    Rgb565,
-    curve::Srgb,
-    dither::{self, CodeLight},
+    levels::{offsets, packed, shown},
+    pixel::{Pixel, Rgb565},
 };
 use crate::{
     color::{Rgb, checked_color},
     error::Error,
-    number::{Scalar, float::clamp},
+    number::Scalar,
 };
 
-/// A surface of one colour under lights of one colour: its dithered RGB565 pixels by the irradiance.
+/// A surface of one colour under lights of one colour: its dithered pixels by the irradiance.
 ///
 /// Where neither the surface nor the light changes its colour, a pixel depends on one number. A
 /// table then replaces the two colours, the sum, the clip, the encoding and the dither;
@@ -24,7 +23,7 @@ use crate::{
 /// below 1/4, 2^-8 below 1 and 2^-6 below 4. From 4 on, a pixel shows the last level.
 ///
 /// ```
-/// use luminaire::{Rgb, display::Rgb565Ramp};
+/// use luminaire::{Rgb, display::Rgb565Ramp}; // for other pixels, `Ramp<P>`
 /// // A brick wall, in ambient light of 0.05 and a warm light.
 /// let (wall, light) = (Rgb::new(0.5, 0.2, 0.1), Rgb::new(1.0, 0.8, 0.6));
 /// let ramp = Rgb565Ramp::new(wall.map(|channel| 0.05 * channel), wall.zip(light, |a, b| a * b))?;
@@ -32,25 +31,29 @@ use crate::{
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Rgb565Ramp {
-    /// For each level, the three channels in 32nds of a step: green in the upper eleven bits, red from bit
-    /// 11 to bit 20, blue in the lower ten bits. One shift then brings the codes of red and blue to their
-    /// places in a pixel.
-    levels: [u32; Self::LEVELS],
+pub struct Ramp<P> {
+    levels: [u32; LEVELS],
+    pixels: PhantomData<P>,
 }
 
-impl Rgb565Ramp {
+/// The ramp of most colour displays.
+pub type Rgb565Ramp = Ramp<Rgb565>;
+
+const LEVELS: usize = 640;
+
+impl<P: Pixel> Ramp<P> {
     /// The number of levels.
-    pub const LEVELS: usize = 640;
+    pub const LEVELS: usize = LEVELS;
 
     /// Computes the table of a surface: `base` is its linear light without the light, such as
     /// reflected ambient light, and `reflected` is what it adds for an irradiance of 1, which is the
     /// product of its colour and the light's.
     ///
-    /// The sum is clipped at full scale. Before the dither, the error of a channel is at most 0.42
-    /// steps of RGB565 (searched), and at most 0.24 steps where `base` is at least 0.01: half of a level
-    /// over the narrowest step of green that it can meet, and the 1/64 step of the dither. Without the
-    /// light it is at most 1/64 step.
+    /// The sum is clipped at full scale. Before the dither, the error of a channel is at most that of
+    /// half a level of the irradiance, and `2^-(f + 1)` steps with the fraction bits `f` of a channel in
+    /// the table: `min(5, (32 - P::BITS) / 3)`, rounded down. In RGB565 that is at most 0.42 steps
+    /// (searched), and at most 0.24 steps where `base` is at least 0.01. Without the light only the
+    /// fraction is rounded: by at most 1/64 step in RGB565, 1/8 step in RGB888.
     ///
     /// # Errors
     /// A channel outside 0 to 1.
@@ -58,33 +61,28 @@ impl Rgb565Ramp {
         let (base, reflected) = (checked_color(base)?, checked_color(reflected)?);
         let levels = array::from_fn(|level| {
             let light = middle(level);
-            let sum = base.zip(reflected, |base, reflected| base + light * reflected);
-            steps::<63>(sum.green) << 21 | steps::<31>(sum.red) << 11 | steps::<31>(sum.blue)
+            packed::<P>(base.zip(reflected, |base, reflected| base + light * reflected))
         });
-        Ok(Self { levels })
+        Ok(Self::from_levels(levels))
     }
 
     /// Creates a table from its levels, as [`codegen`](crate::codegen) writes them.
-    pub const fn from_levels(levels: [u32; Self::LEVELS]) -> Self {
-        Self { levels }
+    pub const fn from_levels(levels: [u32; LEVELS]) -> Self {
+        Self { levels, pixels: PhantomData }
     }
 
     /// Returns the levels.
-    pub const fn levels(&self) -> &[u32; Self::LEVELS] {
+    pub const fn levels(&self) -> &[u32; LEVELS] {
         &self.levels
     }
 
     /// Returns the pixel at `(x, y)` of a surface that receives an irradiance.
     ///
-    /// The dither is that of [`Rgb565::from_linear_dithered`], with a resolution of 1/32 step. For
-    /// each pixel the codes are monotone in the irradiance.
+    /// The dither is that of [`Pixel::dithered`], with the fraction bits of [`new`](Self::new). For each
+    /// pixel the codes are monotone in the irradiance.
     #[inline(always)] // As the other functions of the dither.
-    pub fn pixel<S: Scalar>(&self, irradiance: S::Irradiance, x: u32, y: u32) -> Rgb565 {
-        // The channels do not overflow into each other: with the largest fraction, 31/32, a channel
-        // is at most its last code and 31/32, and the last code has no fraction.
-        let sum = self.levels[level(S::light_steps(irradiance))]
-            .wrapping_add(OFFSETS[(y % 8) as usize][(x % 8) as usize]);
-        Rgb565((sum >> 5 & 0xf81f | sum >> 26 << 5) as u16)
+    pub fn pixel<S: Scalar>(&self, irradiance: S::Irradiance, x: u32, y: u32) -> P {
+        shown(self.levels[level(S::light_steps(irradiance))], offsets::<P>(y)[(x % 8) as usize])
     }
 }
 
@@ -115,28 +113,3 @@ fn middle(level: usize) -> f32 {
     };
     place - HALF as f32 / 16_384.0
 }
-
-/// Returns a linear value between the codes of a channel, in 32nds of a step, rounded to nearest.
-///
-/// As in the dither, the place between two codes is that in linear light.
-fn steps<const LAST: usize>(value: f32) -> u32 {
-    let value = clamp(value);
-    let lights = CodeLight::<Srgb, LAST>::FLOAT.into_iter().enumerate();
-    let (code, from) = lights.take_while(|(_, light)| *light <= value).last().unwrap_or_default();
-    let to = CodeLight::<Srgb, LAST>::FLOAT.get(code + 1).copied().unwrap_or(1.0);
-    32 * code as u32 + (32.0 * (value - from) / (to - from) + 0.5) as u32
-}
-
-/// What is added to the channels of a pixel before their fractions are cut off, in 32nds of a step.
-const OFFSETS: [[u32; 8]; 8] = {
-    let mut offsets = [[0; 8]; 8];
-    let mut place = 0;
-    while place < 64 {
-        let (x, y) = (place % 8, place / 8);
-        // Thresholds are odd numbers of 128ths: the offsets are 31 for the first to 0 for the last.
-        let offset = (127 - dither::MATRIX[y][x] as u32) / 4;
-        offsets[y][x] = offset << 21 | offset << 11 | offset;
-        place += 1;
-    }
-    offsets
-};

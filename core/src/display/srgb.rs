@@ -168,8 +168,19 @@ pub(super) fn curve(linear: f32, last: f32) -> f32 {
 ///
 /// The function is meant for set-up. [`encode_srgb`] of the result returns the code.
 pub fn decode_srgb(code: u8) -> f32 {
-    let value = f32::from(code) / 255.0;
+    decode(f32::from(code) / 255.0)
+}
+
+/// Returns the linear value of an encoded value in `[0, 1]`, within 2e-6.
+pub(crate) fn decode(value: f32) -> f32 {
     if value <= 12.92 * TOE { value / 12.92 } else { clamp(polynomial(DECODE, value)) }
+}
+
+/// Returns a linear value just below the threshold between the codes 0 and 1 of sRGB, by 2^-21 of it:
+/// the sum of a luminance may round up.
+pub(super) const fn first_step(last: u32) -> f32 {
+    let threshold = linear(Formula::Srgb, 0.5 / last as f64);
+    (threshold * (1.0 - 1.0 / (1 << 21) as f64)) as f32
 }
 
 /// Evaluates a polynomial by Horner's rule.

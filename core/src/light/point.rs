@@ -1,6 +1,6 @@
 //! Point lights.
 
-use super::{Emission, check_reach, checked_position};
+use super::{Emission, check_reach, checked_position, range_above};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -115,6 +115,25 @@ impl<A: Attenuation> PointLight<A> {
     /// `d` an illuminance of `1 / (4 pi d^2)`.
     pub fn candela(&self, lumens: f32) -> f32 {
         lumens / SPHERE
+    }
+
+    /// Returns the distance from which on a surface that faces the light receives less than
+    /// `light`: `sqrt(I / light)` with the inverse square, infinity if the light never falls so low.
+    ///
+    /// The distance is rounded up. It is that of the exact attenuation, without the error of a number
+    /// format. A surface that is farther away than the range above [`Pixel::FIRST_STEP`] shows no
+    /// step of this light alone without dither:
+    ///
+    /// ```
+    /// use luminaire::{PointLight, attenuation::SmoothRange, display::{Gray4, Pixel}};
+    /// let bulb = PointLight::new([0.0, 2.0, 0.0])?.with_attenuation(SmoothRange::new(10.0)?);
+    /// assert!((9.70..9.71).contains(&bulb.range_above(Gray4::FIRST_STEP)));
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
+    ///
+    /// [`Pixel::FIRST_STEP`]: crate::display::Pixel::FIRST_STEP
+    pub fn range_above(&self, light: f32) -> f32 {
+        range_above(self.attenuation, self.emission.intensity, light)
     }
 
     /// Compiles the light for the format `S`.

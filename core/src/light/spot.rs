@@ -1,6 +1,6 @@
 //! Spotlights.
 
-use super::{Axis, Emission, check_reach, checked_position};
+use super::{Axis, Emission, check_reach, checked_position, range_above};
 use crate::{
     attenuation::{Attenuation, InverseSquare, SmoothRange},
     color::Rgb,
@@ -178,6 +178,28 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// Returns the attenuation.
     pub fn attenuation(&self) -> A {
         self.attenuation
+    }
+
+    /// Returns the distance from which on a surface that faces the light on its axis receives less than
+    /// `light`: `sqrt(I / light)` with the inverse square, infinity if the light never falls so low.
+    ///
+    /// The distance is rounded up. It is that of the exact attenuation, without the error of a number
+    /// format. A surface that is farther away than the range above [`Pixel::FIRST_STEP`] shows no
+    /// step of this light alone without dither:
+    ///
+    /// ```
+    /// use luminaire::{Angle, Cone, SpotLight, display::{Pixel, Rgb565}};
+    /// let cone = Cone::soft(Angle::degrees(36.0))?;
+    /// let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
+    /// // The first step of green is 0.000614.
+    /// let range = spot.range_above(Rgb565::FIRST_STEP);
+    /// assert!((range - (16.0 / Rgb565::FIRST_STEP).sqrt()).abs() < 0.001); // 161 units
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
+    ///
+    /// [`Pixel::FIRST_STEP`]: crate::display::Pixel::FIRST_STEP
+    pub fn range_above(&self, light: f32) -> f32 {
+        range_above(self.attenuation, self.emission.intensity, light)
     }
 
     /// Compiles the light for the format `S`. The compiled light needs no angles and, in fixed

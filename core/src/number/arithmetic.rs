@@ -239,6 +239,8 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     /// zero if the surface faces away.
     fn incidence(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Self;
 
+    /// Returns a length times a whole number; wraps in fixed point.
+    fn length_times(length: Self::Position, count: i32) -> Self::Position;
     /// Multiplies a channel of light by the same channel of a colour.
     fn filter(light: Self::Received, color: Self) -> Self::Received;
     /// Returns the sum of two lights.

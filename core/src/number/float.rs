@@ -618,6 +618,11 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
+    fn length_times(length: f32, count: i32) -> f32 {
+        length * count as f32
+    }
+
+    #[inline]
     fn filter(light: f32, color: f32) -> f32 {
         light * color
     }

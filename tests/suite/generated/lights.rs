@@ -18,7 +18,8 @@ use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, Scalar,
     SpotLight, Vec3,
     codegen::{Named, Source},
-    display::{Exposure, Rgb565Ramp},
+    display::{Exposure, Gray4, Ramp, Rgb565, Rgb565Ramp},
+    draw::Gradient,
     haze::Haze,
     light::CompiledSpotLight,
     projector::{Gobo, Projection, Shadow},
@@ -152,6 +153,13 @@ fn of_format<S: Scalar>(visit: &mut impl Visit) -> Result<(), Error> {
         visit.value(format!("{} {PANES:?} on {square:?}", S::NAME), PANES.on(square.compile::<S>()?));
     }
     visit.value(format!("{} ramp", S::NAME), Rgb565Ramp::new(AMBER.map(|channel| 0.1 * channel), AMBER)?);
+    visit.value(format!("{} gray ramp", S::NAME), Ramp::<Gray4>::new(AMBER, AMBER)?);
+    let colors = [Rgb::new(0, 0, 0), Rgb::new(255, 9, 0)];
+    let gradients =
+        [Gradient::linear(&colors, [0.0, 9.5], [0.0, -7.0])?, Gradient::radial(&colors, [3.0, 1.0], 20.0)?];
+    for gradient in gradients {
+        visit.value(format!("{} {gradient:?}", S::NAME), gradient as Gradient<Rgb565, 8>);
+    }
     let paper = Material::new(Rgb::new(0.9, 0.9, 0.85))?.with_emissive(AMBER)?;
     visit.value(format!("{} matte material", S::NAME), paper.compile::<S>());
     for intensity in INTENSITIES {

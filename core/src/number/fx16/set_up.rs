@@ -324,6 +324,11 @@ impl Arithmetic for Fx16 {
     }
 
     #[inline]
+    fn length_times(length: Length, count: i32) -> Length {
+        Length::from_bits(length.to_bits().wrapping_mul(count))
+    }
+
+    #[inline]
     fn filter(light: Light16, color: Self) -> Light16 {
         let color = factor(color);
         let (high, low) = (light.to_bits() >> 16, light.to_bits() & 0xffff);

@@ -260,6 +260,11 @@ impl Arithmetic for Fx32 {
     }
 
     #[inline]
+    fn length_times(length: Length, count: i32) -> Length {
+        Length::from_bits(length.to_bits().wrapping_mul(count))
+    }
+
+    #[inline]
     fn filter(light: Light32, color: Self) -> Light32 {
         let color = u64::from(color.to_bits().max(0) as u32);
         let (high, low) = (light.to_bits() >> 32, light.to_bits() & 0xffff_ffff);
