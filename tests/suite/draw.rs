@@ -355,7 +355,7 @@ fn what_cannot_be_drawn_is_refused() {
     assert_eq!(parameter(Sky::radial(&SKY[..1], [0.0, 0.0], 9.0)), Parameter::ColorCount);
     assert_eq!(parameter(Sky::radial(&SKY, [0.0, f32::INFINITY], 9.0)), Parameter::Place);
     let ramps = [ramp(0.5)];
-    let sprite = |width, normals, ramps| Sprite::new(width, normals, ramps, 1.0_f32);
+    let sprite = |width, normals, ramps| Sprite::<_, f32>::new(width, normals, ramps, 1.0);
     let refused = sprite(4, &[[1; 3]; 6], &ramps).expect_err("no whole rows");
     assert_eq!((refused.parameter, refused.accepted), (Parameter::NormalCount, Expected::RowsOf(4)));
     assert_eq!(refused.to_string(), "number of normals = 6: expected whole rows, a multiple of the width 4");
