@@ -91,8 +91,8 @@ const REFUSED: Rows =
     &[("draw", &[RGB444]), ("of", &["0", "1"]), ("of_knots", &["0"]), ("duty", &["31"]), ("next", &["31"])];
 
 /// Private modules of other crates, whose items the crates export from the module above.
-const PRIVATE: [&str; 6] =
-    ["binary_color::", "formatter::", "gray_color::", "range::", "rgb_color::", "traits::"];
+const PRIVATE: [&str; 7] =
+    ["binary_color::", "drawable::", "formatter::", "gray_color::", "range::", "rgb_color::", "traits::"];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.
