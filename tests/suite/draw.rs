@@ -1,4 +1,4 @@
-//! Gradients, pools of light and sprites: each pixel against f64, or against the calls for one pixel; and
+//! Gradients, pools of light and sprites: each pixel against f64, or against the kernel pixel by pixel; and
 //! the ramps of every pixel.
 
 use std::fmt::Debug;
