@@ -66,8 +66,8 @@ fn assert_shown<P: Channels>(pixel: P, [x, y]: [i32; 2], low: [f64; 3], high: [f
         let last = (1 << width) - 1;
         let (code, rounding) = (bits & last, 0.501 / parts);
         bits >>= width;
-        let least = (steps(low - 2e-6, last) - rounding + offset).floor();
-        let most = (steps(high + 2e-6, last) + rounding + offset).floor().min(last.into());
+        let least = (steps(low - 3e-6, last) - rounding + offset).floor();
+        let most = (steps(high + 3e-6, last) + rounding + offset).floor().min(last.into());
         assert!(
             (least..=most).contains(&f64::from(code)),
             "{what:?}: {code} of {last} at ({x}, {y}), expected {least} to {most}"
