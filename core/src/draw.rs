@@ -27,7 +27,7 @@ pub use self::{
 
 use crate::{
     number::Scalar,
-    row::{AlongX, Row},
+    row::{Points, Row},
     vec3::Vec3,
 };
 
@@ -36,11 +36,7 @@ const BLOCK: usize = 64;
 
 /// Returns the points of the pixels from `(x, y)` on, on a plane that faces the viewer.
 #[inline(always)]
-fn row<S: Scalar>(
-    pixel: S::Length,
-    y: i32,
-    x: i32,
-) -> Row<S, AlongX<S::Length, impl Fn(usize) -> S::Length>> {
+fn row<S: Scalar>(pixel: S::Length, y: i32, x: i32) -> Row<S, impl Points<S>> {
     let facing = Vec3::new(S::ZERO, S::ZERO, S::ONE);
     Row::along_x(facing, [S::length_times(pixel, y), S::Length::default()], move |i| {
         S::length_times(pixel, x.wrapping_add(i as i32))

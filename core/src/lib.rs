@@ -151,7 +151,7 @@
 //! | `micromath` | square roots and sines without `libm` and `std`: angles within 0.13 %, so results differ from those of the other features |
 //! | `bytemuck` | [`Vec3`], [`Rgb`], pixels and fixed-point numbers cast to bytes; the only unsafe code |
 //! | `defmt` | `Format` for errors, lights, cones, angles, vectors, colours and numbers, for logs of a microcontroller |
-//! | `embedded-graphics-core04` | conversions between [`Rgb`]`<u8>` or pixels and its RGB and BGR colours |
+//! | `embedded-graphics-core04` | conversions between [`Rgb`]`<u8>` or pixels and its RGB and BGR colours; a `Drawable` of the drawables of [`draw`] |
 //! | `glam034` | conversions between [`Vec3`]`<f32>` or [`Rgb`]`<f32>` and `glam::Vec3` |
 //! | `mint05` | conversions between [`Vec3`] or [`Rgb`] and `mint::Vector3`, [`Vec3`] and `mint::Point3` |
 //! | `serde` | serialisation of lights and cones, checked when they are read; of angles, vectors, colours, pixels and numbers |

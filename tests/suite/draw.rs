@@ -1,4 +1,4 @@
-//! Gradients, pools of light and sprites: each pixel against f64, or against the calls for one pixel; and
+//! Gradients, pools of light and sprites: each pixel against f64, or against the kernel pixel by pixel; and
 //! the ramps of every pixel.
 
 use std::fmt::Debug;
@@ -66,8 +66,8 @@ fn assert_shown<P: Channels>(pixel: P, [x, y]: [i32; 2], low: [f64; 3], high: [f
         let last = (1 << width) - 1;
         let (code, rounding) = (bits & last, 0.501 / parts);
         bits >>= width;
-        let least = (steps(low - 2e-6, last) - rounding + offset).floor();
-        let most = (steps(high + 2e-6, last) + rounding + offset).floor().min(last.into());
+        let least = (steps(low - 3e-6, last) - rounding + offset).floor();
+        let most = (steps(high + 3e-6, last) + rounding + offset).floor().min(last.into());
         assert!(
             (least..=most).contains(&f64::from(code)),
             "{what:?}: {code} of {last} at ({x}, {y}), expected {least} to {most}"
@@ -355,7 +355,7 @@ fn what_cannot_be_drawn_is_refused() {
     assert_eq!(parameter(Sky::radial(&SKY[..1], [0.0, 0.0], 9.0)), Parameter::ColorCount);
     assert_eq!(parameter(Sky::radial(&SKY, [0.0, f32::INFINITY], 9.0)), Parameter::Place);
     let ramps = [ramp(0.5)];
-    let sprite = |width, normals, ramps| Sprite::new(width, normals, ramps, 1.0_f32);
+    let sprite = |width, normals, ramps| Sprite::<_, f32>::new(width, normals, ramps, 1.0);
     let refused = sprite(4, &[[1; 3]; 6], &ramps).expect_err("no whole rows");
     assert_eq!((refused.parameter, refused.accepted), (Parameter::NormalCount, Expected::RowsOf(4)));
     assert_eq!(refused.to_string(), "number of normals = 6: expected whole rows, a multiple of the width 4");

@@ -27,11 +27,34 @@ const TYPES: Rows = &[
     ("Window", &["Cut", "GltfWindow", "SquareWindow"]),
     (
         "Pixel",
+        &["luminaire::display::Gray4", RGB444, "luminaire::display::Rgb565", "luminaire::display::Rgb666"],
+    ),
+    // The colours and displays of `embedded-graphics` for the pixels above. It has none for the second.
+    (
+        "PixelColor",
         &[
-            "luminaire::display::Gray4",
-            "luminaire::display::Rgb444",
-            "luminaire::display::Rgb565",
-            "luminaire::display::Rgb666",
+            "embedded_graphics_core::pixelcolor::Gray4",
+            "embedded_graphics_core::pixelcolor::Gray8",
+            "embedded_graphics_core::pixelcolor::Rgb565",
+            "embedded_graphics_core::pixelcolor::Rgb666",
+        ],
+    ),
+    (
+        "DrawTarget",
+        &[
+            "Screen<embedded_graphics_core::pixelcolor::Gray4>",
+            "Screen<embedded_graphics_core::pixelcolor::Gray8>",
+            "Screen<embedded_graphics_core::pixelcolor::Rgb565>",
+            "Screen<embedded_graphics_core::pixelcolor::Rgb666>",
+        ],
+    ),
+    (
+        "Fn() -> ",
+        &[
+            "fn(i32, i32, &mut [luminaire::display::Gray4])",
+            "fn(i32, i32, &mut [luminaire::display::Rgb444])",
+            "fn(i32, i32, &mut [luminaire::display::Rgb565])",
+            "fn(i32, i32, &mut [luminaire::display::Rgb666])",
         ],
     ),
     ("SpecularLobe", &["AnyLobe", "NoSpecular"]),
@@ -52,6 +75,7 @@ const TYPES: Rows = &[
         ],
     ),
 ];
+const RGB444: &str = "luminaire::display::Rgb444";
 const POINTS: &str = "fn(usize) -> luminaire::Vec3<<Format as luminaire::Scalar>::Length>";
 const PLACES: &str = "fn(usize) -> <Format as luminaire::Scalar>::Length";
 /// The type for a parameter that has only bounds in `OF_NUMBERS`, which every number satisfies.
@@ -63,11 +87,12 @@ const OF_NUMBERS: &str = "Clone Debug Default Deserialize Eq Format Hash Named O
 /// of arrays. A length is a square number, as patterns require.
 const CONSTANTS: Rows = &[("u32", &["4", "1", "31", "3"]), ("usize", &["4", "0", "1", "64"])];
 /// Lengths that a function refuses to be compiled for.
-const REFUSED: Rows = &[("of", &["0", "1"]), ("of_knots", &["0"]), ("duty", &["31"]), ("next", &["31"])];
+const REFUSED: Rows =
+    &[("draw", &[RGB444]), ("of", &["0", "1"]), ("of_knots", &["0"]), ("duty", &["31"]), ("next", &["31"])];
 
 /// Private modules of other crates, whose items the crates export from the module above.
-const PRIVATE: [&str; 6] =
-    ["binary_color::", "formatter::", "gray_color::", "range::", "rgb_color::", "traits::"];
+const PRIVATE: [&str; 7] =
+    ["binary_color::", "drawable::", "formatter::", "gray_color::", "range::", "rgb_color::", "traits::"];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.

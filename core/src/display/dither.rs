@@ -187,7 +187,7 @@ const fn light(formula: Formula, code: usize, last: usize) -> u32 {
 }
 
 /// Tables of the light of a curve's codes up to `LAST`.
-pub(super) struct CodeLight<L, const LAST: usize>(PhantomData<L>);
+struct CodeLight<L, const LAST: usize>(PhantomData<L>);
 
 impl<L: Law, const LAST: usize> CodeLight<L, LAST> {
     /// The light of the codes from 1 on, in units of 2^-24.
@@ -204,7 +204,7 @@ impl<L: Law, const LAST: usize> CodeLight<L, LAST> {
 
     /// The light of the codes from 0 to `LAST - 1`, exactly the values of the fixed-point table.
     /// The light of code `LAST` is 1.
-    pub(super) const FLOAT: [f32; LAST] = {
+    const FLOAT: [f32; LAST] = {
         let mut table = [0.0; LAST];
         let mut code = 0;
         while code < LAST {
@@ -213,6 +213,18 @@ impl<L: Law, const LAST: usize> CodeLight<L, LAST> {
         }
         table
     };
+}
+
+/// Returns a linear value between the codes of a channel, in steps with fraction bits, rounded to
+/// nearest.
+///
+/// As in the dither, the place between two codes is that in linear light.
+pub(super) fn steps<const LAST: usize>(value: f32, fraction: u32) -> u32 {
+    let (value, parts) = (clamp(value), (1_u32 << fraction) as f32);
+    let lights = CodeLight::<Srgb, LAST>::FLOAT.into_iter().enumerate();
+    let (code, from) = lights.take_while(|(_, light)| *light <= value).last().unwrap_or_default();
+    let to = CodeLight::<Srgb, LAST>::FLOAT.get(code + 1).copied().unwrap_or(1.0);
+    ((code as u32) << fraction) + (parts * (value - from) / (to - from) + 0.5) as u32
 }
 
 /// Returns the dithered code of a value in units of 2^-24, at most 2^24.

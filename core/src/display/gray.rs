@@ -2,8 +2,7 @@
 
 use super::{
     curve::Srgb,
-    dither::{dithered, dithered_word, threshold},
-    levels::steps,
+    dither::{dithered, dithered_word, steps, threshold},
     pixel::{Pixel, Sealed},
     srgb::{first_step, nearest_code, nearest_of_word},
 };

@@ -3,12 +3,8 @@
 
 use core::marker::PhantomData;
 
-use super::{
-    curve::Srgb,
-    dither::{self, CodeLight},
-    pixel::Sealed,
-};
-use crate::{color::Rgb, number::float::clamp};
+use super::{dither, pixel::Sealed};
+use crate::color::Rgb;
 
 /// The layout of a level: green in the upper bits, blue in the lower bits, red between them.
 struct Layout<P>(PhantomData<P>);
@@ -65,16 +61,4 @@ pub(crate) fn shown<P: Sealed>(level: u32, offset: u32) -> P {
     let sum = level.wrapping_add(offset);
     let reds = (sum >> (Layout::<P>::RED + P::FRACTION) & ((1 << red) - 1)) << (green + blue);
     P::of_bits(reds | sum >> (32 - green) << blue | sum >> P::FRACTION & ((1 << blue) - 1))
-}
-
-/// Returns a linear value between the codes of a channel, in steps with fraction bits, rounded to
-/// nearest.
-///
-/// As in the dither, the place between two codes is that in linear light.
-pub(super) fn steps<const LAST: usize>(value: f32, fraction: u32) -> u32 {
-    let (value, parts) = (clamp(value), (1_u32 << fraction) as f32);
-    let lights = CodeLight::<Srgb, LAST>::FLOAT.into_iter().enumerate();
-    let (code, from) = lights.take_while(|(_, light)| *light <= value).last().unwrap_or_default();
-    let to = CodeLight::<Srgb, LAST>::FLOAT.get(code + 1).copied().unwrap_or(1.0);
-    ((code as u32) << fraction) + (parts * (value - from) / (to - from) + 0.5) as u32
 }

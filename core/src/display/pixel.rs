@@ -2,8 +2,7 @@
 
 use super::{
     curve::Srgb,
-    dither::{self, dithered},
-    levels::steps,
+    dither::{self, dithered, steps},
     srgb::{first_step, nearest_code},
 };
 use crate::{

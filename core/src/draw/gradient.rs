@@ -15,9 +15,9 @@ use crate::{
 /// CSS and LVGL. The dither is that of [`Pixel::dithered`]: the mean light is that of the colour.
 ///
 /// A table has `N` levels in `4 N` bytes. Before the dither, a pixel has the colour of a place within half
-/// a level, `1 / (2 (N - 1))` of the gradient, and 1/128 of a level; each channel is rounded by at most
-/// `2^-(f + 1)` steps with the fraction bits `f` of a [`Ramp`](crate::display::Ramp), and 2e-6 of full
-/// scale (derived).
+/// a level, `1 / (2 (N - 1))` of the gradient, and 1/32 of a level for up to 256 levels and 65,535
+/// pixels; each channel is rounded by at most `2^-(f + 1)` steps with the fraction bits `f` of a
+/// [`Ramp`](crate::display::Ramp), and 3e-6 of full scale (derived).
 ///
 /// ```
 /// use luminaire::{Rgb, display::Rgb565, draw::Gradient};

@@ -27,21 +27,21 @@ use crate::{
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Pool<'a, P, T> {
+pub struct Pool<'a, P, S: Scalar> {
     ramp: &'a Ramp<P>,
-    pixel: T,
+    pixel: S::Length,
 }
 
-impl<'a, P: Pixel, T: Copy> Pool<'a, P, T> {
+impl<'a, P: Pixel, S: Scalar> Pool<'a, P, S> {
     /// Creates a pool from the wall's pixels by the irradiance and the length of a pixel.
-    pub const fn new(ramp: &'a Ramp<P>, pixel: T) -> Self {
+    pub const fn new(ramp: &'a Ramp<P>, pixel: S::Length) -> Self {
         Self { ramp, pixel }
     }
 
     /// Sets the pixels from `(x, y)` on: each to that of the ramp for the irradiance of its point.
     ///
     /// The irradiance is bit-identical to that of the light's `irradiance`.
-    pub fn row<S: Scalar<Length = T>, L: LightModel<S>>(&self, light: &L, y: i32, x: i32, pixels: &mut [P]) {
+    pub fn row<L: LightModel<S>>(&self, light: &L, y: i32, x: i32, pixels: &mut [P]) {
         let points = row::<S>(self.pixel, y, x);
         let pixel =
             |arrived, i: usize| self.ramp.pixel::<S>(arrived, x.wrapping_add(i as i32) as u32, y as u32);

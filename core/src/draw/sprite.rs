@@ -33,22 +33,27 @@ const NONE: [i8; 3] = [0; 3];
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Sprite<'a, P, T> {
+pub struct Sprite<'a, P, S: Scalar> {
     width: usize,
     normals: &'a [[i8; 3]],
     materials: &'a [u8],
     ramps: &'a [Ramp<P>],
     corner: [i32; 2],
-    pixel: T,
+    pixel: S::Length,
 }
 
-impl<'a, P: Pixel, T: Copy> Sprite<'a, P, T> {
+impl<'a, P: Pixel, S: Scalar> Sprite<'a, P, S> {
     /// Creates a sprite at `(0, 0)` from its width in pixels, its normals row by row, its materials and
     /// the length of a pixel. All pixels have the first material.
     ///
     /// # Errors
     /// A width of 0; normals that are no whole rows of the width; no ramp.
-    pub fn new(width: usize, normals: &'a [[i8; 3]], ramps: &'a [Ramp<P>], pixel: T) -> Result<Self, Error> {
+    pub fn new(
+        width: usize,
+        normals: &'a [[i8; 3]],
+        ramps: &'a [Ramp<P>],
+        pixel: S::Length,
+    ) -> Result<Self, Error> {
         let counts = [(Parameter::Width, width), (Parameter::RampCount, ramps.len())];
         for (parameter, count) in counts {
             if count == 0 {
@@ -88,13 +93,7 @@ impl<'a, P: Pixel, T: Copy> Sprite<'a, P, T> {
     /// the irradiances of its point. Pixels outside the sprite and transparent pixels keep their values.
     ///
     /// The irradiances are bit-identical to those of the lights' `irradiance`. The sum saturates.
-    pub fn row<S: Scalar<Length = T>, L: LightModel<S>>(
-        &self,
-        lights: &[L],
-        y: i32,
-        x: i32,
-        pixels: &mut [P],
-    ) {
+    pub fn row<L: LightModel<S>>(&self, lights: &[L], y: i32, x: i32, pixels: &mut [P]) {
         let [left, top] = self.corner.map(i64::from);
         let start = usize::try_from(i64::from(y) - top).ok().and_then(|row| row.checked_mul(self.width));
         let right = start.and_then(|start| start.checked_add(self.width));
@@ -119,7 +118,7 @@ impl<'a, P: Pixel, T: Copy> Sprite<'a, P, T> {
 
     /// Sets up to [`BLOCK`] pixels without a transparent one.
     #[inline(always)]
-    fn run<S: Scalar<Length = T>, L: LightModel<S>>(
+    fn run<L: LightModel<S>>(
         &self,
         lights: &[L],
         [x, y]: [i32; 2],

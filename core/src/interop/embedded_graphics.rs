@@ -79,7 +79,7 @@ pub struct Area<P, C, F> {
     colors: PhantomData<fn(P) -> C>,
 }
 
-impl<P: Pixel, C: PixelColor + From<P>, F: Fn(i32, i32, &mut [P])> Area<P, C, F> {
+impl<P: Pixel, C, F: Fn(i32, i32, &mut [P])> Area<P, C, F> {
     /// Creates an area from its rectangle and the function that writes its rows.
     pub const fn new(rectangle: Rectangle, row: F) -> Self {
         Self { rectangle, row, colors: PhantomData }

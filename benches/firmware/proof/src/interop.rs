@@ -1,5 +1,11 @@
-//! A data format with unknown content for `serde`, and a logger for `defmt`.
+//! A data format with unknown content for `serde`, a logger for `defmt`, and a display of any size.
 
+use core::marker::PhantomData;
+
+use embedded_graphics_core::geometry::Dimensions;
+use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::{Pixel, draw_target::DrawTarget};
 use serde_core::de::value::Error;
 use serde_core::de::{DeserializeSeed, Deserializer, SeqAccess, Visitor};
 use serde_core::forward_to_deserialize_any;
@@ -10,6 +16,26 @@ use crate::{any, sink};
 /// Data of which the compiler knows nothing: takes all values, and gives a value of any kind.
 #[derive(Clone, Copy, Debug)]
 pub struct Data;
+
+/// A display of unknown size.
+#[derive(Clone, Copy, Debug)]
+pub struct Screen<C>(PhantomData<C>);
+
+impl<C> Dimensions for Screen<C> {
+    fn bounding_box(&self) -> Rectangle {
+        any()
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Screen<C> {
+    type Color = C;
+    type Error = ();
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), ()> {
+        pixels.into_iter().for_each(|pixel| sink(pixel.0));
+        any()
+    }
+}
 
 /// Implements methods that take values and have any result.
 macro_rules! methods {

@@ -12,7 +12,7 @@ use core::mem::MaybeUninit;
 use core::{hint, ptr};
 
 #[cfg(feature = "interop")]
-pub use interop::Data;
+pub use interop::{Data, Screen};
 use luminaire::{Scalar, Vec3};
 pub use luminaire::{attenuation::*, dynamic::*, falloff::*, specular::*};
 
