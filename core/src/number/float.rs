@@ -462,7 +462,7 @@ impl Arithmetic for f32 {
     const DIRECTION_ERROR: f32 = 1.12e-7;
 
     #[inline]
-    fn from_steps(steps: u32) -> Self {
+    fn from_steps(steps: i32) -> Self {
         steps as f32 * (1.0 / 16_384.0)
     }
 

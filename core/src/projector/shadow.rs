@@ -135,7 +135,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
             if is_hidden { row.shares[i] * column.shares[j] } else { 0 }
         };
         let hidden = hidden(0, 0) + hidden(0, 1) + hidden(1, 0) + hidden(1, 1);
-        S::from_steps(WHOLE * WHOLE - hidden)
+        S::from_steps((WHOLE * WHOLE - hidden) as i32)
     }
 
     /// Returns the texel centres around a coordinate, clamped to the square.

@@ -93,7 +93,7 @@ impl Arithmetic for Fx16 {
     const OUTSIDE_STEP: f32 = Self::STEP;
 
     #[inline]
-    fn from_steps(steps: u32) -> Self {
+    fn from_steps(steps: i32) -> Self {
         Self::from_bits(steps as i16)
     }
 

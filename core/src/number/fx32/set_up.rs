@@ -101,8 +101,8 @@ impl Arithmetic for Fx32 {
     const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
 
     #[inline]
-    fn from_steps(steps: u32) -> Self {
-        Self::from_bits((steps << 16) as i32)
+    fn from_steps(steps: i32) -> Self {
+        Self::from_bits(steps << 16)
     }
 
     /// Uses all bits of the components, and normalises the axis with 64-bit products.
