@@ -25,7 +25,7 @@ pub(super) fn setup() -> Result<Setup, Error> {
     scene.add(cone(0.93 * RADIUS, 0.96 * HEIGHT), Material::srgb(40, 66, 52))?;
     scene.add_strip(Strip::new((0..LEDS).map(place), LIMIT), 0.019)?;
     scene.set_ambient(Rgb::new(0.02, 0.022, 0.03))?;
-    let camera = Camera::new(luminaire::Vec3::new(0.0, 0.96, 0.0), 5.0, 0.0, 0.12, 0.46);
+    let camera = Camera::new(luminaire::Vec3::new(0.0, 0.9, 0.0), 5.4, 0.0, 0.12, 0.46);
     let fixtures = COLORS.iter().enumerate().map(|(number, color)| spot(number, *color));
     Ok(Setup::new(scene, camera, fixtures.collect::<Result<Vec<_>, _>>()?))
 }
