@@ -10,6 +10,8 @@
 //! | choose an edge for a light | [falloff] |
 //! | describe a stage light by its data sheet | [data_sheet] |
 //! | light pixels on a microcontroller | [microcontroller] |
+//! | drive LEDs, grey displays or electronic paper | [outputs] |
+//! | show a gradient without bands | [gradients] |
 //! | move, aim, zoom and dim lights | [moving] |
 //! | port a spotlight of another system | [porting]: [OpenGL](porting::opengl), [Direct3D 9](porting::direct3d), [glTF](porting::gltf), [three.js](porting::three), [Godot](porting::godot), [Bevy](porting::bevy) |
 //! | light the spans of a scanline renderer | [scanline] |
@@ -33,6 +35,12 @@ pub mod data_sheet {}
 
 #[doc = include_str!("../guide/microcontroller.md")]
 pub mod microcontroller {}
+
+#[doc = include_str!("../guide/outputs.md")]
+pub mod outputs {}
+
+#[doc = include_str!("../guide/gradients.md")]
+pub mod gradients {}
 
 #[doc = include_str!("../guide/moving.md")]
 pub mod moving {}

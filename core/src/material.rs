@@ -200,7 +200,9 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
     /// Writes the [`color`](Self::color) of each surface point, such as a vertex of a mesh, up to
     /// the length of the shorter slice.
     ///
-    /// A renderer without light interpolates the colours of the vertices.
+    /// A renderer without light interpolates the colours of the vertices. A light between two vertices is
+    /// lost: `SpotLight::interpolation_bound` bounds the error for a spacing, and the guide's chapter
+    /// `scanline` has the spacings of some cones.
     pub fn color_each<L: LightModel<S>>(
         &self,
         surfaces: &[SurfacePoint<S>],

@@ -65,12 +65,13 @@ pub use error::DrawError;
 pub use renderer::{
     Renderer,
     account::Account,
-    display::Display,
+    display::{ACEP, Display, Output},
     edges::Edges,
     format::{Format, stated_error},
 };
 pub use scene::{
-    Highlight, Material, Scene, camera::Camera, mesh::Mesh, outline::Outline, surfaces::Surfaces,
+    Highlight, Material, Scene, camera::Camera, mesh::Mesh, outline::Outline, strip::Strip,
+    surfaces::Surfaces,
 };
 pub use shadow::map::ShadowMap;
 pub use size::{LARGEST, SizeError};

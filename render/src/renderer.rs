@@ -21,14 +21,14 @@ use crate::{
     },
     renderer::{
         account::Account,
-        display::{CHANNELS, Display},
+        display::{CHANNELS, Display, Encoder},
         edges::Edges,
         format::Format,
         gbuffer::GBuffer,
         reached::Reached,
         tile::Tiles,
     },
-    scene::{Fingerprint, Material, Scene, camera::Camera},
+    scene::{Fingerprint, Material, Scene, camera::Camera, strip::Strip},
     shadow::Shadows,
     size::SizeError,
     stripes::Stripes,
@@ -56,9 +56,12 @@ pub struct Renderer<S: Format> {
     haze: Option<Haze>,
     ambient: Rgb<f32>,
     radiance: Vec<Radiance>,
+    /// The index of the first LED's material and the strip, and the duties that the LEDs show.
+    strip: Option<(usize, Strip)>,
+    leds: Vec<Rgb<u8>>,
     /// Number of lights that were evaluated at the pixels of each block.
     evaluated: Vec<u16>,
-    display: Display,
+    encoder: Encoder,
     pixels: Vec<u8>,
     drawn: Option<(Fingerprint, Camera)>,
     /// Number of triangles drawn by the last call of `draw_geometry`.
@@ -123,9 +126,11 @@ impl<S: Format> Renderer<S> {
             finishes: [Finish::new(Material::default())].into(),
             eye: Vec3::default(),
             view: None,
+            strip: None,
+            leds: Vec::new(),
             haze: None,
             ambient: Rgb::default(),
-            display: Display::default(),
+            encoder: Encoder::new(Display::default()),
             pixels: filled(width * rows * CHANNELS, 0)?,
             drawn: None,
             triangles: 0,
@@ -157,7 +162,11 @@ impl<S: Format> Renderer<S> {
         }
         let before = (self.ambient, self.haze);
         (self.ambient, self.haze) = (scene.ambient(), scene.haze());
-        let is_changed = is_repainted || before != (self.ambient, self.haze);
+        let is_strung = self.strip.as_ref() != scene.led_objects();
+        if is_strung {
+            self.strip = scene.led_objects().cloned();
+        }
+        let is_changed = is_repainted || is_strung || before != (self.ambient, self.haze);
         let drawn = Some((scene.fingerprint(), *camera));
         let is_moved = self.drawn != drawn;
         self.triangles = if is_moved { scene.triangle_count() } else { 0 };
@@ -282,8 +291,8 @@ impl<S: Format> Renderer<S> {
     /// Changes the display format. The next [`encode`](Self::encode) encodes the whole picture
     /// again.
     pub fn set_display(&mut self, display: Display) {
-        if self.display != display {
-            self.display = display;
+        if self.encoder.display != display {
+            self.encoder = Encoder::new(display);
             self.tiles.tiles.iter_mut().for_each(|tile| tile.is_encoded = false);
         }
     }
@@ -332,10 +341,10 @@ impl<S: Format> Renderer<S> {
                 let last = (first + LANES).min(self.width);
                 let pixels = (row * self.width + first) * CHANNELS..(row * self.width + last) * CHANNELS;
                 let place = (first as u32, self.stripes.row(row) as u32);
-                self.display.encode(&self.radiance[block], place, &mut self.pixels[pixels]);
+                self.encoder.encode(&self.radiance[block], place, &mut self.pixels[pixels]);
             }
         }
-        self.edges.mix(self.display, self.width, &mut self.pixels);
+        self.edges.mix_by(&self.encoder, self.width, &mut self.pixels);
         &self.pixels
     }
 

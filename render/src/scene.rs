@@ -3,10 +3,16 @@
 pub(crate) mod camera;
 pub(crate) mod mesh;
 pub(crate) mod outline;
+pub(crate) mod strip;
 pub(crate) mod surfaces;
 
-use crate::scene::mesh::{Mesh, check_channels};
+use crate::scene::{
+    mesh::{Mesh, check_channels},
+    outline::Outline,
+    strip::Strip,
+};
 use alloc::vec::Vec;
+use core::f32::consts::PI;
 use luminaire::{
     Error, Rgb,
     display::decode_srgb,
@@ -104,6 +110,8 @@ pub struct Scene {
     objects: Vec<Object>,
     ambient: Rgb<f32>,
     haze: Option<Haze>,
+    /// The strip, and the index of the object that is its first LED.
+    strip: Option<(usize, Strip)>,
     fingerprint: Fingerprint,
 }
 
@@ -123,7 +131,7 @@ impl Scene {
     /// Creates an empty scene without ambient light.
     pub fn new() -> Self {
         let fingerprint = Fingerprint(0xcbf2_9ce4_8422_2325);
-        Self { objects: Vec::new(), ambient: Rgb::default(), haze: None, fingerprint }
+        Self { objects: Vec::new(), ambient: Rgb::default(), haze: None, strip: None, fingerprint }
     }
 
     /// Adds a mesh of one material.
@@ -145,6 +153,31 @@ impl Scene {
         }
         self.objects.push(Object { mesh, material });
         Ok(())
+    }
+
+    /// Adds a small sphere of this radius in metres for each LED of a strip. Only the LEDs of the strip
+    /// that was added last emit light.
+    ///
+    /// # Errors
+    /// A coordinate that is NaN or beyond [`Mesh::FARTHEST`].
+    pub fn add_strip(&mut self, strip: Strip, radius: f32) -> Result<(), Error> {
+        let first = self.objects.len();
+        let sphere = Mesh::lathe(&Outline::start(0.0, -radius).arc(0.0, 0.0, PI, 4), 8);
+        for &place in strip.places() {
+            self.add(sphere.clone().moved(place), Material::default())?;
+        }
+        self.strip = Some((first, strip));
+        Ok(())
+    }
+
+    /// Returns the strip of LEDs that was added last.
+    pub fn strip(&self) -> Option<&Strip> {
+        self.strip.as_ref().map(|(_, strip)| strip)
+    }
+
+    /// Returns the strip, and the index of the object that is its first LED.
+    pub(crate) fn led_objects(&self) -> Option<&(usize, Strip)> {
+        self.strip.as_ref()
     }
 
     /// Sets the ambient light: the linear light that reaches every surface from all directions. 1

@@ -22,10 +22,12 @@ mod show;
 pub(crate) mod solids;
 pub mod stage;
 mod three_point;
+mod tree;
 mod turntable;
 
 pub use self::{fixture::MovingLight, setup::Setup, turntable::turntable};
 
+use crate::{Display, Output};
 use luminaire::Error;
 
 /// An example scene.
@@ -46,6 +48,8 @@ pub enum Example {
     Show,
     /// A still life for the display of a microcontroller.
     Pocket,
+    /// 500 LEDs on a tree, under moving spotlights.
+    Tree,
     /// Four shiny solids under eight spotlights, which all move.
     Turntable,
 }
@@ -55,6 +59,7 @@ impl Example {
     pub const ALL: &[Self] = &[
         Self::BareSpot,
         Self::Pocket,
+        Self::Tree,
         Self::ThreePoint,
         Self::Grid,
         Self::WideGrid,
@@ -73,6 +78,7 @@ impl Example {
             Self::Gallery => "gallery",
             Self::Show => "show",
             Self::Pocket => "pocket",
+            Self::Tree => "tree",
             Self::Turntable => "turntable",
         }
     }
@@ -87,6 +93,7 @@ impl Example {
             Self::Gallery => "A gallery",
             Self::Show => "A show",
             Self::Pocket => "A pocket display",
+            Self::Tree => "A tree of LEDs",
             Self::Turntable => "A turntable",
         }
     }
@@ -109,7 +116,10 @@ impl Example {
                 "Moving heads with coloured beams in haze, soft and hard, and two turning gobos, in a house without ambient light."
             }
             Self::Pocket => {
-                "One spot with a soft edge on a few triangles, for 160 x 120 pixels in 16 bits, dithered for RGB565."
+                "One spot with a soft edge on a few triangles, for 160 x 120 pixels of any display: each square is one pixel."
+            }
+            Self::Tree => {
+                "500 LEDs of a strip, each lit by four moving spots: they show the bytes of the strip, within a limit of its current."
             }
             Self::Turntable => "Eight moving spots with a soft edge, and highlights on everything.",
         }
@@ -124,6 +134,14 @@ impl Example {
         }
     }
 
+    /// Returns the display for which the picture is composed.
+    pub const fn display(self) -> Display {
+        match self {
+            Self::Pocket => Output::Rgb565.dithered(),
+            _ => Output::Rgb888.nearest(),
+        }
+    }
+
     /// Returns the example with this [`name`](Self::name).
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|example| example.name() == name)
@@ -134,7 +152,7 @@ impl Example {
     /// # Errors
     /// Never: the values are constants.
     pub fn setup(self) -> Result<Setup, Error> {
-        match self {
+        let setup = match self {
             Self::BareSpot => bare_spot::setup(),
             Self::ThreePoint => three_point::setup(),
             Self::Grid => grid::narrow(),
@@ -142,7 +160,9 @@ impl Example {
             Self::Gallery => gallery::setup(),
             Self::Show => show::setup(),
             Self::Pocket => pocket::setup(),
+            Self::Tree => tree::setup(),
             Self::Turntable => turntable(8),
-        }
+        }?;
+        Ok(Setup { display: self.display(), ..setup })
     }
 }

@@ -215,6 +215,7 @@ mod tests {
         viewpoint::Viewpoint,
     };
     use luminaire_fixtures::FIXTURES;
+    use luminaire_render::Output;
 
     fn random_setting(random: &mut fastrand::Rng, of: usize) -> Setting {
         let mut setting = Setting::of(of);
@@ -275,6 +276,7 @@ mod tests {
         state.is_everything = random.bool();
         let [least, most] = EXPOSURES;
         state.exposure = (least + random.f32() * (most - least)).min(most);
+        state.output = random.choice(Output::ALL.iter().copied()).unwrap();
         state.keeps_hue = random.bool();
         state.shows_handles = random.bool();
         (state, count)

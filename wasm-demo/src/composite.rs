@@ -56,7 +56,7 @@ impl Composite {
     /// Mixes the pixels beside edges.
     pub fn mix(&mut self) {
         self.edges.take(self.marks.iter().flatten().copied());
-        self.edges.mix(Display::Rgb888, self.size.0, &mut self.pixels);
+        self.edges.mix(Display::default(), self.size.0, &mut self.pixels);
     }
 
     /// Shows the picture in a canvas of its size. The `ImageData` is a view of the module's memory,

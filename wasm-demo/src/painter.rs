@@ -106,9 +106,12 @@ impl Painter {
         if !self.renderer.as_ref().is_some_and(fits) {
             // The old one is freed first: both may not fit into memory.
             self.renderer = None;
-            let mut draw = kind.0.renderer(kind.1, self.stripes)?;
-            draw.set_antialiased(true);
+            let draw = kind.0.renderer(kind.1, self.stripes)?;
             self.renderer = Some(Renderer { draw, kind, shown: None });
+        }
+        if let Some(renderer) = &mut self.renderer {
+            // A mixed pixel has none of the few codes of a smaller display, or not its dither.
+            renderer.draw.set_antialiased(task.job.state.output.has_all_codes());
         }
         self.fixtures = task.rig.fixtures_at(task.job.state.seconds[0])?;
         self.task = Some(task);

@@ -6,15 +6,16 @@ use crate::{
     format::Format,
     map::Subject,
     plain::plain,
-    refusal::{Refusal, one_of},
+    refusal::{Refusal, choose, one_of},
     state::{EXPOSURE_STEP, EXPOSURES, SWITCHABLE, State, switch_of, switchable},
     viewpoint::Viewpoint,
 };
 use luminaire::dynamic::Effect;
+use luminaire_render::Output;
 use wasm_bindgen::JsValue;
 
 /// The parameters in the order of an address.
-pub(crate) const PARAMETERS: [Parameter; 15] = [
+pub(crate) const PARAMETERS: [Parameter; 16] = [
     Parameter { name: "v", kind: Kind::Opening },
     Parameter { name: "scene", kind: Kind::Opening },
     choice(
@@ -72,11 +73,31 @@ pub(crate) const PARAMETERS: [Parameter; 15] = [
             set: |state, stops| state.exposure = stops,
         },
     },
+    choice(
+        "display",
+        &OUTPUTS,
+        |state| state.output.name(),
+        |state, name| {
+            choose("display", name.unwrap_or(""), Output::ALL, Output::name)
+                .map(|output| state.output = output)
+        },
+    ),
     // Whether overexposed light keeps its hue.
     flag("tone", ("hue", true), |state| state.keeps_hue, |state, on| state.keeps_hue = on),
     // Whether the lights are drawn over the picture.
     flag("handles", ("0", false), |state| state.shows_handles, |state, on| state.shows_handles = on),
 ];
+
+/// The names and titles of the displays.
+const OUTPUTS: [[&str; 2]; Output::ALL.len()] = {
+    let mut outputs = [[""; 2]; Output::ALL.len()];
+    let mut i = 0;
+    while i < outputs.len() {
+        outputs[i] = [Output::ALL[i].name(), Output::ALL[i].title()];
+        i += 1;
+    }
+    outputs
+};
 
 /// The names of what plays.
 const PLAYS: [(&str, [bool; 2]); 4] =
@@ -337,6 +358,7 @@ mod tests {
             ("exposure", Value::Flag(true), "exposure = \"Flag(true)\""),
             ("format", Value::Nothing, "number format = \"\": expected fx16, fx32 or f32"),
             ("map", "heat".into(), "subject of the map = \"heat\": expected nothing, lights, cost or tiles"),
+            ("display", "gray3".into(), "display = \"gray3\": expected gray1, gray2, gray4"),
             ("lights", "0".into(), "lights = "),
         ] {
             let refusal = named(name).unwrap().set(&mut state, value).unwrap_err().to_string();
@@ -344,6 +366,6 @@ mod tests {
         }
         assert_eq!(state, opened);
         let refusal = named("constructor").unwrap_err().to_string();
-        assert!(refusal.ends_with("v, scene, format, with, difference, view, at, play, lights, effects, map, all, exposure, tone or handles"), "{refusal}");
+        assert!(refusal.ends_with("v, scene, format, with, difference, view, at, play, lights, effects, map, all, exposure, display, tone or handles"), "{refusal}");
     }
 }

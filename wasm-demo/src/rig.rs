@@ -185,12 +185,8 @@ impl Rig {
 
     /// The display of the picture.
     pub(crate) fn display(&self, state: &State) -> Display {
-        match (state.keeps_hue, self.has(state, Effect::Dither)) {
-            (false, false) => Display::Rgb888,
-            (false, true) => Display::Rgb888Dithered,
-            (true, false) => Display::Rgb888KeepHue,
-            (true, true) => Display::Rgb888KeepHueDithered,
-        }
+        let is_dithered = self.has(state, Effect::Dither);
+        Display { output: state.output, is_dithered, keeps_hue: state.keeps_hue }
     }
 
     /// Returns whether the lights and the camera of the scene change over time.

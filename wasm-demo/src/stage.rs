@@ -167,7 +167,7 @@ impl Stage {
             let width = width.clamp(1, most);
             (width, (f64::from(width) * f64::from(high) / f64::from(wide)).round().max(1.0) as u32)
         };
-        self.rest = width.filter(|_| wide >= SMALL).map(of);
+        self.rest = width.filter(|_| !self.shows_pixels()).map(of);
         before != self.size()
     }
 
@@ -175,6 +175,12 @@ impl Stage {
     #[wasm_bindgen(getter, js_name = isAtRest)]
     pub fn is_at_rest(&self) -> bool {
         self.fixed.is_none() && self.rest.is_some()
+    }
+
+    /// Whether each pixel of the picture is to be seen as a square.
+    #[wasm_bindgen(getter, js_name = showsPixels)]
+    pub fn shows_pixels(&self) -> bool {
+        self.composed().0 < SMALL
     }
 
     /// The picture of the state, as a text that painters take. Equal texts have equal pictures.

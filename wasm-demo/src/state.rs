@@ -2,7 +2,7 @@
 
 use crate::{format::Format, map::Subject, refusal::one_of, setting::Setting, viewpoint::Viewpoint};
 use luminaire::dynamic::Effect;
-use luminaire_render::scenes::Example;
+use luminaire_render::{Output, scenes::Example};
 
 /// The effects that have a switch, with the label of each switch.
 pub(crate) const SWITCHABLE: [(Effect, &str); 5] = [
@@ -46,6 +46,8 @@ pub(crate) struct State {
     pub(crate) is_everything: bool,
     /// The exposure in stops: binary logarithm of the factor on all light.
     pub(crate) exposure: f32,
+    /// The pixels of the display.
+    pub(crate) output: Output,
     /// Whether overexposed light keeps its hue. Otherwise each channel is clipped.
     pub(crate) keeps_hue: bool,
     /// Whether the lights are drawn over the picture, to be dragged.
@@ -69,6 +71,7 @@ impl State {
             map: Subject::Nothing,
             is_everything: false,
             exposure: 0.0,
+            output: scene.display().output,
             keeps_hue: false,
             shows_handles: true,
         }

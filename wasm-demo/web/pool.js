@@ -6,7 +6,7 @@ import { now, Share } from "./share.js";
 import { hire } from "./workers.js";
 
 /** Counts of an account that belong to the whole picture. All others are sums over the shares. */
-const COMMON = ["triangles", "lights", "lightsDropped"];
+const COMMON = ["triangles", "lights", "lightsDropped", "leds", "ledCurrent", "ledLimit"];
 
 /** The passes of a share. */
 const PASSES = /** @type {const} */ (["shadows", "geometry", "lighting", "encode"]);

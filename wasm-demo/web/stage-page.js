@@ -344,6 +344,8 @@ export class StagePage {
     this.#scenes.show(stage.scene);
     element("summary").textContent = this.#scenes.summary;
     element("view").setAttribute("aria-label", `The scene: ${this.#scenes.title}`);
+    element("frame").classList.toggle("pixels", stage.showsPixels);
+    element("frame").style.setProperty("--rows", `${stage.height}px`);
     input("play").checked = stage.lightsPlay;
     input("play").disabled = !stage.lightsMove;
     input("camera").checked = stage.cameraPlays;
@@ -508,6 +510,9 @@ export class StagePage {
     if (!isPlaying) this.#account.forget();
     this.#readout.add(times);
     this.#account.add(account, pixels);
+    const { leds, ledCurrent, ledLimit } = account;
+    element("leds").hidden = leds === 0;
+    element("leds").textContent = `${leds} LEDs take ${(ledCurrent / 1000).toFixed(2)} A. The limit is ${ledLimit / 1000} A.`;
     this.#price.add(this.#lighting, account);
     this.#effects.show();
     this.#handles?.follow(isPlaying);

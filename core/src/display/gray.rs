@@ -3,7 +3,7 @@
 use super::{
     curve::Srgb,
     dither::{dithered, dithered_word, steps, threshold},
-    pixel::{Pixel, Sealed},
+    pixel::{Pixel, Sealed, widened},
     srgb::{first_step, nearest_code, nearest_of_word},
 };
 use crate::{
@@ -113,6 +113,12 @@ macro_rules! grays {
             #[inline]
             fn to_bits(self) -> u32 {
                 u32::from(self.0 & Self::LAST)
+            }
+
+            #[inline]
+            fn to_codes(self) -> Rgb<u8> {
+                let code = widened((self.0 & Self::LAST).into(), Self::LAST.into());
+                Rgb::new(code, code, code)
             }
         }
     )*};

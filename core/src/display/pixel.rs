@@ -70,6 +70,9 @@ pub trait Pixel: Sealed {
 
     /// Returns the lowest [`BITS`](Self::BITS) bits of the pixel: red above green above blue.
     fn to_bits(self) -> u32;
+
+    /// Returns the nearest codes of eight bits, such as for a preview; grey has three equal codes.
+    fn to_codes(self) -> Rgb<u8>;
 }
 
 /// Converts a code in `[0, 255]` to the nearest code in `[0, last]`.
@@ -78,7 +81,7 @@ const fn narrowed(code: u8, last: u16) -> u16 {
 }
 
 /// Converts a code in `[0, last]` to the nearest code in `[0, 255]`.
-const fn widened(code: u16, last: u16) -> u8 {
+pub(super) const fn widened(code: u16, last: u16) -> u8 {
     ((code * 255 + last / 2) / last) as u8
 }
 
@@ -177,6 +180,11 @@ macro_rules! pixels {
             #[inline]
             fn to_bits(self) -> u32 {
                 self.0 as u32 & u32::MAX >> (32 - Self::BITS)
+            }
+
+            #[inline]
+            fn to_codes(self) -> Rgb<u8> {
+                self.to_codes()
             }
         }
     )*};

@@ -5,6 +5,7 @@
 //! exactly.
 
 mod curves;
+mod gradient;
 mod mach_bands;
 mod picture;
 mod preview;
@@ -45,6 +46,7 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
     let [warn, soft, hard] = scene::pictures()?;
     let bands = mach_bands::MachBands::draw()?;
     let curves = bands.curves();
+    let [banded, dithered, error] = gradient::pictures()?;
     let picture = |name, picture| Figure { name, content: Content::Picture(picture) };
     let drawing = |name, svg| Figure { name, content: Content::Drawing(svg) };
     Ok(vec![
@@ -54,6 +56,9 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
         drawing("intensity.svg", curves::svg()?),
         picture("mach-bands.png", bands.picture),
         drawing("mach-bands.svg", curves),
+        picture("gradient-banded.png", banded),
+        picture("gradient-dithered.png", dithered),
+        picture("gradient-error.png", error),
         picture("preview.png", preview::picture()?),
     ])
 }

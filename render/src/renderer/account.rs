@@ -13,6 +13,10 @@ pub struct Account {
     pub tiles_relit: u32,
     /// The lights in the slice that was passed.
     pub lights: u32,
+    /// The LEDs of the scene's strip, their current and its limit in milliamperes.
+    pub leds: u32,
+    pub led_current: u32,
+    pub led_limit: u32,
     /// The number of dark lights, which were dropped.
     pub lights_dropped: u32,
     /// The pairs that were evaluated.

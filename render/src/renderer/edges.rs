@@ -1,6 +1,9 @@
 //! Anti-aliasing: mixes the pixels beside visible edges.
 
-use crate::{raster::silhouette::Mark, renderer::display::CHANNELS, renderer::display::Display};
+use crate::{
+    raster::silhouette::Mark,
+    renderer::display::{CHANNELS, Display, Encoder},
+};
 use alloc::{boxed::Box, vec::Vec};
 use luminaire::{Rgb, display::decode_srgb};
 
@@ -35,7 +38,7 @@ use luminaire::{Rgb, display::decode_srgb};
 ///     }
 /// }
 /// edges.take(marks);
-/// edges.mix(Display::Rgb888, 320, &mut picture);
+/// edges.mix(Display::default(), 320, &mut picture);
 /// assert!(edges.count() > 1000);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -91,10 +94,14 @@ impl Edges {
     /// A second call mixes again, so call [`restore`](Self::restore) before it, unless all pixels
     /// are new.
     pub fn mix(&mut self, display: Display, width: usize, pixels: &mut [u8]) {
+        self.mix_by(&Encoder::new(display), width, pixels);
+    }
+
+    pub(crate) fn mix_by(&mut self, encoder: &Encoder, width: usize, pixels: &mut [u8]) {
         self.replaced.clear();
         // All pixels are mixed before the first one is replaced.
         for pixel in &self.pixels {
-            let Some(codes) = self.mixed(pixel, display, width, pixels) else { continue };
+            let Some(codes) = self.mixed(pixel, encoder, width, pixels) else { continue };
             self.replaced.push((pixel.index as usize, codes));
         }
         self.swap(pixels);
@@ -114,7 +121,7 @@ impl Edges {
         }
     }
 
-    fn mixed(&self, pixel: &Pixel, display: Display, width: usize, pixels: &[u8]) -> Option<[u8; CHANNELS]> {
+    fn mixed(&self, pixel: &Pixel, encoder: &Encoder, width: usize, pixels: &[u8]) -> Option<[u8; CHANNELS]> {
         let index = pixel.index as usize;
         let codes = |index: usize| pixels.get(index.checked_mul(CHANNELS)?..)?.first_chunk::<CHANNELS>();
         let step = if pixel.is_column { width } else { 1 };
@@ -131,7 +138,7 @@ impl Edges {
             };
             parts.iter().map(light).sum::<f32>() / 256.0
         };
-        let Rgb { red, green, blue } = display.code(Rgb::new(mean(0), mean(1), mean(2)));
+        let Rgb { red, green, blue } = encoder.code(Rgb::new(mean(0), mean(1), mean(2)));
         Some([red, green, blue, u8::MAX])
     }
 }

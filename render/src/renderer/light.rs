@@ -2,7 +2,7 @@
 
 use super::Renderer;
 use crate::{
-    buffer::LANES,
+    buffer::{LANES, Radiance},
     light::{
         Setting,
         air::{self, TileAir},
@@ -15,9 +15,10 @@ use crate::{
         format::{Format, Loops},
         reached::Reached,
     },
+    scene::strip::Strip,
 };
 use alloc::vec::Vec;
-use luminaire::{Error, dynamic::RenderPlan, projector::Fixture};
+use luminaire::{Error, Rgb, dynamic::RenderPlan, projector::Fixture};
 
 impl<S: Format> Renderer<S> {
     /// Lights the changed tiles, or all tiles if the plan skips nothing. Returns false if nothing
@@ -34,10 +35,16 @@ impl<S: Format> Renderer<S> {
             return Ok(false);
         }
         let rig = Rig::new(plan, &fixtures, self.haze)?;
+        self.light_strip(&fixtures)?;
         self.make_room(fixtures.len());
         let (is_new, changed) = (self.lit.is_none(), self.changed(&fixtures));
         let (tiles, pixels) = (self.tiles.tiles.len(), self.pixels.len() / CHANNELS);
         self.account = Account::new(tiles, fixtures.len(), rig.kept(), pixels);
+        if let Some((_, strip)) = &self.strip {
+            self.account.leds = self.leds.len() as u32;
+            self.account.led_current = Strip::current(&self.leds);
+            self.account.led_limit = strip.limit();
+        }
         let near = self.approach(&rig, &changed);
         // What is done once for all tiles is shared by them.
         let mut before = clock();
@@ -56,6 +63,18 @@ impl<S: Format> Renderer<S> {
         self.lit = plan.skips().then_some(fixtures);
         self.shadows.settle();
         Ok(true)
+    }
+
+    /// Computes what the LEDs show. If that has changed, the whole picture is lit again, because an LED
+    /// also shows light that does not reach the surfaces of its tile.
+    fn light_strip(&mut self, fixtures: &[Fixture]) -> Result<(), Error> {
+        let lights = fixtures.iter().map(Fixture::light);
+        let leds = self.strip.as_ref().map_or(Ok(Vec::new()), |(_, strip)| strip.frame::<S>(lights))?;
+        if self.leds != leds {
+            self.leds = leds;
+            self.lit = None;
+        }
+        Ok(())
     }
 
     /// Resizes the sets of lights that reach each region and each tile to this number of lights. If
@@ -157,6 +176,9 @@ impl<S: Format> Renderer<S> {
             reaching.extend(lights.filter_map(|&light| rig.fixture(light)));
             let radiance = &mut self.radiance[block];
             let shining = Loops::light(&setting, geometry, &reaching, &mut self.workspace, radiance);
+            if let Some((first, _)) = &self.strip {
+                emit(*first + 1, &self.leds, &geometry.material, radiance);
+            }
             self.evaluated[block] = reaching.len().try_into().unwrap_or(u16::MAX);
             let column = block % self.geometry.columns;
             let pixels = LANES.min(self.width - column * LANES);
@@ -184,5 +206,16 @@ impl<S: Format> Renderer<S> {
             }
         }
         self.account.evaluated_in_air += air.finish() as u64;
+    }
+}
+
+/// Adds what the LEDs show to the pixels of a block. `first` is the number of the first LED's material.
+fn emit(first: usize, leds: &[Rgb<u8>], material: &[u32; LANES], radiance: &mut Radiance) {
+    for (lane, &number) in material.iter().enumerate() {
+        let led = (number as usize).checked_sub(first).and_then(|led| leds.get(led));
+        let Some(light) = led.map(|led| led.map(|duty| f32::from(duty) / 255.0)) else { continue };
+        radiance.red[lane] += light.red;
+        radiance.green[lane] += light.green;
+        radiance.blue[lane] += light.blue;
     }
 }

@@ -1,7 +1,7 @@
 //! Fixtures of the examples, with names and motions.
 
 use core::f32::consts::TAU;
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec2Swizzles as _, Vec3};
 use luminaire::{
     Angle, Error, SpotLight,
     attenuation::AnyAttenuation,
@@ -30,12 +30,12 @@ enum Motion {
     Chase(Chase),
 }
 
-/// Moves the target of a spotlight around a horizontal ellipse, once in `period` seconds.
+/// Moves the target of a spotlight around an ellipse, once in `period` seconds.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Sweep {
     pub(super) center: Vec3,
-    /// Half the width and half the depth of the ellipse, in metres.
-    pub(super) radii: Vec2,
+    /// Half the width, height and depth of the ellipse, in metres.
+    pub(super) radii: [f32; 3],
     pub(super) period: f32,
     /// Where the target starts on the ellipse, as a share of a full turn around the ellipse.
     pub(super) start: f32,
@@ -146,8 +146,8 @@ type AnySpot = SpotLight<AnyFalloff, AnyAttenuation>;
 
 impl Sweep {
     fn turned(&self, spot: &AnySpot, seconds: f32) -> Result<AnySpot, Error> {
-        let around = self.radii * Vec2::from_angle(TAU * (seconds / self.period + self.start));
-        let target = self.center + Vec3::new(around.x, 0.0, around.y);
+        let around = Vec2::from_angle(TAU * (seconds / self.period + self.start));
+        let target = self.center + Vec3::from(self.radii) * around.xxy();
         spot.with_axis((target - Vec3::from(spot.position())).into())
     }
 }

@@ -9,7 +9,6 @@ mod lights;
 use super::{MovingLight, Setup, fixture::Sweep};
 use crate::{Camera, Scene};
 use alloc::vec::Vec;
-use glam::Vec2;
 use luminaire::{
     DirectionalLight, Error, PointLight, Rgb, Vec3,
     attenuation::{FilamentRange, InverseSquare},
@@ -42,7 +41,7 @@ fn fixtures() -> Result<Vec<MovingLight>, Error> {
     // The follow spot is the only moving light: it follows a visitor through the hall.
     let follow = lights::follow_spot(Vec3::new(0.0, 5.0, 3.2), Vec3::new(0.0, 0.0, 0.9))?;
     let center = glam::Vec3::new(0.0, 0.0, 0.9);
-    fixtures.push(follow.sweeping(Sweep { center, radii: Vec2::new(2.6, 0.5), period: 16.0, start: 0.1 }));
+    fixtures.push(follow.sweeping(Sweep { center, radii: [2.6, 0.0, 0.5], period: 16.0, start: 0.1 }));
     for (x, z) in hall::PENDANTS {
         let pendant = PointLight::new(Vec3::new(x, 2.9, z))?
             .with_color(Rgb::new(1.0, 0.7, 0.4))?

@@ -4,7 +4,7 @@ use super::{
     MovingLight, Setup,
     room::{aimed, floor, wall},
 };
-use crate::{Camera, Display, Material, Mesh, Outline, Scene};
+use crate::{Camera, Material, Mesh, Outline, Scene};
 use core::f32::consts::PI;
 use luminaire::{Angle, Cone, Error, Rgb, Vec3, falloff::Soft};
 
@@ -15,12 +15,11 @@ pub(super) fn setup() -> Result<Setup, Error> {
     let cube = Mesh::cuboid(0.62, 0.62, 0.62).turned(Vec3::new(0.0, 1.0, 0.0), 0.5);
     scene.add(cube.moved(Vec3::new(-0.5, 0.0, -0.2)), Material::srgb(92, 132, 180))?;
     scene.add(floor(8.0, 8.0), Material::srgb(176, 168, 154))?;
-    scene.add(wall(8.0, 5.0, -1.0), Material::srgb(180, 184, 192))?;
+    scene.add(wall(8.0, 5.0, -1.0), Material::srgb(84, 88, 100))?;
     let camera = Camera::new(Vec3::new(0.0, 0.46, 0.0), 3.3, 0.1, 0.26, 0.52);
     let cone = Cone::from_field(Soft, Angle::degrees(42.0))?;
     let spot = aimed(Vec3::new(-1.9, 3.0, 2.2), Vec3::new(0.0, 0.3, -0.1), cone)?
         .with_color(Rgb::new(1.0, 0.9, 0.76))?
-        .with_intensity(24.0)?;
-    let setup = Setup::new(scene, camera, [MovingLight::new("downlight", spot)].into());
-    Ok(Setup { display: Display::Rgb565Dithered, ..setup })
+        .with_intensity(48.0)?;
+    Ok(Setup::new(scene, camera, [MovingLight::new("downlight", spot)].into()))
 }

@@ -51,7 +51,7 @@ impl Setup {
     pub fn effects_at(&self, seconds: f32) -> Result<Effects, Error> {
         let fixtures = self.fixtures_at(seconds)?;
         let mut plan = self.scene.plan();
-        if self.display.is_dithered() {
+        if self.display.is_dithered {
             plan = plan.with(Effect::Dither);
         }
         Ok(fixtures.iter().fold(plan, |plan, fixture| plan.with_fixture(fixture)).effects())

@@ -14,7 +14,6 @@ use crate::{
     },
 };
 use alloc::vec::Vec;
-use glam::Vec2;
 use luminaire::{
     Angle, Cone, Error, Rgb, Vec3,
     falloff::{Soft, SoftOrHard},
@@ -99,7 +98,7 @@ fn beam(number: usize, gel: Rgb<f32>) -> Result<MovingLight, Error> {
         .with_color(gel)?
         .with_intensity(60.0)?;
     let start = number as f32 / GELS.len() as f32;
-    let sweep = Sweep { center, radii: Vec2::new(1.7, 1.1), period: 9.0, start };
+    let sweep = Sweep { center, radii: [1.7, 0.0, 1.1], period: 9.0, start };
     Ok(MovingLight::new("moving head (beam)", spot).sweeping(sweep))
 }
 
@@ -110,6 +109,6 @@ fn pattern(side: f32, gel: Rgb<f32>, gobo: Gobo<'static>) -> Result<MovingLight,
     let center = glam::Vec3::new(2.3 * side, 2.3, -3.6);
     let spot =
         aimed(Vec3::new(4.2 * side, 3.4, 4.6), center.into(), cone)?.with_color(gel)?.with_intensity(64.0)?;
-    let sweep = Sweep { center, radii: Vec2::new(0.5, 0.0), period: 14.0, start: 0.25 * side };
+    let sweep = Sweep { center, radii: [0.5, 0.0, 0.0], period: 14.0, start: 0.25 * side };
     Ok(MovingLight::new("moving head (profile)", spot).with_gobo(gobo, 12.0 * side).sweeping(sweep))
 }

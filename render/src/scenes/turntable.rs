@@ -71,7 +71,7 @@ fn fixture(number: usize, count: usize) -> Result<MovingLight, Error> {
     let spot = aimed(position.into(), center.into(), cone)?
         .with_color(gel(number))?
         .with_intensity(INTENSITY / count as f32)?;
-    let sweep = Sweep { center, radii: Vec2::new(0.9, 0.5), period: 5.0 + 4.0 * part, start: part };
+    let sweep = Sweep { center, radii: [0.9, 0.0, 0.5], period: 5.0 + 4.0 * part, start: part };
     Ok(MovingLight::new("moving head", spot).sweeping(sweep))
 }
 

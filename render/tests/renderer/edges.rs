@@ -3,7 +3,8 @@
 
 use luminaire::{Fx16, Rgb, SpotLight, Vec3, display::decode_srgb, projector::Fixture};
 use luminaire_render::{
-    Camera, Display, Edges, Format, Material, Mesh, Outline, Renderer, Scene, Stripes, scenes::Example,
+    Camera, Display, Edges, Format, Material, Mesh, Outline, Output, Renderer, Scene, Stripes,
+    scenes::Example,
 };
 use std::f32::consts::{PI, TAU};
 
@@ -200,10 +201,10 @@ fn must_agree<S: Format>(example: Example, display: Display) {
 #[test]
 fn renderers_that_share_a_picture_find_the_same_edges() {
     for &example in Example::ALL {
-        must_agree::<f32>(example, Display::Rgb888Dithered);
+        must_agree::<f32>(example, Output::Rgb888.dithered());
     }
-    must_agree::<Fx16>(Example::ThreePoint, Display::Rgb888);
-    must_agree::<Fx16>(Example::Pocket, Display::Rgb565Dithered);
+    must_agree::<Fx16>(Example::ThreePoint, Display::default());
+    must_agree::<Fx16>(Example::Pocket, Output::Rgb565.dithered());
 }
 
 /// Every way to a state of the scene gives the same picture as a new renderer.
@@ -216,7 +217,7 @@ fn a_picture_does_not_depend_on_the_pictures_before_it() {
         // In most steps only lights move; in some, only the camera, only the display, or nothing.
         let lights = setup.fixtures_at((step / 2) as f32 * 0.4).unwrap();
         let lights: Vec<Fixture> = lights.into_iter().take(2).collect();
-        let display = if step % 5 == 4 { Display::Rgb888Dithered } else { Display::Rgb888 };
+        let display = if step % 5 == 4 { Output::Rgb888.dithered() } else { Display::default() };
         let antialiased = step != 7;
         camera.orbit(if step % 3 == 2 { 0.05 } else { 0.0 }, 0.0);
         let draw = |renderer: &mut Renderer<f32>| {
@@ -241,7 +242,7 @@ fn marks_from_elsewhere_do_no_harm() {
     for (width, length) in [(0, 0), (1, 3), (3, 24), (usize::MAX, 24), (2, 40)] {
         let mut picture: Vec<u8> = (0..length).map(|byte| (6 * byte) as u8).collect();
         let before = picture.clone();
-        edges.mix(Display::Rgb888, width, &mut picture);
+        edges.mix(Display::default(), width, &mut picture);
         edges.restore(&mut picture);
         assert_eq!(picture, before, "{width} {length}");
     }

@@ -3,6 +3,10 @@
 
 use luminaire::{
     Angle, Cone, Error, Rgb, SpotLight, Vec3,
+    display::{
+        Gray1, Gray2, Gray4, Gray8, Palette, Pixel, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888,
+        compress_keep_hue,
+    },
     dynamic::AnyLight,
     falloff::SoftOrHard,
     haze::Haze,
@@ -10,7 +14,9 @@ use luminaire::{
     projector::{Fixture, Gobo, Projection},
     specular::{DifferenceForm, Phong},
 };
-use luminaire_render::{Display, Format, Material, Renderer, Scene, ShadowMap, scenes::gobos, scenes::stage};
+use luminaire_render::{
+    ACEP, Display, Format, Material, Output, Renderer, Scene, ShadowMap, scenes::gobos, scenes::stage,
+};
 
 const SIZE: (usize, usize) = (160, 90);
 const STAR: [u8; 32 * 32] = gobos::star();
@@ -156,15 +162,14 @@ fn shadows_that_change_are_seen() -> Result<(), Error> {
 fn another_display_shows_other_codes() -> Result<(), Error> {
     let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures()?);
     let plain = renderer.encode().to_vec();
-    let displays = [Display::Rgb888Dithered, Display::Rgb565, Display::Rgb565Dithered];
+    let displays = [Output::Rgb888.dithered(), Output::Rgb565.nearest(), Output::Rgb565.dithered()];
     for (display, most) in displays.into_iter().zip([1, 5, 9]) {
         renderer.set_display(display);
         let codes = renderer.encode();
         let largest = codes.iter().zip(&plain).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0);
         assert_eq!(largest, most, "{display:?}");
-        assert_eq!(display.is_dithered(), display != Display::Rgb565);
     }
-    renderer.set_display(Display::Rgb888);
+    renderer.set_display(Display::default());
     assert_eq!(renderer.encode(), plain);
     Ok(())
 }
@@ -174,7 +179,7 @@ fn another_display_shows_other_codes() -> Result<(), Error> {
 fn only_overexposed_light_is_changed_to_keep_its_hue() -> Result<(), Error> {
     let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures()?);
     let plain = renderer.encode().to_vec();
-    renderer.set_display(Display::Rgb888KeepHue);
+    renderer.set_display(Display { keeps_hue: true, ..Display::default() });
     let mut changed = 0;
     for (kept, clipped) in renderer.encode().chunks_exact(4).zip(plain.chunks_exact(4)) {
         let is_within = clipped[..3].iter().all(|code| *code < 255);
@@ -183,6 +188,48 @@ fn only_overexposed_light_is_changed_to_keep_its_hue() -> Result<(), Error> {
         changed += usize::from(kept != clipped);
     }
     assert!(changed > 0 && changed < plain.len() / 8, "{changed} pixels are changed");
-    assert!(Display::Rgb888KeepHueDithered.keeps_hue() && Display::Rgb888KeepHueDithered.is_dithered());
+    Ok(())
+}
+
+/// Each output shows the kernel's pixels, and keeps the hue before it encodes.
+#[test]
+fn every_output_shows_the_pixels_of_the_kernel() -> Result<(), Error> {
+    fn shown<P: Pixel>(color: Rgb<f32>, place: Option<(u32, u32)>) -> Rgb<u8> {
+        place.map_or_else(|| P::nearest(color), |(x, y)| P::dithered(color, x, y)).to_codes()
+    }
+    let palette = Palette::new(&ACEP)?;
+    let acep = |color, place: Option<(u32, u32)>| {
+        let index = place.map_or_else(|| palette.nearest(color), |(x, y)| palette.dithered(color, x, y));
+        palette.color(index)
+    };
+    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures()?);
+    for &output in Output::ALL {
+        for (is_dithered, keeps_hue) in [(false, false), (true, false), (false, true), (true, true)] {
+            renderer.set_display(Display { output, is_dithered, keeps_hue });
+            let codes = renderer.encode().to_vec();
+            let width = renderer.size().0;
+            for (i, found) in codes.chunks_exact(4).enumerate().step_by(7) {
+                let (x, y) = (i % width, i / width);
+                let linear = renderer.linear(x, y).unwrap();
+                let color = if keeps_hue { compress_keep_hue::<f32>(linear) } else { linear };
+                let place = is_dithered.then_some((x as u32, y as u32));
+                let expected = match output {
+                    Output::Gray1 => shown::<Gray1>(color, place),
+                    Output::Gray2 => shown::<Gray2>(color, place),
+                    Output::Gray4 => shown::<Gray4>(color, place),
+                    Output::Gray8 => shown::<Gray8>(color, place),
+                    Output::Rgb332 => shown::<Rgb332>(color, place),
+                    Output::Rgb444 => shown::<Rgb444>(color, place),
+                    Output::Rgb555 => shown::<Rgb555>(color, place),
+                    Output::Rgb565 => shown::<Rgb565>(color, place),
+                    Output::Rgb666 => shown::<Rgb666>(color, place),
+                    Output::Rgb888 => shown::<Rgb888>(color, place),
+                    _ => acep(color, place),
+                };
+                let found = Rgb::new(found[0], found[1], found[2]);
+                assert_eq!(found, expected, "{output:?} at ({x}, {y})");
+            }
+        }
+    }
     Ok(())
 }

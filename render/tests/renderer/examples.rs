@@ -3,9 +3,10 @@
 use luminaire_render::scenes::Example;
 
 /// The effects of each example at any time, with the names of the price list.
-const CALLED_FOR: [(Example, &str); 8] = [
+const CALLED_FOR: [(Example, &str); 9] = [
     (Example::BareSpot, "diffuse, spot, soft, inverse-square"),
     (Example::Pocket, "diffuse, spot, soft, inverse-square, dither"),
+    (Example::Tree, "ambient, diffuse, spot, soft, unattenuated"),
     (Example::ThreePoint, "ambient, diffuse, spot, quadratic, cubic, inverse-square, shadow"),
     (Example::Grid, "diffuse, spot, soft, inverse-square"),
     (Example::WideGrid, "diffuse, spot, soft, inverse-square"),
@@ -38,7 +39,7 @@ fn each_example_calls_for_what_it_shows() {
 #[test]
 fn as_many_lights_hang_as_the_summaries_say() {
     let counts: Vec<_> = Example::ALL.iter().map(|example| example.setup().unwrap().fixtures.len()).collect();
-    assert_eq!(counts, [1, 1, 3, 64, 8, 8, 11, 26]);
+    assert_eq!(counts, [1, 1, 4, 3, 64, 8, 8, 11, 26]);
 }
 
 #[test]

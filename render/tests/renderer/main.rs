@@ -9,4 +9,5 @@ mod haze;
 mod pictures;
 mod refusals;
 mod saving;
+mod strip;
 mod stripes;

@@ -2,7 +2,7 @@
 
 use luminaire::{Fx16, Fx32, Vec3, projector::Fixture};
 use luminaire_render::{
-    Account, Camera, Display, Format, Renderer, Scene, SizeError, Stripes,
+    Account, Camera, Display, Format, Output, Renderer, Scene, SizeError, Stripes,
     scenes::{Example, Setup, stage, turntable},
 };
 
@@ -98,7 +98,7 @@ fn agree<S: Format>(name: &str, setup: &Setup, count: usize) {
     let mut camera = setup.camera_at(0.0);
     for (frame, seconds) in [0.0, 0.4, 0.4, 0.9].into_iter().enumerate() {
         let lights = setup.fixtures_at(seconds).unwrap();
-        let display = if frame < 3 { Display::Rgb888Dithered } else { Display::Rgb565Dithered };
+        let display = if frame < 3 { Output::Rgb888.dithered() } else { Output::Rgb565.dithered() };
         if frame > 1 {
             camera.orbit(0.3, 0.1);
         }
@@ -148,7 +148,7 @@ fn shadow_maps_are_dealt_and_passed_on() {
     };
     let mut team = Team::<f32>::new(2);
     let mut drawn = |what: &str, lights: &[Fixture], camera: &Camera| {
-        team.must_agree(what, &scene, camera, lights, Display::Rgb888)
+        team.must_agree(what, &scene, camera, lights, Display::default())
     };
     assert_eq!(drawn("all", &lights(0.0, true), &camera), 3);
     assert_eq!(drawn("none again", &lights(0.0, true), &camera), 0);

@@ -1,8 +1,8 @@
 // The stage: its pictures, its scenes and effects, its state and the address, and the camera.
 import {
   EXPECT, STILL, account, ask, assert, change, choose, count, drag, draws, drawn, enter, follow, isChecked, isDisabled, isLit,
-  isShown, isWritten, more, must, number, open, pause, place, press, quick, redraw, resize, scenes, settle, shows, sum, survey, tab, until,
-  words, written,
+  isShown, isWritten, more, must, number, open, options, pause, place, press, quick, redraw, resize, scenes, settle, shows, sum, survey,
+  tab, until, value, words, written,
 } from "./visit.mjs";
 
 const called = () => count("#effects .called");
@@ -164,6 +164,45 @@ quick("every scene is drawn, with its account and its effects", async () => {
     titles.add(await words("summary"));
   }
   must([...titles], (titles) => titles.length > 7, "over 7 titles");
+});
+
+quick("every display is shown, by square pixels of a small one, and kept by the address", async () => {
+  await open("?#stage?play=none&scene=pocket");
+  assert.equal(await value("display"), "rgb565");
+  const colors = () =>
+    ask(() => {
+      const codes = window.luminaire.pixels();
+      return new Set(Array.from({ length: codes.length / 4 }, (_, i) => codes.slice(4 * i, 4 * i + 3).join())).size;
+    });
+  for (const name of await options("display")) {
+    await enter("display", name);
+    await settle();
+    const most = { gray1: 2, gray2: 4, gray4: 16, acep: 7 }[name] ?? Infinity;
+    must(await colors(), (colors) => colors > 1 && colors <= most, `${name}: at most ${most} colours`);
+  }
+  const shown = await ask(() => {
+    const view = document.getElementById("view");
+    return [view.width, (view.clientWidth / 160) % 1, (view.clientHeight / 120) % 1, getComputedStyle(view).imageRendering];
+  });
+  assert.deepEqual(shown, [160, 0, 0, "pixelated"]);
+  await enter("display", "gray2");
+  const [address, picture] = [await isWritten(/display=gray2/), await sum()];
+  await open(`?${address}`);
+  assert.deepEqual([await value("display"), await sum()], ["gray2", picture]);
+  await choose("three-point");
+  assert.deepEqual([await value("display"), await shows("leds")], ["rgb888", false]);
+});
+
+quick("a tree of LEDs tells its current, which has a limit, in every format", async () => {
+  await open("#stage?play=none&scene=tree");
+  for (const format of ["f32", "fx16", "fx32"]) {
+    await enter("format", format);
+    await enter("exposure", 0);
+    await settle();
+    assert.match(await words("leds"), /^500 LEDs take 7\.8\d A\. The limit is 8 A\.$/, format);
+    await change("darker lights", () => enter("exposure", -3));
+    assert.match(await words("leds"), /^500 LEDs take [12]\.\d\d A\./, format);
+  }
 });
 
 more("a picture of the required effects is that of everything, bit for bit", async () => {

@@ -114,7 +114,7 @@ fn haze_dither_and_shadows_are_added_and_taken_away() {
         let fixtures = stage.rig().fixtures_at(1.0).unwrap();
         fixtures.iter().map(|fixture| fixture.shadow().map(|(side, _)| side)).collect()
     };
-    assert!(stage.rig().scene().haze().is_some() && stage.rig().display(stage.state()).is_dithered());
+    assert!(stage.rig().scene().haze().is_some() && stage.rig().display(stage.state()).is_dithered);
     assert_eq!(sides(&stage), [Some(512); 8]);
     for effect in [Effect::Haze, Effect::Dither, Effect::Shadow] {
         stage.switch(effect.name(), false).unwrap();

@@ -1,0 +1,86 @@
+//! A strip of addressable LEDs in a scene.
+
+use alloc::{vec, vec::Vec};
+use luminaire::{
+    Error, Rgb, Scalar, Vec3,
+    display::{LedOrder, LedStrip, TemporalDither, clip},
+    dynamic::{AnyLight, CompiledAnyLight},
+};
+
+/// Currents in milliamperes that are on the safe side for a WS2812B: of one channel at full duty, and
+/// of an LED that is dark.
+const CHANNEL: u16 = 20;
+const IDLE: u16 = 1;
+
+/// LEDs at places of a scene, which show the bytes of a strip and not the shading of a surface.
+///
+/// An LED has the [irradiance](luminaire::light::CompiledSpotLight::irradiance_facing) of all lights at
+/// its place, without gobos and shadows. A [`LedStrip`] converts the light of all LEDs to bytes.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Strip {
+    places: Vec<Vec3<f32>>,
+    limit: u32,
+}
+
+impl Strip {
+    /// Creates a strip with LEDs at these places in metres, whose current has a limit in milliamperes.
+    pub fn new(places: impl IntoIterator<Item = Vec3<f32>>, limit: u32) -> Self {
+        Self { places: places.into_iter().collect(), limit }
+    }
+
+    /// Returns the places of the LEDs in metres.
+    pub fn places(&self) -> &[Vec3<f32>] {
+        &self.places
+    }
+
+    /// Returns the limit of the current in milliamperes.
+    pub fn limit(&self) -> u32 {
+        self.limit
+    }
+
+    /// Returns the duties of the LEDs in one frame under these lights, computed in the format `S`: the
+    /// bytes of the strip. The temporal dither of each frame begins in the same state, so that equal
+    /// lights have equal frames.
+    ///
+    /// # Errors
+    /// A light that the format can't hold.
+    pub fn frame<'a, S: Scalar>(
+        &self,
+        lights: impl IntoIterator<Item = &'a AnyLight>,
+    ) -> Result<Vec<Rgb<u8>>, Error> {
+        let compile = |light: &'a AnyLight| Ok((light, light.compile::<S>()?));
+        let lights = lights.into_iter().map(compile).collect::<Result<Vec<_>, Error>>()?;
+        let arrived = self.places.iter().map(|&place| {
+            let add = |sum: Rgb<S::Irradiance>, (light, compiled): &(&AnyLight, CompiledAnyLight<S>)| {
+                sum.plus::<S>(Rgb::lit(facing(light, compiled, place), compiled.color()))
+            };
+            clip::<S>(lights.iter().fold(Rgb::default(), add))
+        });
+        let arrived: Vec<_> = arrived.collect();
+        let phase = |led: usize| [0, 1, 2].map(|channel| TemporalDither::new((3 * led + channel) as u16));
+        let mut dithers: Vec<_> = (0..arrived.len()).map(|led| phase(led).into()).collect();
+        let mut bytes = vec![0; 3 * arrived.len()];
+        let strip = LedStrip::new(LedOrder::Rgb).with_limit(self.limit, CHANNEL, IDLE);
+        strip.write(&arrived, &mut dithers, &mut bytes);
+        Ok(bytes.chunks_exact(3).map(|led| Rgb::new(led[0], led[1], led[2])).collect())
+    }
+
+    /// Returns the current of a frame in milliamperes, rounded up.
+    pub fn current(frame: &[Rgb<u8>]) -> u32 {
+        let duties = frame.iter().flat_map(|led| [led.red, led.green, led.blue]).map(u32::from);
+        frame.len() as u32 * u32::from(IDLE) + (duties.sum::<u32>() * u32::from(CHANNEL)).div_ceil(255)
+    }
+}
+
+/// Returns the irradiance at a place that faces the light.
+fn facing<S: Scalar>(light: &AnyLight, compiled: &CompiledAnyLight<S>, place: Vec3<f32>) -> S::Irradiance {
+    let point = place.map(S::length);
+    let toward = match (light, compiled) {
+        (_, CompiledAnyLight::Spot(spot)) => return spot.irradiance_facing(point),
+        (AnyLight::Point(light), _) => light.position().zip(place, |light, place| light - place),
+        (AnyLight::Directional(light), _) => light.direction().map(|part| -part),
+        (AnyLight::Spot(_), _) => return S::Irradiance::default(),
+    };
+    let length = libm::sqrtf(toward.dot(toward));
+    compiled.irradiance(point, S::normal(toward.map(|part| part / length)))
+}
