@@ -201,7 +201,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
     /// the length of the shorter slice.
     ///
     /// A renderer without light interpolates the colours of the vertices. A light between two vertices is
-    /// lost: `SpotLight::interpolation_bound` bounds the error for a spacing, and the guide's chapter
+    /// lost: [`SpotLight::interpolation_bound`](crate::SpotLight::interpolation_bound) bounds the error for a spacing, and the guide's chapter
     /// `scanline` has the spacings of some cones.
     pub fn color_each<L: LightModel<S>>(
         &self,
