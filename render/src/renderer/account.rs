@@ -13,9 +13,11 @@ pub struct Account {
     pub tiles_relit: u32,
     /// The lights in the slice that was passed.
     pub lights: u32,
-    /// The LEDs of the scene's strip, their current and its limit in milliamperes.
+    /// The LEDs of the scene's strip; 0 without one.
     pub leds: u32,
+    /// The current of the LEDs in milliamperes.
     pub led_current: u32,
+    /// The limit of that current.
     pub led_limit: u32,
     /// The number of dark lights, which were dropped.
     pub lights_dropped: u32,
