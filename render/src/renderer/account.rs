@@ -15,9 +15,9 @@ pub struct Account {
     pub lights: u32,
     /// The LEDs of the scene's strip; 0 without one.
     pub leds: u32,
-    /// The current of the strip in milliamperes.
+    /// The current of the LEDs in milliamperes.
     pub led_current: u32,
-    /// The limit of this current in milliamperes.
+    /// The limit of that current.
     pub led_limit: u32,
     /// The number of dark lights, which were dropped.
     pub lights_dropped: u32,

@@ -68,7 +68,11 @@ macro_rules! outputs {
             fn encode_pixels(&self, radiance: &Radiance, place: (u32, u32), pixels: &mut [u8]) {
                 match self.display.output {
                     $(Output::$pixel => self.encode_each::<$pixel>(radiance, place, pixels),)*
-                    Output::Acep => self.write(radiance, place, pixels, |color, place| self.acep(color, place)),
+                    Output::Acep => {
+                        let place = |lane| (place.0 + lane as u32, place.1);
+                        let dither = |lane| self.display.is_dithered.then(|| place(lane));
+                        write(pixels, |lane| self.acep(linear(radiance, lane), dither(lane)));
+                    }
                 }
             }
 
@@ -167,35 +171,22 @@ impl Encoder {
         }
         // Encodes one channel of the whole block at a time, so that compilers use vector
         // instructions.
-        let codes = if is_dithered {
-            radiance.map(|channel| encode_srgb_dithered_each(&channel, x, y))
+        if is_dithered {
+            let codes = radiance.map(|channel| encode_srgb_dithered_each(&channel, x, y));
+            write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
         } else {
-            radiance.map(|channel| encode_srgb_each(&channel))
-        };
-        write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
+            let codes = radiance.map(|channel| encode_srgb_each(&channel));
+            write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
+        }
     }
 
-    fn encode_each<P: Pixel>(&self, radiance: &Radiance, place: (u32, u32), pixels: &mut [u8]) {
-        self.write(radiance, place, pixels, |color, place| match place {
-            Some((x, y)) => P::dithered(color, x, y).to_codes(),
-            None => P::nearest(color).to_codes(),
-        });
-    }
-
-    /// Writes the code of each pixel. `code` returns the code of a colour, with dither if it gets a
-    /// place.
-    #[inline(always)]
-    fn write(
-        &self,
-        radiance: &Radiance,
-        (x, y): (u32, u32),
-        pixels: &mut [u8],
-        code: impl Fn(Rgb<f32>, Option<(u32, u32)>) -> Rgb<u8>,
-    ) {
+    // Two loops without a branch per pixel: with one for both, RGB565 with dither took 1.3 times as long.
+    #[inline(never)]
+    fn encode_each<P: Pixel>(&self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
         if self.display.is_dithered {
-            write(pixels, |lane| code(linear(radiance, lane), Some((x + lane as u32, y))));
+            write(pixels, |lane| P::dithered(linear(radiance, lane), x + lane as u32, y).to_codes());
         } else {
-            write(pixels, |lane| code(linear(radiance, lane), None));
+            write(pixels, |lane| P::nearest(linear(radiance, lane)).to_codes());
         }
     }
 

@@ -42,11 +42,12 @@ fn spot(number: usize, color: Rgb<f32>) -> Result<MovingLight, Error> {
     let start = number as f32 / COLORS.len() as f32;
     let around: Vec2 = 3.0 * Vec2::from_angle(TAU * (start + 0.125));
     let position = Vec3::new(around.x, 1.0, around.y);
-    let center = Vec3::new(0.0, HEIGHT / 2.0, 0.0);
+    // The axis always meets the tree, as the page tells where it does.
+    let center = Vec3::new(0.0, 0.85, 0.0);
     let cone = Cone::from_outer(Soft, HalfAngle::degrees(10.0))?;
     let spot =
         SpotLight::new(luminaire::Vec3::from(position), luminaire::Vec3::from(center - position), cone)?;
     let spot = spot.with_attenuation(NoAttenuation).with_color(color)?;
-    let sweep = Sweep { center, radii: [0.15, 0.85, 0.15], period: 8.0 + number as f32, start };
+    let sweep = Sweep { center, radii: [0.05, 0.65, 0.05], period: 8.0 + number as f32, start };
     Ok(MovingLight::new("moving head", spot).sweeping(sweep))
 }
