@@ -175,8 +175,8 @@ pub trait Scalar:
         const SCALE: u32 = ((1 << 37) / (2 * 127 * SQUARE as u64)) as u32;
         let bytes: Vec3<i32> = bytes.map(i32::from).into();
         let square = (bytes.x * bytes.x + bytes.y * bytes.y + bytes.z * bytes.z) as u32;
-        let factor = ((3 * SQUARE).saturating_sub(square) * SCALE >> 15) as i32;
-        bytes.map(|c| Self::from_steps(c * factor + (1 << 7) >> 8))
+        let factor = (((3 * SQUARE).saturating_sub(square) * SCALE) >> 15) as i32;
+        bytes.map(|c| Self::from_steps((c * factor + (1 << 7)) >> 8))
     }
     /// Returns an irradiance as `f32`, for display and for tests.
     fn light_to_f32(light: Self::Irradiance) -> f32;

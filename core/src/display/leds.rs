@@ -101,7 +101,7 @@ impl Limit {
         // The light of channels that the current suffices for, in units of 2^-14 of a channel at full duty.
         let current = u64::from(most).saturating_sub(leds.saturating_mul(idle.into()));
         let full = (current << 14).checked_div(channel.into()).unwrap_or(u64::MAX >> 16);
-        let dither = (3 * leds << 14).div_ceil(Pwm8::LAST.into());
+        let dither = ((3 * leds) << 14).div_ceil(Pwm8::LAST.into());
         let available = full.saturating_sub(dither);
         let steps = lights.iter().flat_map(|light| [light.red, light.green, light.blue]).map(steps);
         let needed: u64 = steps.map(u64::from).sum();

@@ -71,7 +71,8 @@ impl<const BITS: u32> TemporalDither<BITS> {
     #[inline]
     pub(super) fn next_dimmed<S: Scalar>(&mut self, light: S, factor: u32) -> u16 {
         let light = fine(light.word(), Pwm::<BITS>::LAST.count_ones());
-        let dimmed = if factor == FULL { light } else { (u64::from(light) * u64::from(factor) >> 16) as u32 };
+        let dimmed =
+            if factor == FULL { light } else { ((u64::from(light) * u64::from(factor)) >> 16) as u32 };
         // At most 2^32 - 1: the largest product is (2^16 - 1) * 2^16.
         let sum = dimmed + u32::from(self.carry);
         self.carry = sum as u16;
