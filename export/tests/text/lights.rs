@@ -9,7 +9,7 @@ pub mod cubic {
     /// The compiled light.
     pub const LIGHT: CompiledSpotLight<Fx16, Cubic, Windowed<InverseSquare>> = {
 #[allow(unused_imports, reason = "an expression need not have names of both kinds")]
-use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
+use ::luminaire::{attenuation::*, codegen::*, display::*, draw::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
 CompiledSpotLight::<Fx16, _, Windowed<InverseSquare>>::from_parts(
     Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
     Vec3::new(Fx32::from_bits(0), Fx32::from_bits(-960383872), Fx32::from_bits(480191936)),
@@ -45,7 +45,7 @@ pub mod point {
     /// The compiled light.
     pub const LIGHT: CompiledPointLight<Fx32, SmoothRange> = {
 #[allow(unused_imports, reason = "an expression need not have names of both kinds")]
-use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
+use ::luminaire::{attenuation::*, codegen::*, display::*, draw::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
 CompiledPointLight::<Fx32, SmoothRange>::from_parts(
     Vec3::new(Length::from_bits(65536), Length::from_bits(131072), Length::from_bits(196608)),
     [
@@ -71,7 +71,7 @@ pub mod sun {
     /// The compiled light.
     pub const LIGHT: CompiledDirectionalLight<f32> = {
 #[allow(unused_imports, reason = "an expression need not have names of both kinds")]
-use ::luminaire::{attenuation::*, codegen::*, display::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
+use ::luminaire::{attenuation::*, codegen::*, display::*, draw::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
 CompiledDirectionalLight::<f32>::from_parts(
     Vec3::new(f32::from_bits(0), f32::from_bits(3211065646), f32::from_bits(1055193390)),
     f32::from_bits(1065353216),
