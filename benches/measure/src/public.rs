@@ -87,8 +87,14 @@ const OF_NUMBERS: &str = "Clone Debug Default Deserialize Eq Format Hash Named O
 /// of arrays. A length is a square number, as patterns require.
 const CONSTANTS: Rows = &[("u32", &["4", "1", "31", "3"]), ("usize", &["4", "0", "1", "64"])];
 /// Lengths that a function refuses to be compiled for.
-const REFUSED: Rows =
-    &[("draw", &[RGB444]), ("of", &["0", "1"]), ("of_knots", &["0"]), ("duty", &["31"]), ("next", &["31"])];
+const REFUSED: Rows = &[
+    ("draw", &[RGB444]),
+    ("of", &["0", "1"]),
+    ("of_knots", &["0"]),
+    ("duty", &["31"]),
+    ("next", &["31"]),
+    ("fill_interpolated", &["0", "1", "64"]),
+];
 
 /// Private modules of other crates, whose items the crates export from the module above.
 const PRIVATE: [&str; 7] =
