@@ -70,16 +70,10 @@ pub trait Points<S: Scalar> {
         }
     }
 
-    /// Sets the irradiance as [`fill`](Self::fill) does, at every `N`-th index.
+    /// Returns the points of every `N`-th index from an index on.
     #[inline(always)]
-    fn fill_every<L: LightModel<S>, const N: usize>(
-        &self,
-        light: &L,
-        normal: Vec3<S>,
-        first: usize,
-        arrived: &mut [S::Irradiance],
-    ) {
-        (|i: usize| self.at(first.wrapping_add(i.wrapping_mul(N)))).fill(light, |_| normal, 0, arrived);
+    fn every<const N: usize>(&self, first: usize) -> impl Points<S> {
+        move |i: usize| self.at(first.wrapping_add(i.wrapping_mul(N)))
     }
 }
 
@@ -117,15 +111,8 @@ impl<S: Scalar, F: Fn(usize) -> S::Length> Points<S> for AlongX<S::Length, F> {
     }
 
     #[inline(always)]
-    fn fill_every<L: LightModel<S>, const N: usize>(
-        &self,
-        light: &L,
-        normal: Vec3<S>,
-        first: usize,
-        arrived: &mut [S::Irradiance],
-    ) {
-        let x = |i: usize| (self.x)(first.wrapping_add(i.wrapping_mul(N)));
-        light.fill_along([self.y, self.z], x, |_| normal, arrived);
+    fn every<const N: usize>(&self, first: usize) -> impl Points<S> {
+        AlongX { y: self.y, z: self.z, x: move |i: usize| (self.x)(first.wrapping_add(i.wrapping_mul(N))) }
     }
 }
 
@@ -212,8 +199,8 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
     /// [`interpolation_bound`](crate::SpotLight::interpolation_bound) bounds the error of a light with an
     /// inverse square. In fixed point means are rounded down, by at most 1/2, 3/4 or 9/8 of a step of the
     /// format. The light is evaluated at up to `N` indices beyond the end of `arrived`, too.
-    /// The start of [`reach`](Self::reach) is a multiple of 16: from there, the pixels of a row depend on no
-    /// other light of the row.
+    /// The start of [`reach`](Self::reach) is a multiple of 16: from there, the same points of a row are
+    /// evaluated wherever the light's reach begins.
     ///
     /// ```
     /// use luminaire::{Angle, Cone, Fx16, Length, Rgb, Scalar, SpotLight, light::Row, number::Light16};
@@ -246,7 +233,7 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
             let from = first.wrapping_add(i * RUNS * N);
             let last = points.len().div_ceil(N);
             let ends = evaluated.get_mut(..=last).unwrap_or_default();
-            self.points.fill_every::<_, N>(light, self.normal, from, ends);
+            self.points.every::<N>(from).fill(light, |_| self.normal, 0, ends);
             for (run, ends) in points.chunks_mut(N).zip(ends.windows(2)) {
                 if let [from, to] = *ends {
                     set_between::<S>(from, to, run, N);
@@ -293,8 +280,8 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
 /// The runs of interpolated points whose ends are evaluated together.
 const RUNS: usize = 16;
 
-/// Sets a run of points between two values: the first point to `from`, and the point after `length` points would
-/// have `to`.
+/// Sets a run of points between two values: the first point to `from`. The point after a run of `length` points
+/// has the value `to`, and is not in the run.
 #[inline(always)]
 fn set_between<S: Scalar>(from: S::Irradiance, to: S::Irradiance, run: &mut [S::Irradiance], length: usize) {
     let middle = S::mean_light(from, to);
