@@ -1,10 +1,7 @@
 //! The bytes of strips of addressable LEDs, within a limit of their current.
 
-use super::pwm::{FULL, Pwm8, TemporalDither};
-use crate::{
-    color::Rgb,
-    number::{Scalar, Word, float::clamp},
-};
+use super::pwm::{FULL, Pwm8, TemporalDither, rounded_up};
+use crate::{color::Rgb, number::Scalar};
 
 /// The order of the three bytes of an LED.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -103,24 +100,9 @@ impl Limit {
         let full = (current << 14).checked_div(channel.into()).unwrap_or(u64::MAX >> 16);
         let dither = ((3 * leds) << 14).div_ceil(Pwm8::LAST.into());
         let available = full.saturating_sub(dither);
-        let steps = lights.iter().flat_map(|light| [light.red, light.green, light.blue]).map(steps);
-        let needed: u64 = steps.map(u64::from).sum();
+        let channels = lights.iter().flat_map(|light| [light.red, light.green, light.blue]);
+        let needed: u64 = channels.map(|light| u64::from(rounded_up::<14>(light.word()))).sum();
         if needed <= available { FULL } else { (available << 16).checked_div(needed).unwrap_or(0) as u32 }
-    }
-}
-
-/// Returns light clipped to `[0, 1]` in units of 2^-14, rounded up.
-fn steps<S: Scalar>(light: S) -> u32 {
-    match light.word() {
-        Word::Single(light) => {
-            let steps = clamp(light) * 16_384.0;
-            let whole = steps as u32;
-            whole + u32::from((whole as f32) < steps)
-        }
-        #[cfg(feature = "fixed")]
-        Word::Steps14(light) => u32::from(light.clamp(0, 1 << 14) as u16),
-        #[cfg(feature = "fixed")]
-        Word::Steps30(light) => (light.clamp(0, 1 << 30) as u32).div_ceil(1 << 16),
     }
 }
 

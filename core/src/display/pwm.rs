@@ -115,20 +115,28 @@ pub(super) fn nearest(linear: Word, bits: u32) -> u16 {
 /// in units of 2^-14, else rounded up, so that only zero becomes zero.
 #[inline]
 fn fine(linear: Word, bits: u32) -> u32 {
-    let steps = match linear {
+    #[cfg(feature = "fixed")]
+    if let Word::Steps14(_) = linear {
+        // 32 bits suffice.
+        let steps = rounded_up::<14>(linear);
+        return ((steps << bits) - steps) << 2;
+    }
+    let steps = u64::from(rounded_up::<30>(linear));
+    (((steps << bits) - steps + 0x3fff) >> 14) as u32
+}
+
+/// Returns a linear value clamped to `[0, 1]` in units of `2^-FRACTION`, rounded up, for 14 to 30 fraction bits.
+#[inline]
+pub(super) fn rounded_up<const FRACTION: u32>(linear: Word) -> u32 {
+    match linear {
         Word::Single(linear) => {
-            let steps = clamp(linear) * (1_u32 << 30) as f32;
+            let steps = clamp(linear) * (1_u32 << FRACTION) as f32;
             let whole = steps as u32;
             whole + u32::from((whole as f32) < steps)
         }
         #[cfg(feature = "fixed")]
-        Word::Steps14(linear) => {
-            let linear = u32::from(linear.clamp(0, 1 << 14) as u16);
-            return ((linear << bits) - linear) << 2;
-        }
+        Word::Steps14(linear) => u32::from(linear.clamp(0, 1 << 14) as u16) << (FRACTION - 14),
         #[cfg(feature = "fixed")]
-        Word::Steps30(linear) => linear.clamp(0, 1 << 30) as u32,
-    };
-    let steps = u64::from(steps);
-    (((steps << bits) - steps + 0x3fff) >> 14) as u32
+        Word::Steps30(linear) => (linear.clamp(0, 1 << 30) as u32).div_ceil(1 << (30 - FRACTION)),
+    }
 }
