@@ -5,9 +5,9 @@
 //!
 //! | for | output | curve |
 //! |---|---|---|
-//! | a LED by pulse width, 1 to 16 bits | [`Pwm::duty`]; without steps at low light [`TemporalDither`] | linear |
+//! | an LED by pulse width, 1 to 16 bits | [`Pwm::duty`]; without steps at low light [`TemporalDither`] | linear |
 //! | a strip of addressable LEDs, such as WS2812 | [`LedStrip`], its bytes with a limit of the current | linear |
-//! | a LED driver or a panel that itself applies a gamma to eight bits | [`Curve::encode`] of [`Gamma22`] or [`Gamma28`] | power |
+//! | an LED driver or a panel that itself applies a gamma to eight bits | [`Curve::encode`] of [`Gamma22`] or [`Gamma28`] | power |
 //! | a matrix of LEDs of eight bits without a gamma | [`Curve::encode_dithered`] of [`Linear`] | linear |
 //! | a colour display | [`Rgb332`], [`Rgb444`], [`Rgb555`], [`Rgb565`], [`Rgb666`], [`Rgb888`], each a [`Pixel`] | sRGB |
 //! | a monochrome or grey display | [`Gray1`], [`Gray2`], [`Gray4`], [`Gray8`], each a [`Pixel`] | sRGB |
@@ -20,7 +20,7 @@
 //! use luminaire::{Fx16, Rgb, display::{Gray4, Layout, Pixel, Pwm8, encode_srgb, pack}};
 //! let light = Fx16::from_f32(0.2);
 //! assert_eq!(encode_srgb(light), 124); // what an sRGB display shows as a fifth of its light
-//! assert_eq!(Pwm8::duty(light), 51); // a fifth of the time: a LED by the code 124 is too bright
+//! assert_eq!(Pwm8::duty(light), 51); // a fifth of the time: an LED by the code 124 is too bright
 //!
 //! let row = [0, 1, 2, 3].map(|x| Gray4::dithered(Rgb::new(light, light, light), x, 0));
 //! let mut bytes = [0; 2];

@@ -11,10 +11,10 @@
 //!
 //! with the versine `v` of the direction, at most the outer versine `w`: its sine is at most `sqrt(2 w)`.
 //! With `t = (w - v) / span`, the largest slope `P1` and curvature `P2` of the falloff, and the maxima
-//! over `s` of `c |15 s^2 - 3|` (4.1313), `8 s c^2` (3.0792) and `2 s c^2` (0.7699), the second derivative is
+//! over `s` of `c |15 s^2 - 3|` (4.1313), `8 s c^2` (3.0793) and `2 s c^2` (0.7699), the second derivative is
 //!
 //! ```text
-//! |E''| <= I / d^4 (2 w P2 / span^2 + (1 + 3.0792 sqrt(2 w)) P1 / span + 4.1313)
+//! |E''| <= I / d^4 (2 w P2 / span^2 + (1 + 3.0793 sqrt(2 w)) P1 / span + 4.1313)
 //! ```
 //!
 //! Linear interpolation between points `h` apart errs by at most `h^2 / 8` times it, and by at most `h / 4`
@@ -31,7 +31,7 @@ use crate::{
 
 use super::above;
 
-/// Largest curvature of the inverse square on a flat surface.
+/// Largest curvature of the inverse square on a flat surface. Like all constants here it is rounded up.
 const FALL: f64 = 4.1313;
 
 impl<P: Falloff> SpotLight<P, InverseSquare> {
@@ -68,7 +68,7 @@ impl<P: Falloff> SpotLight<P, InverseSquare> {
         let (nearest, true) = (positive(nearest)?, limit >= outer) else { return None };
         let h = positive(spacing)? / nearest;
         let (span, sine) = (outer - inner, square_root(2.0 * outer));
-        let curvature = 2.0 * outer * curvature / (span * span) + (1.0 + 3.0792 * sine) * slope / span;
+        let curvature = 2.0 * outer * curvature / (span * span) + (1.0 + 3.0793 * sine) * slope / span;
         // The axis is no edge: there the versine has no slope.
         let at_edges = start + if inner > 0.0 { end } else { 0.0 };
         let crossed = sine.max(h * (1.0 + 0.7699 * sine));

@@ -26,7 +26,7 @@ use crate::{
 ///
 /// The colour of a cell need not be the nearest to every colour in the cell. If the nearest is `d`
 /// away, the colour of the cell is at most `1.009 d + 52` away (derived: twice the 25.5 from the
-/// middle to a corner of a cell, and the change of the weights with `r`; 49.9 found).
+/// middle to a corner of a cell, and the change of the weights with `r`; 49.7 found).
 ///
 /// ```
 /// use luminaire::{Rgb, display::Palette};
