@@ -19,6 +19,9 @@ pub use crate::{
     },
 };
 
+#[cfg(feature = "fixed")]
+pub use crate::cone::{IntegerCone, Refusal};
+
 #[cfg(feature = "arithmetic")]
 pub use crate::shade::LightModel;
 

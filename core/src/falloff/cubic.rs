@@ -132,9 +132,9 @@ impl Cubic {
         [self.edge_slope.to_bits(), self.middle_slope.to_bits()]
     }
 
-    /// Creates the cubic without rounding the slopes to the grid. Only searches, which round their
-    /// result, use this function.
-    pub(super) fn exactly(edge_slope: f32, middle_slope: f32) -> Self {
+    /// Creates the cubic without rounding the slopes to the grid: for searches, which round their result,
+    /// and for slopes on the grid.
+    pub(crate) fn exactly(edge_slope: f32, middle_slope: f32) -> Self {
         Self { edge_slope, middle_slope }
     }
 

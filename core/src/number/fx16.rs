@@ -951,7 +951,7 @@ impl Quick for Fx16 {
 const OUTSIDE: i16 = 16 + 1;
 
 /// Returns the bound for rejecting points outside a cone with these chords.
-pub(super) fn outside_bound(chords: Chords) -> Fx16 {
+pub(crate) fn outside_bound(chords: Chords) -> Fx16 {
     Fx16::from_bits((chords.squared_cosine() >> 16) as i16 - OUTSIDE)
 }
 

@@ -301,7 +301,7 @@ impl FixedRamp {
 /// Two evaluations use it: that of [`Fx32`], because 32-bit products need fewer instructions than
 /// 64-bit products, and the fine evaluation of [`Fx16`](super::Fx16).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Default, Debug)]
-pub struct Fine(pub(super) u32);
+pub struct Fine(pub(crate) u32);
 
 impl Fine {
     pub(super) const ONE: Self = Self(1 << 31);

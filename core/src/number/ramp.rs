@@ -16,7 +16,7 @@ use crate::vec3::Vec3;
 
 /// The largest zoom of a ramp, which scales versines by `4^zoom`. A larger zoom would need more
 /// bits than a direction has.
-pub(super) const MOST_ZOOM: u32 = 15;
+pub(crate) const MOST_ZOOM: u32 = 15;
 
 /// A ramp: maps the excess of a versine over the inner versine to the falloff's argument `t`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -130,7 +130,7 @@ impl FixedRamp {
     }
 
     /// Builds the ramp of a cone with these chords, with the largest zoom up to `most`.
-    fn of_chords(Chords { inner, outer, limit }: Chords, most: u32) -> Self {
+    pub(crate) fn of_chords(Chords { inner, outer, limit }: Chords, most: u32) -> Self {
         let zoom = chord_zoom(limit, most);
         let [start, end] = [inner, limit].map(|chord| squared(chord, zoom));
         let (span, less) = if outer > limit {
@@ -165,7 +165,7 @@ impl FixedRamp {
     }
 
     /// Returns the same ramp as a fine ramp, which always has the fine evaluation.
-    pub(super) fn into_fine(self) -> Self {
+    pub(crate) fn into_fine(self) -> Self {
         Self { width: 0, fine: self.width, ..self }
     }
 
@@ -196,11 +196,11 @@ fn magnified(value: f32, zoom: u32) -> Versine {
 }
 
 /// The largest chord: `sqrt(2)` with 31 fraction bits, of a versine of 2.
-const LARGEST: u32 = 3_037_000_499;
+pub(crate) const LARGEST: u32 = 3_037_000_499;
 
 /// The chords of a cone's inner and outer angle and of its cutoff, with 31 fraction bits.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Chords {
+pub(crate) struct Chords {
     /// The chord up to which the intensity is full, at most `limit`.
     inner: u32,
     /// The chord at which the falloff ends, at least `limit`.
@@ -210,6 +210,11 @@ pub(super) struct Chords {
 }
 
 impl Chords {
+    /// Returns the chords of a cone without a cutoff.
+    pub(crate) fn open(inner: u32, outer: u32) -> Self {
+        Self { inner, outer, limit: outer }
+    }
+
     /// Returns the chords between two cones. `part` has 32 fraction bits.
     fn between(self, other: Self, part: u32) -> Self {
         let limit = between(self.limit, other.limit, part);
@@ -251,7 +256,7 @@ fn squared(chord: u32, zoom: u32) -> u32 {
 }
 
 /// Returns the largest zoom up to `most` with which a chord's versine is at most 2.
-fn chord_zoom(chord: u32, most: u32) -> u32 {
+pub(crate) fn chord_zoom(chord: u32, most: u32) -> u32 {
     let zoom = (u32::BITS - root::bit_length(chord)).min(most);
     if chord << zoom > LARGEST { zoom.saturating_sub(1) } else { zoom }
 }
