@@ -217,7 +217,7 @@ impl IntegerCone {
         let error = self.coarse_error()?;
         let chords = Chords::open(inner, outer);
         let ramp = FixedRamp::of_chords(chords, MOST_ZOOM);
-        let ramp = if error >> ERROR_BITS > 0 { ramp.into_fine() } else { ramp };
+        let ramp = if error >= 1 << ERROR_BITS { ramp.into_fine() } else { ramp };
         let intensity = intensity.max(Length::ZERO).to_bits() as u32;
         let curve = CompiledCubic::from_parts(Weight16::from_bits(g), Weight16::from_bits(h));
         let light = CompiledSpotLight::from_parts(
@@ -244,18 +244,18 @@ impl IntegerCone {
         }
         let zoom = chord_zoom(outer, MOST_ZOOM);
         let chord = outer << zoom;
-        // The reciprocal of the chord times 2^zoom, with 16 fraction bits.
+        // The reciprocal of the chord times 2^zoom, with 31 fraction bits.
         let up = 1 - (chord >> 31);
-        let inverse = u64::from((inverse_32(chord << up) >> (16 - up)) + 1);
-        let [steepness, slope] = [steepness, slope].map(u64::from);
-        // The terms of `coarse_error`, each rounded up, of the direction, the length, its square, the
-        // argument and the result.
-        let direction = (steepness * ((4_629 << zoom) + 18_073) * inverse) >> 26;
-        let length = (steepness * 885_587) >> 14;
-        let squared = ((((slope * (52_144 << (2 * zoom))) >> 14) * inverse >> 16) * inverse) >> 24;
-        let argument = (slope * 352_513) >> 14;
-        let error = direction + length + squared + argument + 705_032 + 8;
-        Ok(error.min(1 << ERROR_BITS) as u32)
+        let inverse = ((inverse_32(chord << up) >> (16 - up)) + 1) << 15;
+        // The terms of `Arithmetic::coarse_error`: of the direction, of the length, of its square and of
+        // the argument. The last is that of the result, and of all roundings here.
+        let direction = high_half(steepness << 8, ((4_629 << zoom) + 18_073) << 8);
+        let direction = high_half(direction << 6, inverse) << 1;
+        let length = high_half(steepness << 8, 885_588 << 8) << 2;
+        let squared =
+            high_half(high_half(high_half(slope << 14, 52_144 << (2 * zoom)), inverse), inverse) >> 2;
+        let argument = high_half(slope << 14, 352_513 << 8) >> 4;
+        Ok(direction + length + squared + argument + 705_032 + 256)
     }
 
     /// Returns upper bounds of the derivatives of the intensity with respect to the angle, in units of the
@@ -323,7 +323,7 @@ fn versine_of([g, h]: [i32; 2], intensity: u32) -> u32 {
 /// versines.
 fn is_over([near, far]: [u32; 2], weights: [i32; 2]) -> bool {
     let [half, tenth] = [HALF, TENTH].map(|intensity| versine_of(weights, intensity));
-    u64::from(tenth) * u64::from(near) > u64::from(half) * u64::from(far)
+    high_half(tenth, near) > high_half(half, far)
 }
 
 /// Returns the largest weight from the first to the second for which the ratio of the versines is still
@@ -352,18 +352,20 @@ const fn slope(steps: i32) -> f32 {
 /// Returns the encoded distance within which points need the fine evaluation, for an error in units of half
 /// a linear code and an intensity with 16 fraction bits: see `Arithmetic::fine_below`.
 fn fine_below(error: u32, intensity: u32) -> u32 {
-    if error >> ERROR_BITS > 0 {
+    if error >= 1 << ERROR_BITS {
         return u32::MAX;
     }
     // The factors of `fine_squared`: 1.04 and 0.5556, and the least error, that of a cosine.
     let factor = (high_half(error, 2_481_735_183) + 1).max(1_045_869);
-    // In units of the square of 2^-16.
-    let squared = (u64::from(factor) * u64::from(intensity)) >> 8;
-    if squared == 0 {
+    // The product is the squared distance in units of the square of 2^-16, times 2^(up - 16).
+    let up = u32::BITS - root::bit_length(intensity);
+    let product = high_half(factor << 8, intensity << up);
+    let length = (root::bit_length(product) + 16).saturating_sub(up);
+    if intensity == 0 || length == 0 {
         return 0;
     }
-    let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);
-    bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
+    let bits = length.div_ceil(2);
+    bits << 26 | product >> (2 * bits + up - 42)
 }
 
 #[cfg(test)]
