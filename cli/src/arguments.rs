@@ -125,7 +125,7 @@ pub(crate) struct Export {
     /// The linear colour [default: 1,1,1]
     #[arg(long, value_name = "R,G,B", value_parser = vector)]
     pub(crate) color: Option<[f32; 3]>,
-    /// Write luminaire_fx16.h, which each light in c-fx16 includes, in place of a light
+    /// Write luminaire.h, which each light in c-fx16 includes, in place of a light
     #[arg(long)]
     pub(crate) header: bool,
 }

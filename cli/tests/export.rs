@@ -61,7 +61,7 @@ fn arduino_writes_a_library_once() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
     command.arg("arduino").arg(&folder);
     assert!(command.status().expect("the program runs").success());
-    assert!(folder.join("src/luminaire_fx16.h").is_file() && folder.join("LICENSE").is_file());
+    assert!(folder.join("src/luminaire.h").is_file() && folder.join("LICENSE").is_file());
     let told = command.output().expect("the program runs");
     assert!(!told.status.success() && String::from_utf8_lossy(&told.stderr).contains("library.properties: "));
     std::fs::remove_dir_all(folder).expect("a folder");

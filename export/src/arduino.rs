@@ -25,7 +25,7 @@ pub fn arduino() -> Result<Vec<(&'static str, String)>, ExportError> {
         ("README.md", include_str!("../arduino/README.md").to_owned()),
         ("LICENSE", include_str!("../LICENSE-MIT").to_owned()),
         ("LICENSE-APACHE", include_str!("../LICENSE-APACHE").to_owned()),
-        ("src/luminaire_fx16.h", c_header()),
+        ("src/luminaire.h", c_header()),
         ("examples/Wall/Wall.ino", include_str!("../arduino/examples/Wall/Wall.ino").to_owned()),
         ("examples/Wall/key.h", key),
     ])

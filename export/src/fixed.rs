@@ -16,9 +16,11 @@ use crate::name::global;
 use crate::trace::Trace;
 
 /// The shared functions, without the tables.
-const HEADER: &str = include_str!("../c/luminaire_fx16.h");
+const HEADER: &str = include_str!("../c/luminaire.h");
 /// The line of the header that the tables replace.
 const TABLES: &str = "/* TABLES */\n";
+/// What the header ends with: lights that move, and many points.
+const FRAGMENTS: [&str; 1] = [include_str!("../c/spot.h")];
 /// The functions of a cone.
 const CONE: &str = include_str!("../c/cone.h");
 /// What replaces them for a point light.
@@ -32,7 +34,7 @@ const WINDOWED: &str = "WINDOWED";
 
 const PRECISIONS: [Precision; 2] = [Precision("coarse"), Precision("fine")];
 
-/// Returns the file `luminaire_fx16.h`, which the source of each light in
+/// Returns the file `luminaire.h`, which the source of each light in
 /// [`Language::CFixed`](crate::Language::CFixed) includes.
 ///
 /// Its tables are those of the kernel.
@@ -47,13 +49,14 @@ pub fn c_header() -> String {
     let powers = rows(powers.iter().map(|power| format!("UINT32_C({power})")).collect());
     let tables = format!(
         "/* 2^31 / sqrt(n) at multiples of 2^25, lowered to the middle between chord and curve. */\n\
-         static const uint16_t luminaire_inverse_square_roots[129] = {{\n    {roots}\n}};\n\n\
+         static const uint16_t luminaire_inverse_square_roots[129] LUMINAIRE_TABLE = {{\n    {roots}\n}};\n\n\
          /* 1 / c with 31 fraction bits and log2 c with 32, for the middles of 64 parts of [1, 2). */\n\
-         static const uint32_t luminaire_logarithms[64][2] = {{\n    {logarithms}\n}};\n\n\
+         static const uint32_t luminaire_logarithms[64][2] LUMINAIRE_TABLE = {{\n    {logarithms}\n}};\n\n\
          /* 2^-c with 32 fraction bits, for the middles of 64 parts of [0, 1). */\n\
-         static const uint32_t luminaire_powers[64] = {{\n    {powers}\n}};\n"
+         static const uint32_t luminaire_powers[64] LUMINAIRE_TABLE = {{\n    {powers}\n}};\n"
     );
-    HEADER.replace(TABLES, &tables)
+    let (shared, end) = HEADER.rsplit_once("#endif").unwrap_or((HEADER, ""));
+    format!("{}{}#endif{end}", shared.replace(TABLES, &tables), FRAGMENTS.concat())
 }
 
 /// Returns the constants and functions of a light.
@@ -105,7 +108,7 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     let guard = format!("{}_LIGHT_H", name.to_ascii_uppercase());
     Ok(format!(
         "/* {head}\n * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14. */\n\
-         #ifndef {guard}\n#define {guard}\n\n#include \"luminaire_fx16.h\"\n\n{text}\n#endif\n"
+         #ifndef {guard}\n#define {guard}\n\n#include \"luminaire.h\"\n\n{text}\n#endif\n"
     ))
 }
 

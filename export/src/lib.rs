@@ -37,7 +37,7 @@
 //!
 //! # C
 //!
-//! The source of [`Language::CFixed`] includes the file `luminaire_fx16.h`, which all lights share:
+//! The source of [`Language::CFixed`] includes the file `luminaire.h`, which all lights share:
 //! [`c_header`] returns its text. A point has steps of 2^-16, a normal and the falloff steps of
 //! 2^-14, and so has the irradiance, which may exceed full scale. The code has no floats, no
 //! division and no memory of its own.

@@ -29,7 +29,7 @@
 //! Any stage, as long as its error holds. Then the bits differ: `cargo xtask conform --bless` records
 //! the new ones, and `cargo xtask measure` counts the instructions. A change that keeps the bits needs
 //! only the count: what the compiler makes of the code is part of the design, and the comments beside
-//! `inline(always)` have the cost without it. `export/c/luminaire_fx16.h` repeats the stages for
+//! `inline(always)` have the cost without it. `export/c/luminaire.h` repeats the stages for
 //! lights that are exported as C, in the same order and with the same bits.
 
 mod errors;

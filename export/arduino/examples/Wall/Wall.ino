@@ -2,7 +2,7 @@
  *
  *     luminaire export --to c-fx16 --name key --field 40 --position 2.5,1,3 --axis 0,0,-1 --intensity 9
  */
-#include <luminaire_fx16.h>
+#include <luminaire.h>
 
 #include "key.h"
 

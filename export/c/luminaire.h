@@ -1,9 +1,10 @@
-/* The 16-bit evaluation of luminaire in C99 and C++11: bit-identical to the kernel's format Fx16.
+/* Luminaire in C99 and C++11, in 16-bit integers: bit-identical to the kernel's format Fx16.
  *
- * A light that luminaire-export writes includes this file and calls its functions. A point has
- * steps of 2^-16, a normal and a falloff steps of 2^-14, and the irradiance steps of 2^-14, which
- * may exceed full scale. The code has no floats, no division, no memory of its own and no loop
- * that depends on a point, except the binary search among knots. It is defined for all inputs.
+ * A light that luminaire-export writes includes this file and calls its stages; a luminaire_spot
+ * moves. A point has steps of 2^-16, a normal, a falloff, a part and a colour steps of 2^-14, and the
+ * irradiance and light steps of 2^-14 of full scale, which they may exceed. The code has no floats,
+ * no division and no memory of its own. The time per point is bounded, but for the binary search
+ * among knots. It is defined for all inputs: those of a luminaire_spot, and a null one, included.
  *
  * Two evaluations have functions of the same names. The coarse one is usual, in 32-bit products: a
  * fraction has 15 fraction bits and a share of the intensity 14. The fine one is for steep cones and
@@ -11,13 +12,27 @@
  *
  * Licence: MIT OR Apache-2.0, at your choice.
  */
-#ifndef LUMINAIRE_FX16_H
-#define LUMINAIRE_FX16_H
+#ifndef LUMINAIRE_H
+#define LUMINAIRE_H
 
 #include <stdint.h>
 
 #if (-1 >> 1) != -1
 #error "luminaire needs a compiler whose right shift of a negative number keeps the sign"
+#endif
+
+/* The tables stay in flash, also where flash is no memory. */
+#if defined(__AVR__)
+#include <avr/pgmspace.h>
+#define LUMINAIRE_TABLE PROGMEM
+#define LUMINAIRE_READ_8(address) pgm_read_byte(address)
+#define LUMINAIRE_READ_16(address) pgm_read_word(address)
+#define LUMINAIRE_READ_32(address) pgm_read_dword(address)
+#else
+#define LUMINAIRE_TABLE
+#define LUMINAIRE_READ_8(address) (*(address))
+#define LUMINAIRE_READ_16(address) (*(address))
+#define LUMINAIRE_READ_32(address) (*(address))
 #endif
 
 /* TABLES */
@@ -99,7 +114,7 @@ static inline uint32_t luminaire_magnitude(int32_t a) { return a < 0 ? UINT32_C(
 
 #if !defined(LUMINAIRE_COUNTS_ZEROS)
 /* floor(log2 n) for each n of seven bits; 0 for 0. */
-static const uint8_t luminaire_log2[128] = {
+static const uint8_t luminaire_log2[128] LUMINAIRE_TABLE = {
     0, 0, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
     5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5,
     6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6,
@@ -112,7 +127,7 @@ static inline uint32_t luminaire_bit_length_of_seven(uint32_t n) {
 #if defined(LUMINAIRE_COUNTS_ZEROS)
     return 32 - (uint32_t)__builtin_clz(n | 1);
 #else
-    return luminaire_log2[n & 127] + 1u;
+    return LUMINAIRE_READ_8(&luminaire_log2[n & 127]) + UINT32_C(1);
 #endif
 }
 
@@ -183,7 +198,8 @@ static inline uint32_t luminaire_size(const int32_t way[3]) {
 
 /* Returns 2^31 / sqrt(n) for n >= 2^30, by linear interpolation. */
 static inline uint32_t luminaire_guess(uint32_t n) {
-    uint32_t here = luminaire_inverse_square_roots[n >> 25], next = luminaire_inverse_square_roots[(n >> 25) + 1];
+    uint32_t here = LUMINAIRE_READ_16(&luminaire_inverse_square_roots[n >> 25]);
+    uint32_t next = LUMINAIRE_READ_16(&luminaire_inverse_square_roots[(n >> 25) + 1]);
     return here - (((here - next) * ((n << 7) >> 16)) >> 16);
 }
 
@@ -241,16 +257,21 @@ static inline luminaire_gain luminaire_gain_plus(luminaire_gain a, luminaire_gai
     return luminaire_normalised(((large.mantissa >> 16) << 15) + aligned, large.shift - 16 + 15);
 }
 
-/* Returns 2^31 / m for m of 16 bits, to the nearest. */
-static inline uint32_t luminaire_inverse(uint32_t m) {
+/* Returns 2^31 / m for m of 16 bits, with a relative error of at most 5.6e-5. */
+static inline int32_t luminaire_quick_inverse(uint32_t m) {
     int32_t inverse = (int32_t)(92521 - ((UINT32_C(61681) * m) >> 16));
-    int32_t lack;
     int step;
     for (step = 0; step < 2; ++step) {
-        lack = (int32_t)(LUMINAIRE_FINE_ONE - (uint32_t)inverse * m);
-        inverse += luminaire_times(inverse, lack >> 15) >> 16;
+        int32_t lack = (int32_t)(LUMINAIRE_FINE_ONE - (uint32_t)inverse * m);
+        inverse = luminaire_plus(inverse, luminaire_times(inverse, lack >> 15) >> 16);
     }
-    lack = (int32_t)(LUMINAIRE_FINE_ONE - (uint32_t)inverse * m);
+    return inverse;
+}
+
+/* Returns 2^31 / m for m of 16 bits, to the nearest. */
+static inline uint32_t luminaire_inverse(uint32_t m) {
+    int32_t inverse = luminaire_quick_inverse(m);
+    int32_t lack = (int32_t)(LUMINAIRE_FINE_ONE - (uint32_t)inverse * m);
     return (uint32_t)(inverse + (luminaire_plus(luminaire_times(inverse, lack >> 4), INT32_C(1) << 26) >> 27));
 }
 
@@ -298,7 +319,7 @@ static inline luminaire_offset luminaire_offset_between(const int32_t light[3], 
         return luminaire_offset_of(way, bits, bits + 17);
     }
     bits = luminaire_bit_length(size);
-    for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(way[i], 31 - bits); }
+    for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(way[i], (31 - bits) & 31); }
     return luminaire_offset_of(way, 14, bits);
 }
 
@@ -313,7 +334,7 @@ static inline uint32_t luminaire_squared(const luminaire_offset *offset) {
     int i;
     for (i = 0; i < 3; ++i) {
         int32_t part = luminaire_part(offset, i);
-        squared += (uint32_t)(part * part);
+        squared += (uint32_t)luminaire_times(part, part);
     }
     return squared;
 }
@@ -322,7 +343,7 @@ static inline uint32_t luminaire_squared(const luminaire_offset *offset) {
 static inline int32_t luminaire_facing(const luminaire_offset *offset, const int16_t normal[3]) {
     int32_t sum = 0;
     int i;
-    for (i = 0; i < 3; ++i) { sum = luminaire_plus(sum, normal[i] * luminaire_part(offset, i)); }
+    for (i = 0; i < 3; ++i) { sum = luminaire_plus(sum, luminaire_times(normal[i], luminaire_part(offset, i))); }
     return sum;
 }
 
@@ -337,7 +358,7 @@ static inline int luminaire_is_near(const luminaire_offset *offset, uint32_t fin
 static inline int luminaire_is_outside(const luminaire_offset *offset, const int32_t axis[3], uint32_t bound) {
     int32_t along = 0;
     int i;
-    for (i = 0; i < 3; ++i) { along = luminaire_plus(along, (axis[i] >> 16) * luminaire_part(offset, i)); }
+    for (i = 0; i < 3; ++i) { along = luminaire_plus(along, luminaire_times(axis[i] >> 16, luminaire_part(offset, i))); }
     along = along >> 14 > 0 ? along >> 14 : 0;
     return (uint32_t)along * (uint32_t)along < (luminaire_squared(offset) >> 14) * bound;
 }
@@ -425,46 +446,53 @@ static inline uint32_t luminaire_fine_cosine(const luminaire_fine_ray *ray, cons
 
 /* ---- the ramp of a cone ---- */
 
-/* Returns the falloff's argument along a ray. */
-static inline uint32_t luminaire_coarse_rise(
-    const luminaire_coarse_ray *ray, const int32_t axis[3], const luminaire_ramp *ramp
-) {
-    uint32_t shift = 16 - ramp->zoom, versine, past;
+/* Returns the versine of the angle between a ray and an axis, in the scale of a ramp. */
+static inline uint32_t luminaire_coarse_versine(const luminaire_coarse_ray *ray, const int32_t axis[3], uint32_t zoom) {
+    uint32_t shift = 16 - zoom, versine = 0;
     int32_t difference[3];
     int i;
     for (i = 0; i < 3; ++i) {
         int32_t lowered = luminaire_minus(axis[i], (int32_t)(UINT32_C(1) << (shift - 1)));
         difference[i] = luminaire_minus(ray->direction[i], lowered) >> shift;
     }
-    versine = UINT32_C(0xffffffff);
-    if (luminaire_size(difference) >> 15 == 0) {
-        versine = 0;
-        for (i = 0; i < 3; ++i) { versine += (uint32_t)(difference[i] * difference[i]); }
-    }
-    past = versine - ramp->inner;
+    if (luminaire_size(difference) >> 15) { return UINT32_C(0xffffffff); }
+    for (i = 0; i < 3; ++i) { versine += (uint32_t)luminaire_times(difference[i], difference[i]); }
+    return versine;
+}
+
+/* Returns the falloff's argument along a ray. */
+static inline uint32_t luminaire_coarse_rise(
+    const luminaire_coarse_ray *ray, const int32_t axis[3], const luminaire_ramp *ramp
+) {
+    uint32_t versine = luminaire_coarse_versine(ray, axis, ramp->zoom), past = versine - ramp->inner;
     if (past < ramp->width) { return (ramp->one - (past >> ramp->shift) * ramp->mantissa) >> 16; }
     return versine < ramp->inner ? LUMINAIRE_COARSE_ONE : 0;
+}
+
+/* Returns the excess over the inner versine at which the intensity becomes zero. */
+static inline uint32_t luminaire_width(const luminaire_ramp *ramp) { return ramp->fine ? ramp->fine : ramp->width; }
+
+/* Returns the scale of a ramp's versines: the exponent of 4. */
+static inline uint32_t luminaire_zoom(const luminaire_ramp *ramp) { return luminaire_min(ramp->zoom, 15); }
+
+/* Returns 1 - t of a versine's excess, with 31 fraction bits. */
+static inline uint32_t luminaire_fallen(const luminaire_ramp *ramp, uint32_t past) {
+    uint32_t shift = ramp->fine_shift & 63;
+    if (shift < 32) { return luminaire_high_half(past << ((32 - shift) & 31), ramp->fine_mantissa); }
+    return luminaire_high_half(past, ramp->fine_mantissa) >> (shift - 32);
 }
 
 static inline uint32_t luminaire_fine_rise(
     const luminaire_fine_ray *ray, const int32_t axis[3], const luminaire_ramp *ramp
 ) {
-    uint32_t versine = UINT32_C(0xffffffff), past, fallen;
+    uint32_t versine = UINT32_C(0xffffffff), past, fallen, zoom = luminaire_zoom(ramp);
     int32_t difference[3];
     int i;
     for (i = 0; i < 3; ++i) { difference[i] = luminaire_minus(ray->direction[i], axis[i]); }
-    if (luminaire_size(difference) >> (31 - ramp->zoom) == 0) {
-        versine = luminaire_squared_length(difference, ramp->zoom);
-    }
+    if (luminaire_size(difference) >> (31 - zoom) == 0) { versine = luminaire_squared_length(difference, zoom); }
     past = versine - ramp->inner;
-    if (past >= (ramp->width > ramp->fine ? ramp->width : ramp->fine)) {
-        return versine < ramp->inner ? LUMINAIRE_FINE_ONE : 0;
-    }
-    if (ramp->fine_shift < 32) {
-        fallen = luminaire_high_half(past << ((32 - ramp->fine_shift) & 31), ramp->fine_mantissa);
-    } else {
-        fallen = luminaire_high_half(past, ramp->fine_mantissa) >> (ramp->fine_shift - 32);
-    }
+    if (past >= luminaire_width(ramp)) { return versine < ramp->inner ? LUMINAIRE_FINE_ONE : 0; }
+    fallen = luminaire_fallen(ramp, past);
     return fallen < LUMINAIRE_FINE_ONE ? LUMINAIRE_FINE_ONE - fallen : 0;
 }
 
@@ -483,10 +511,10 @@ static inline luminaire_knot luminaire_knot_at(const luminaire_knot *knots, uint
 /* Returns log2(significand / 2^31) with 32 fraction bits. */
 static inline int64_t luminaire_logarithm(uint32_t significand) {
     uint32_t segment = (significand >> 25) & 63;
-    int64_t z = ((int64_t)((uint64_t)significand * luminaire_logarithms[segment][0] - (UINT64_C(1) << 62))) >> 30;
+    int64_t z = ((int64_t)((uint64_t)significand * LUMINAIRE_READ_32(&luminaire_logarithms[segment][0]) - (UINT64_C(1) << 62))) >> 30;
     int64_t above = INT64_C(3098164009) - ((z * INT64_C(2065442673)) >> 32);
     above = INT64_C(6196328019) - ((z * above) >> 32);
-    return (int64_t)luminaire_logarithms[segment][1] + ((z * above) >> 32);
+    return (int64_t)LUMINAIRE_READ_32(&luminaire_logarithms[segment][1]) + ((z * above) >> 32);
 }
 
 /* Returns -log2 x with 32 fraction bits, for x = significand / 2^31 / 2^octaves. */
@@ -514,7 +542,7 @@ static inline uint64_t luminaire_power_of_two(uint64_t octaves) {
     x = (((int64_t)(part & ((UINT32_C(1) << 26) - 1)) - (INT64_C(1) << 25)) * INT64_C(2977044472)) >> 32;
     squared = (x * x) >> 32;
     lost = x - (squared >> 1) + luminaire_sixth((int32_t)((squared * x) >> 32));
-    middle = (int64_t)luminaire_powers[part >> 26];
+    middle = (int64_t)LUMINAIRE_READ_32(&luminaire_powers[part >> 26]);
     return (((uint64_t)(middle - ((middle * lost) >> 32)) >> whole) + 1) >> 1;
 }
 
