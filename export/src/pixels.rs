@@ -37,7 +37,8 @@ pub fn c_display_header() -> String {
     for codes in &srgb {
         let bits = bits(codes);
         if bits.is_power_of_two() {
-            let doc = format!("The least luminance of grey codes of {bits} bits from 1 on, in steps of 2^-30.");
+            let doc =
+                format!("The least luminance of grey codes of {bits} bits from 1 on, in steps of 2^-30.");
             let values = codes.fine_thresholds.iter().copied().chain([1 << 30]);
             table(&mut text, &doc, "uint32_t", &format!("greys_{bits}"), values);
         }
@@ -50,7 +51,13 @@ pub fn c_display_header() -> String {
     }
     for (codes, name) in gammas.iter().zip(["22", "28"]) {
         let doc = "The lower code around the least light with these upper bits.";
-        table(&mut text, doc, "uint8_t", &format!("starts_{name}"), (0..256).map(|place| lower(codes, place)));
+        table(
+            &mut text,
+            doc,
+            "uint8_t",
+            &format!("starts_{name}"),
+            (0..256).map(|place| lower(codes, place)),
+        );
         nearest(&mut text, name, codes);
         lights(&mut text, name, codes);
     }
