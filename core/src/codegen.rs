@@ -75,7 +75,7 @@ use crate::{
 };
 
 #[cfg(all(feature = "arithmetic", feature = "fixed"))]
-pub use self::parts::Tables;
+pub use self::parts::{CodeTables, Tables};
 #[cfg(feature = "arithmetic")]
 pub use self::parts::{ConeParts, Parts};
 #[cfg(feature = "arithmetic")]

@@ -59,6 +59,8 @@ pub use self::{
     ramp::{Ramp, Rgb565Ramp},
     srgb::{decode_srgb, encode_srgb, encode_srgb_each},
 };
+#[cfg(all(feature = "arithmetic", feature = "fixed"))]
+pub(crate) use self::{curve::Law, dither::code_lights, srgb::code_thresholds};
 pub(crate) use self::{
     levels::{offsets, packed, shown},
     srgb::decode,

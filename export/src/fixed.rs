@@ -39,7 +39,7 @@ const PRECISIONS: [Precision; 2] = [Precision("coarse"), Precision("fine")];
 ///
 /// Its tables are those of the kernel.
 pub fn c_header() -> String {
-    let Tables { inverse_square_roots, logarithms, powers } = Tables::KERNEL;
+    let Tables { inverse_square_roots, logarithms, powers, .. } = Tables::KERNEL;
     let rows =
         |values: Vec<String>| values.chunks(8).map(|row| row.join(", ")).collect::<Vec<_>>().join(",\n    ");
     let roots = rows(inverse_square_roots.iter().map(u16::to_string).collect());

@@ -70,6 +70,7 @@ mod head;
 mod json;
 mod language;
 mod name;
+mod pixels;
 mod rust;
 mod script;
 mod shader;
@@ -83,6 +84,7 @@ pub use crate::error::{ExportError, printable};
 pub use crate::fixed::c_header;
 pub use crate::language::Language;
 pub use crate::name::check_text;
+pub use crate::pixels::{c_display_header, c_pixels};
 use crate::shader::Syntax;
 
 /// Returns a light as source of a language.

@@ -1,6 +1,8 @@
 //! The constants of compiled lights, and the tables of the kernel, for generators of source in other
 //! languages.
 
+#[cfg(feature = "fixed")]
+use crate::display::{Gamma22, Gamma28, Law, Srgb, code_lights, code_thresholds};
 use crate::{
     attenuation::Attenuation,
     falloff::Falloff,
@@ -63,6 +65,30 @@ pub struct Tables {
     pub logarithms: &'static [(u32, u32)],
     /// `2^-c` with 32 fraction bits, for the middles `c` of 64 segments of `[0, 1)`.
     pub powers: &'static [u32],
+    /// The codes of sRGB of 1, 2, 3, 4, 5, 6 and 8 bits.
+    pub srgb: [CodeTables; 7],
+    /// The codes of eight bits of the powers 2.2 and 2.8.
+    pub gammas: [CodeTables; 2],
+}
+
+/// The tables of a display's codes from 0 to `2^bits - 1`, without an entry for code 0.
+#[cfg(feature = "fixed")]
+#[derive(Clone, Copy, Debug)]
+pub struct CodeTables {
+    /// The least light whose nearest code is each, in steps of 2^-14.
+    pub thresholds: &'static [u16],
+    /// The least light whose nearest code is each, in steps of 2^-30.
+    pub fine_thresholds: &'static [u32],
+    /// The light of each code, in steps of 2^-24.
+    pub lights: &'static [u32],
+}
+
+#[cfg(feature = "fixed")]
+impl CodeTables {
+    const fn of<L: Law, const LAST: usize>() -> Self {
+        let (thresholds, fine_thresholds) = code_thresholds::<L, LAST>();
+        Self { thresholds, fine_thresholds, lights: code_lights::<L, LAST>() }
+    }
 }
 
 #[cfg(feature = "fixed")]
@@ -72,5 +98,15 @@ impl Tables {
         inverse_square_roots: &crate::number::root::NODES,
         logarithms: &crate::number::real::LOGARITHMS,
         powers: &crate::number::real::POWERS,
+        srgb: [
+            CodeTables::of::<Srgb, 1>(),
+            CodeTables::of::<Srgb, 3>(),
+            CodeTables::of::<Srgb, 7>(),
+            CodeTables::of::<Srgb, 15>(),
+            CodeTables::of::<Srgb, 31>(),
+            CodeTables::of::<Srgb, 63>(),
+            CodeTables::of::<Srgb, 255>(),
+        ],
+        gammas: [CodeTables::of::<Gamma22, 255>(), CodeTables::of::<Gamma28, 255>()],
     };
 }

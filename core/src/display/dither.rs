@@ -215,6 +215,12 @@ impl<L: Law, const LAST: usize> CodeLight<L, LAST> {
     };
 }
 
+/// Returns the light of the codes from 1 on, in units of 2^-24.
+#[cfg(all(feature = "arithmetic", feature = "fixed"))]
+pub(crate) const fn code_lights<L: Law, const LAST: usize>() -> &'static [u32] {
+    &CodeLight::<L, LAST>::STEPS
+}
+
 /// Returns a linear value between the codes of a channel, in steps with fraction bits, rounded to
 /// nearest.
 ///

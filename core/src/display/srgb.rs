@@ -224,6 +224,12 @@ impl<L: Law, const LAST: usize> Thresholds<L, LAST> {
     const THIRTY_TWO: [u32; LAST] = of_each!(0, threshold => steps(threshold, 30));
 }
 
+/// Returns the thresholds in units of 2^-14 and in units of 2^-30.
+#[cfg(all(feature = "arithmetic", feature = "fixed"))]
+pub(crate) const fn code_thresholds<L: Law, const LAST: usize>() -> (&'static [u16], &'static [u32]) {
+    (&Thresholds::<L, LAST>::SIXTEEN, &Thresholds::<L, LAST>::THIRTY_TWO)
+}
+
 /// Converts a linear value to units of `2^-bits`, rounded up.
 #[cfg(feature = "fixed")]
 const fn steps(linear: f64, bits: u32) -> u32 {

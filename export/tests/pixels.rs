@@ -1,0 +1,231 @@
+//! The outputs of C have the bits of the kernel.
+
+#[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
+mod compiler;
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use fastrand::Rng;
+use luminaire::display::{
+    Curve, Gamma22, Gamma28, Gray1, Gray2, Gray4, Gray8, Layout, LedOrder, LedStrip, Linear, Palette, Pixel,
+    Pwm, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888, TemporalDither, clip, encode_srgb,
+    encode_srgb_dithered, pack,
+};
+use luminaire::number::Light16;
+use luminaire::{Fx16, Rgb};
+use luminaire_export::{c_display_header, c_header, c_pixels};
+
+use compiler::run;
+
+/// The warnings that both files do without.
+const WARNINGS: &str = "-Wconversion -Wshadow -Wundef";
+
+/// The colours of electronic paper.
+const COLORS: [Rgb<u8>; 4] =
+    [Rgb::new(0, 0, 0), Rgb::new(255, 255, 255), Rgb::new(200, 30, 20), Rgb::new(230, 210, 30)];
+
+/// The rows of each format.
+const ROWS: u32 = 100;
+
+/// The most LEDs of a strip and pixels of a row.
+const MOST: u32 = 64;
+
+/// Writes the headers and the program, and returns the options that find them.
+fn program(folder: &Path, palette: &Palette<'_>) -> String {
+    let write = |name: &str, text: &str| {
+        let file = folder.join(name);
+        fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
+        fs::write(file, text).expect("a folder");
+    };
+    // The evaluation of lights has its own test: what is included as of the system has no warnings.
+    write("system/luminaire_fx16.h", &c_header());
+    write("luminaire.h", &format!("#include <luminaire_fx16.h>\n{}", c_pixels()));
+    write("luminaire_display.h", &c_display_header());
+    let mut cells = String::new();
+    for cell in palette.cells() {
+        let _ = write!(cells, "{cell}, ");
+    }
+    let text = format!(
+        "LUMINAIRE_TABLE(uint8_t, cells, 4096) = {{ {cells} }};\n\
+         static const luminaire_palette palette = {{ cells, {} }};\n",
+        palette.spacing()
+    );
+    write("palette.h", &text);
+    // What AVR's C library has.
+    let mut flash = "#define PROGMEM\n".to_owned();
+    for (name, bits) in [("byte", 8), ("word", 16), ("dword", 32)] {
+        let _ = writeln!(
+            flash,
+            "static inline uint{bits}_t pgm_read_{name}(const uint{bits}_t *at) {{ return *at; }}"
+        );
+    }
+    write("avr/pgmspace.h", &format!("#ifndef FLASH\n#define FLASH\n{flash}#endif\n"));
+    write("main.c", include_str!("pixels/main.c"));
+    format!("{WARNINGS} -isystem {0}/system -I{0}", folder.display())
+}
+
+/// Returns one word of the codes at all places of the dither.
+fn each(code: impl Fn(u32, u32) -> u32) -> u32 {
+    let places = (0..64).map(|place| (place % 8, place / 8));
+    places.fold(0_u32, |hash, (x, y)| hash.wrapping_mul(31).wrapping_add(code(x, y)))
+}
+
+/// Returns what the kernel shows of a colour.
+fn by_the_kernel(light: Rgb<u32>, place: u32, palette: &Palette<'_>) -> Vec<u32> {
+    fn all<P: Pixel>(color: Rgb<Fx16>) -> u32 {
+        each(|x, y| P::dithered(color, x, y).to_bits())
+    }
+    let sum = light.map(Light16::from_bits);
+    let color = clip::<Fx16>(sum);
+    let (red, x, y) = (color.red, place, place >> 3);
+    let mut words = vec![
+        all::<Rgb888>(color),
+        all::<Rgb565>(color),
+        all::<Rgb332>(color),
+        all::<Rgb444>(color),
+        all::<Gray1>(color),
+        all::<Gray2>(color),
+        all::<Gray4>(color),
+        all::<Gray8>(color),
+        each(|x, y| Gamma22::encode_dithered(red, x, y).into()),
+        each(|x, y| Gamma28::encode_dithered(red, x, y).into()),
+        each(|x, y| Linear::encode_dithered(red, x, y).into()),
+    ];
+    macro_rules! formats {
+        ($($pixel:ident)*) => {
+            $(words.extend([$pixel::nearest(color), $pixel::dithered(color, x, y)].map(Pixel::to_bits));)*
+        };
+    }
+    formats!(Gray1 Gray2 Gray4 Gray8 Rgb332 Rgb444 Rgb555 Rgb565 Rgb666 Rgb888);
+    let rgb565 = Rgb565::nearest(color);
+    words.push(Rgb888::nearest(color).to_bits());
+    words.extend(
+        [rgb565.to_be_bytes(), rgb565.to_le_bytes()].map(|bytes| u32::from(u16::from_be_bytes(bytes))),
+    );
+    words.extend([encode_srgb(red), encode_srgb_dithered(red, x, y)].map(u32::from));
+    words.extend([Gamma22::encode(red), Gamma28::encode(red)].map(u32::from));
+    words.extend([palette.nearest(color), palette.dithered(color, x, y)].map(u32::from));
+    macro_rules! duties {
+        ($($bits:literal)*) => { words.extend([$(Pwm::<$bits>::duty(red)),*].map(u32::from)) };
+    }
+    duties!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
+    let filter = (light.red & 0x7fff) as i16;
+    let filter = Rgb::new(filter, 20_000 - filter, -1 - filter).map(Fx16::from_bits);
+    let Rgb { red, green, blue } = sum.plus::<Fx16>(sum.filtered(filter)).map(Light16::to_bits);
+    words.extend([red, green, blue]);
+    words
+}
+
+/// All words of 16 bits in each channel, and larger ones.
+fn colors(rng: &mut Rng) -> Vec<Rgb<u32>> {
+    let mut colors: Vec<_> =
+        (0..1 << 16).map(|light| Rgb::new(light, light ^ 0x1555, 0xffff - light)).collect();
+    // Grey has the luminance of equal channels, and of any.
+    colors.extend((0..=1 << 14).map(|light| Rgb::new(light, light, light)));
+    let any = |rng: &mut Rng| Rgb::new((), (), ()).map(|()| rng.u32(..) >> rng.u8(..32));
+    colors.extend((0..10_000).map(|_| any(rng)));
+    colors.extend([u32::MAX, 1 << 31, 1 << 30].map(|light| Rgb::new(light, light - 1, light / 2)));
+    colors
+}
+
+/// Writes the words of strips, and returns the bytes that the kernel sends them.
+fn strips(rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
+    const STRIPS: u32 = 400;
+    let mut expected = Vec::new();
+    input.push(STRIPS);
+    for index in 0..STRIPS {
+        let leds = rng.u32(0..=MOST);
+        let (order, channel) = (index % 4, if index % 16 == 0 { 0 } else { rng.u16(1..) >> rng.u8(..16) });
+        let idle = rng.u16(..) >> rng.u8(..16);
+        let white = leds * (u32::from(idle) + 3 * u32::from(channel));
+        let most = if index % 8 == 1 { rng.u32(..) } else { rng.u32(0..=white) };
+        input.extend([leds, order, most, channel.into(), idle.into()]);
+        let lights: Vec<_> = (0..leds).map(|_| [0; 3].map(|_| rng.u32(0..20_000))).collect();
+        input.extend(lights.iter().flatten());
+        let order = [LedOrder::Grb, LedOrder::Rgb, LedOrder::Bgr, LedOrder::Grb][order as usize];
+        let mut strip = LedStrip::new(order);
+        if channel > 0 {
+            strip = strip.with_limit(most, channel, idle);
+        }
+        let lights: Vec<_> =
+            lights.iter().map(|light| clip::<Fx16>(Rgb::from(light.map(Light16::from_bits)))).collect();
+        let mut dithers: Vec<Rgb<TemporalDither<8>>> =
+            (0..leds as u16).map(|led| [0, 1, 2].map(|c| TemporalDither::new(3 * led + c)).into()).collect();
+        let mut bytes = vec![0; 3 * lights.len()];
+        for _ in 0..3 {
+            strip.write(&lights, &mut dithers, &mut bytes);
+            expected.extend(bytes.iter().map(|byte| u32::from(*byte)));
+        }
+    }
+    expected
+}
+
+/// Writes the words of rows of pixels of a format, and returns the bytes that the kernel packs.
+fn rows<P: Pixel>(format: u32, pixel: fn(u32) -> P, rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
+    let mut expected = Vec::new();
+    for case in 0..ROWS {
+        let (size, count) = (rng.usize(0..=3 * MOST as usize), rng.u32(0..=MOST));
+        let layout = [Layout::MsbFirst, Layout::LsbFirst][case as usize % 2];
+        let words: Vec<_> = (0..count).map(|_| rng.u32(..)).collect();
+        input.extend([format, case % 2, size as u32, count]);
+        input.extend(&words);
+        let pixels: Vec<_> = words.into_iter().map(pixel).collect();
+        let mut bytes = [0xaa; 3 * MOST as usize];
+        expected.push(pack(&pixels, layout, &mut bytes[..size]) as u32);
+        expected.extend(bytes.map(u32::from));
+    }
+    expected
+}
+
+fn temporal<const BITS: u32>() -> impl Iterator<Item = u32> {
+    let mut dither = TemporalDither::<BITS>::new(BITS as u16);
+    (0..16_400).map(move |light| dither.next(Fx16::from_bits(light)).into())
+}
+
+/// Every channel of 16 bits at every place of the dither, and random strips and rows.
+#[test]
+fn outputs_have_the_bits_of_the_kernel() {
+    let mut rng = Rng::with_seed(565);
+    let palette = Palette::new(&COLORS).expect("colours");
+    let colors = colors(&mut rng);
+    let mut input = vec![colors.len() as u32];
+    input.extend(colors.iter().flat_map(|light| [light.red, light.green, light.blue]));
+    let shown = (0..).zip(&colors).flat_map(|(place, light)| by_the_kernel(*light, place, &palette));
+    let mut expected: Vec<_> = shown.collect();
+    let of_a_color = expected.len() / colors.len();
+    macro_rules! temporals {
+        ($($bits:literal)*) => { $(expected.extend(temporal::<$bits>());)* };
+    }
+    temporals!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
+    expected.extend(strips(&mut rng, &mut input));
+    macro_rules! packed {
+        ($($pixel:ident $format:literal),*) => {
+            input.push(ROWS * [$($format),*].len() as u32);
+            $(expected.extend(rows($format, |word| $pixel(word as _), &mut rng, &mut input));)*
+        };
+    }
+    packed!(
+        Gray1 0x010, Gray2 0x020, Gray4 0x040, Gray8 0x080, Rgb332 0x332, Rgb444 0x444, Rgb555 0x555,
+        Rgb565 0x565, Rgb666 0x666, Rgb888 0x888
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = program(folder.path(), &palette);
+    for (compiler, flags) in [
+        ("cc", "-std=c99 -O2"),
+        ("cc", "-std=c99 -O1 -D__AVR__ -fsanitize=undefined -fno-sanitize-recover=all"),
+        ("c++", "-std=c++11 -Os -Wold-style-cast"),
+    ] {
+        let main = folder.path().join("main.c");
+        let Some(found) = run(compiler, &format!("{flags} {options}"), &main, &input) else { continue };
+        if let Some(at) = found.iter().zip(&expected).position(|(found, expected)| found != expected) {
+            let (found, expected, output) = (found[at], expected[at], at % of_a_color);
+            let light = colors.get(at / of_a_color);
+            panic!(
+                "{compiler} {flags}: {found}, expected {expected}: output {output} of {light:?}, word {at}"
+            );
+        }
+        assert_eq!(found.len(), expected.len(), "{compiler} {flags}");
+    }
+}

@@ -1,0 +1,137 @@
+/* Evaluates all outputs of colours, strips and rows of pixels that it reads as words. */
+#include "luminaire_display.h"
+#include "palette.h"
+#include <stdio.h>
+
+static uint32_t get(void) {
+    uint32_t word = 0;
+    return fread(&word, 4, 1, stdin) == 1 ? word : 0;
+}
+
+static void put(uint32_t word) { fwrite(&word, 4, 1, stdout); }
+
+/* Writes one word of the codes at all places of the dither. */
+#define PUT_EACH(code) do { \
+    uint32_t hash = 0, x, y; \
+    for (y = 0; y < 8; ++y) { \
+        for (x = UINT32_C(0xfffffff8); x != 0; ++x) { hash = hash * 31 + (code); } \
+    } \
+    put(hash); \
+} while (0)
+
+#define PUT_PIXEL(format) \
+    put(luminaire_pixel(format, light)); \
+    put(luminaire_pixel_dithered(format, light, place, place >> 3))
+
+static void colors(void) {
+    uint32_t count = get(), place, bits;
+    for (place = 0; place < count; ++place) {
+        luminaire_rgb light, sum;
+        int16_t color[3];
+        uint8_t bytes[2];
+        light.red = get();
+        light.green = get();
+        light.blue = get();
+        PUT_EACH(luminaire_srgb_dithered(light, x, y));
+        PUT_EACH(luminaire_rgb565_dithered(light, x, y));
+        PUT_EACH(luminaire_pixel_dithered(LUMINAIRE_RGB332, light, x, y));
+        PUT_EACH(luminaire_pixel_dithered(LUMINAIRE_RGB444, light, x, y));
+        PUT_EACH(luminaire_pixel_dithered(LUMINAIRE_GRAY1, light, x, y));
+        PUT_EACH(luminaire_pixel_dithered(LUMINAIRE_GRAY2, light, x, y));
+        PUT_EACH(luminaire_pixel_dithered(LUMINAIRE_GRAY4, light, x, y));
+        PUT_EACH(luminaire_pixel_dithered(LUMINAIRE_GRAY8, light, x, y));
+        PUT_EACH(luminaire_gamma22_dithered(light.red, x, y));
+        PUT_EACH(luminaire_gamma28_dithered(light.red, x, y));
+        PUT_EACH(luminaire_duty_dithered(light.red, x, y));
+        PUT_PIXEL(LUMINAIRE_GRAY1);
+        PUT_PIXEL(LUMINAIRE_GRAY2);
+        PUT_PIXEL(LUMINAIRE_GRAY4);
+        PUT_PIXEL(LUMINAIRE_GRAY8);
+        PUT_PIXEL(LUMINAIRE_RGB332);
+        PUT_PIXEL(LUMINAIRE_RGB444);
+        PUT_PIXEL(LUMINAIRE_RGB555);
+        PUT_PIXEL(LUMINAIRE_RGB565);
+        PUT_PIXEL(LUMINAIRE_RGB666);
+        PUT_PIXEL(LUMINAIRE_RGB888);
+        put(luminaire_srgb(light));
+        luminaire_high_first(luminaire_rgb565(light), bytes);
+        put(bytes[0] * 256u + bytes[1]);
+        luminaire_low_first(luminaire_rgb565(light), bytes);
+        put(bytes[0] * 256u + bytes[1]);
+        put(luminaire_encode_srgb(light.red));
+        put(luminaire_encode_srgb_dithered(light.red, place, place >> 3));
+        put(luminaire_gamma22(light.red));
+        put(luminaire_gamma28(light.red));
+        put(luminaire_palette_nearest(&palette, light));
+        put(luminaire_palette_dithered(&palette, light, place, place >> 3));
+        for (bits = 1; bits <= 16; ++bits) { put(luminaire_duty(light.red, bits)); }
+        color[0] = LUMINAIRE_CAST(int16_t, light.red & 0x7fff);
+        color[1] = LUMINAIRE_CAST(int16_t, 20000 - color[0]);
+        color[2] = LUMINAIRE_CAST(int16_t, -1 - color[0]);
+        sum = luminaire_rgb_plus(light, luminaire_rgb_filtered(light, color));
+        put(sum.red);
+        put(sum.green);
+        put(sum.blue);
+    }
+}
+
+static void temporal(void) {
+    uint32_t bits, light;
+    for (bits = 1; bits <= 16; ++bits) {
+        uint16_t carry = luminaire_phase(bits);
+        for (light = 0; light < 16400; ++light) { put(luminaire_next_duty(&carry, light, bits)); }
+    }
+}
+
+#define MOST 64 /* LEDs and pixels */
+
+static void strips(void) {
+    uint32_t count = get(), i, frame;
+    while (count-- > 0) {
+        luminaire_strip strip;
+        luminaire_rgb lights[MOST];
+        uint16_t carries[3 * MOST];
+        uint8_t bytes[3 * MOST];
+        uint32_t leds = get();
+        strip.order = LUMINAIRE_CAST(int, get());
+        strip.most = get();
+        strip.channel = LUMINAIRE_CAST(uint16_t, get());
+        strip.idle = LUMINAIRE_CAST(uint16_t, get());
+        for (i = 0; i < leds; ++i) {
+            lights[i].red = get();
+            lights[i].green = get();
+            lights[i].blue = get();
+        }
+        for (i = 0; i < 3 * leds; ++i) { carries[i] = luminaire_phase(i); }
+        for (frame = 0; frame < 3; ++frame) {
+            luminaire_strip_write(&strip, lights, carries, bytes, leds);
+            for (i = 0; i < 3 * leds; ++i) { put(bytes[i]); }
+        }
+        luminaire_strip_write(&strip, NULL, NULL, NULL, 0);
+    }
+}
+
+static void rows(void) {
+    uint32_t count = get(), i;
+    while (count-- > 0) {
+        uint8_t bytes[3 * MOST];
+        uint32_t format = get(), order = get(), size = get(), pixels = get(), packed = 0;
+        luminaire_packer packer = luminaire_packer_into(size > 0 ? bytes : NULL, size);
+        for (i = 0; i < sizeof bytes; ++i) { bytes[i] = 0xaa; }
+        for (i = 0; i < pixels; ++i) {
+            uint32_t pixel = get();
+            packed += luminaire_pack(&packer, format, LUMINAIRE_CAST(int, order), pixel) != 0;
+        }
+        luminaire_pack_end(&packer, LUMINAIRE_CAST(int, order));
+        put(packed);
+        for (i = 0; i < sizeof bytes; ++i) { put(bytes[i]); }
+    }
+}
+
+int main(void) {
+    colors();
+    temporal();
+    strips();
+    rows();
+    return 0;
+}
