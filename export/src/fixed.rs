@@ -20,7 +20,7 @@ const HEADER: &str = include_str!("../c/luminaire.h");
 /// The line of the header that the tables replace.
 const TABLES: &str = "/* TABLES */\n";
 /// What the header ends with: lights that move, and many points.
-const FRAGMENTS: [&str; 1] = [include_str!("../c/spot.h")];
+const FRAGMENTS: [&str; 2] = [include_str!("../c/spot.h"), include_str!("../c/rows.h")];
 /// The functions of a cone.
 const CONE: &str = include_str!("../c/cone.h");
 /// What replaces them for a point light.
