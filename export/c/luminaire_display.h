@@ -37,7 +37,7 @@
 
 /* ---- pixels ---- */
 
-/* Returns the bits of a channel: red 8, green 4, blue 0 is the place of its digit in a format. */
+/* Returns the bits of a channel, at most 8, from the place of its digit: 8 for red, 4 and 0. */
 LUMINAIRE_PART uint32_t luminaire_width(uint32_t format, uint32_t digit) {
     return luminaire_min((format >> digit) & 15, 8);
 }
@@ -49,9 +49,9 @@ LUMINAIRE_PART const uint16_t *luminaire_nearest_of(uint32_t bits) {
 }
 
 /* Returns the table of the nearest codes of grey, in steps of 2^-30, as the last. */
-LUMINAIRE_PART const uint32_t *luminaire_greys_of(uint32_t bits) {
-    return bits == 1 ? luminaire_greys_1 : bits == 2 ? luminaire_greys_2 : bits == 4 ? luminaire_greys_4
-        : luminaire_greys_8;
+LUMINAIRE_PART const uint32_t *luminaire_grays_of(uint32_t bits) {
+    return bits == 1 ? luminaire_grays_1 : bits == 2 ? luminaire_grays_2 : bits == 4 ? luminaire_grays_4
+        : luminaire_grays_8;
 }
 
 /* Returns the table of the light of codes, as the last. */
@@ -70,13 +70,14 @@ LUMINAIRE_PART uint32_t luminaire_channels(uint32_t format, uint32_t red, uint32
 /* Returns the luminance (ITU-R BT.709) of a light clipped to 1, less than 1, in steps of 2^-30. */
 static inline uint32_t luminaire_luminance(luminaire_rgb light) {
     const uint32_t one = UINT32_C(1) << 14;
+    /* The weights sum to 2^16. */
     uint32_t sum = 13933 * luminaire_min(light.red, one) + 46871 * luminaire_min(light.green, one)
         + 4732 * luminaire_min(light.blue, one);
     return luminaire_min(sum, (UINT32_C(1) << 30) - 1);
 }
 
 /* Returns the nearest code of a luminance. */
-static inline uint32_t luminaire_grey(const uint32_t *greys, uint32_t bits, uint32_t light) {
+static inline uint32_t luminaire_gray(const uint32_t *greys, uint32_t bits, uint32_t light) {
     uint32_t code = luminaire_start(light >> 22, bits);
     while (light >= LUMINAIRE_READ32(&greys[code])) { ++code; }
     return code;
@@ -85,7 +86,7 @@ static inline uint32_t luminaire_grey(const uint32_t *greys, uint32_t bits, uint
 /* Returns the nearest pixel to a light, red above green above blue. */
 LUMINAIRE_PART uint32_t luminaire_pixel(uint32_t format, luminaire_rgb light) {
     uint32_t red = luminaire_width(format, 8), green = luminaire_width(format, 4), blue = luminaire_width(format, 0);
-    if (red + blue == 0) { return luminaire_grey(luminaire_greys_of(green), green, luminaire_luminance(light)); }
+    if (red + blue == 0) { return luminaire_gray(luminaire_grays_of(green), green, luminaire_luminance(light)); }
     return luminaire_channels(format, luminaire_code(luminaire_nearest_of(red), red, light.red),
         luminaire_code(luminaire_nearest_of(green), green, light.green),
         luminaire_code(luminaire_nearest_of(blue), blue, light.blue));
