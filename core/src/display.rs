@@ -44,6 +44,8 @@ mod ramp;
 mod rgb565;
 mod srgb;
 
+#[cfg(all(feature = "arithmetic", feature = "fixed"))]
+pub(crate) use self::{curve::Law, dither::code_lights, srgb::code_thresholds};
 pub use self::{
     curve::{Gamma22, Gamma28, Linear, Srgb},
     dither::{encode_srgb_dithered, encode_srgb_dithered_each, threshold},
@@ -59,8 +61,6 @@ pub use self::{
     ramp::{Ramp, Rgb565Ramp},
     srgb::{decode_srgb, encode_srgb, encode_srgb_each},
 };
-#[cfg(all(feature = "arithmetic", feature = "fixed"))]
-pub(crate) use self::{curve::Law, dither::code_lights, srgb::code_thresholds};
 pub(crate) use self::{
     levels::{offsets, packed, shown},
     srgb::decode,

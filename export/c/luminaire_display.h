@@ -1,10 +1,10 @@
 /* Outputs of linear light in C99 and C++11: bit-identical to the kernel's format Fx16.
  *
- * Light has steps of 2^-14 of full scale, which it may exceed; an output clips it. The outputs:
- * pixels of other formats than luminaire.h has, packed to bytes; palettes; pulse widths, also for
- * drivers with a gamma; temporal dither; and strips of LEDs within a limit of their current. The code has
- * no floats and no memory of its own, and no division but once a frame of a strip with a limit. It is
- * defined for all inputs. Pointers may be null where a count is 0.
+ * Light has steps of 2^-14 of full scale, which it may exceed; an output clips it. The outputs are
+ * pixels of more formats than luminaire.h has, packed to bytes; palettes; pulse widths, also for
+ * drivers that apply a gamma; temporal dither; and strips of LEDs within a limit of their current.
+ * The code has no floats, no memory of its own, and no division except for the limit, three a
+ * frame. It is defined for all inputs; pointers may be null where a count is 0.
  *
  * Licence: MIT OR Apache-2.0, at your choice.
  */
@@ -37,24 +37,24 @@
 
 /* ---- pixels ---- */
 
-/* Returns the bits of a channel: red 8, green 4, blue 0 is the place of its digit in a format. */
+/* Returns the bits of a channel, at most 8, from the place of its digit: 8 for red, 4 and 0. */
 LUMINAIRE_PART uint32_t luminaire_width(uint32_t format, uint32_t digit) {
     return luminaire_min((format >> digit) & 15, 8);
 }
 
-/* Returns the table of the nearest codes of a colour; that of eight bits for a width without one. */
+/* Returns the table of the nearest codes; that of eight bits for a width without a table. */
 LUMINAIRE_PART const uint16_t *luminaire_nearest_of(uint32_t bits) {
     return bits == 2 ? luminaire_nearest_2 : bits == 3 ? luminaire_nearest_3 : bits == 4 ? luminaire_nearest_4
         : bits == 5 ? luminaire_nearest_5 : bits == 6 ? luminaire_nearest_6 : luminaire_nearest_8;
 }
 
-/* Returns the table of the nearest codes of grey, in steps of 2^-30, as the last. */
-LUMINAIRE_PART const uint32_t *luminaire_greys_of(uint32_t bits) {
-    return bits == 1 ? luminaire_greys_1 : bits == 2 ? luminaire_greys_2 : bits == 4 ? luminaire_greys_4
-        : luminaire_greys_8;
+/* Returns the table of the nearest codes of grey; that of eight bits for other widths. */
+LUMINAIRE_PART const uint32_t *luminaire_grays_of(uint32_t bits) {
+    return bits == 1 ? luminaire_grays_1 : bits == 2 ? luminaire_grays_2 : bits == 4 ? luminaire_grays_4
+        : luminaire_grays_8;
 }
 
-/* Returns the table of the light of codes, as the last. */
+/* Returns the table of the light of codes; that of eight bits for other widths. */
 LUMINAIRE_PART const uint32_t *luminaire_lights_of(uint32_t bits) {
     return bits == 1 ? luminaire_lights_1 : bits == 2 ? luminaire_lights_2 : bits == 3 ? luminaire_lights_3
         : bits == 4 ? luminaire_lights_4 : bits == 5 ? luminaire_lights_5 : bits == 6 ? luminaire_lights_6
@@ -70,13 +70,14 @@ LUMINAIRE_PART uint32_t luminaire_channels(uint32_t format, uint32_t red, uint32
 /* Returns the luminance (ITU-R BT.709) of a light clipped to 1, less than 1, in steps of 2^-30. */
 static inline uint32_t luminaire_luminance(luminaire_rgb light) {
     const uint32_t one = UINT32_C(1) << 14;
+    /* The weights sum to 2^16. */
     uint32_t sum = 13933 * luminaire_min(light.red, one) + 46871 * luminaire_min(light.green, one)
         + 4732 * luminaire_min(light.blue, one);
     return luminaire_min(sum, (UINT32_C(1) << 30) - 1);
 }
 
 /* Returns the nearest code of a luminance. */
-static inline uint32_t luminaire_grey(const uint32_t *greys, uint32_t bits, uint32_t light) {
+static inline uint32_t luminaire_gray(const uint32_t *greys, uint32_t bits, uint32_t light) {
     uint32_t code = luminaire_start(light >> 22, bits);
     while (light >= LUMINAIRE_READ32(&greys[code])) { ++code; }
     return code;
@@ -85,7 +86,7 @@ static inline uint32_t luminaire_grey(const uint32_t *greys, uint32_t bits, uint
 /* Returns the nearest pixel to a light, red above green above blue. */
 LUMINAIRE_PART uint32_t luminaire_pixel(uint32_t format, luminaire_rgb light) {
     uint32_t red = luminaire_width(format, 8), green = luminaire_width(format, 4), blue = luminaire_width(format, 0);
-    if (red + blue == 0) { return luminaire_grey(luminaire_greys_of(green), green, luminaire_luminance(light)); }
+    if (red + blue == 0) { return luminaire_gray(luminaire_grays_of(green), green, luminaire_luminance(light)); }
     return luminaire_channels(format, luminaire_code(luminaire_nearest_of(red), red, light.red),
         luminaire_code(luminaire_nearest_of(green), green, light.green),
         luminaire_code(luminaire_nearest_of(blue), blue, light.blue));
@@ -126,8 +127,8 @@ static inline luminaire_packer luminaire_packer_into(uint8_t *bytes, uint32_t co
     return packer;
 }
 
-/* Appends a pixel; returns 0 and appends nothing if it does not fit as a whole. A pixel of 15 bits
- * takes two bytes, and one of 18 bits three, with a channel in the upper bits of each. */
+/* Appends a pixel and returns 1; returns 0 and appends nothing if it does not fit as a whole. 15
+ * bits take two bytes; 18 bits take three, with a channel in the upper bits of each. */
 static inline int luminaire_pack(luminaire_packer *packer, uint32_t format, int order, uint32_t pixel) {
     uint32_t bits = luminaire_width(format, 8) + luminaire_width(format, 4) + luminaire_width(format, 0), size = bits;
     pixel &= (UINT32_C(1) << bits) - 1;
@@ -150,7 +151,7 @@ static inline int luminaire_pack(luminaire_packer *packer, uint32_t format, int 
     return 1;
 }
 
-/* Ends a row: writes the byte that is not full, with unused bits 0. The next row begins after it. */
+/* Ends a row: writes the byte that is not full. Its unused bits are 0. */
 static inline void luminaire_pack_end(luminaire_packer *packer, int order) {
     uint32_t held = order == LUMINAIRE_LSB_FIRST ? packer->held : packer->held << (8 - packer->width);
     if (packer->width > 0) {
@@ -162,8 +163,8 @@ static inline void luminaire_pack_end(luminaire_packer *packer, int order) {
 
 /* ---- palettes ---- */
 
-/* A palette: its colour for each pixel of RGB444, and the range of its dither in sRGB codes. The host
- * computes both; the cells are declared by LUMINAIRE_TABLE. */
+/* A palette: the index of its colour for each of the 4,096 pixels of RGB444, in a LUMINAIRE_TABLE,
+ * and the range of the dither in sRGB codes. The kernel computes both on the host. */
 typedef struct {
     const uint8_t *cells;
     uint8_t spacing;
@@ -178,7 +179,7 @@ static inline uint8_t luminaire_palette_nearest(const luminaire_palette *palette
 static inline uint32_t luminaire_moved(uint32_t light, int32_t offset) {
     int32_t code = luminaire_encode_srgb(light) + offset;
     uint32_t scaled = (code < 0 ? 0 : luminaire_min(LUMINAIRE_CAST(uint32_t, code), 255)) * 15 + 127;
-    return (scaled + 1 + (scaled >> 8)) >> 8; /* divided by 255 */
+    return (scaled + 1 + (scaled >> 8)) >> 8; /* scaled / 255 */
 }
 
 /* Returns the index of the palette's colour for a light at (x, y), with ordered dither. */
@@ -249,7 +250,7 @@ static inline uint16_t luminaire_phase(uint32_t index) {
     return LUMINAIRE_CAST(uint16_t, (index * 40503) & 0xffff);
 }
 
-/* Returns the duty of the next frame for a channel times a factor up to 2^16, in steps of 2^-16. */
+/* Returns the duty of the next frame for a channel times a factor in steps of 2^-16, at most 1. */
 static inline uint16_t luminaire_next_dimmed(uint16_t *carry, uint32_t light, uint32_t bits, uint32_t factor) {
     uint32_t sum;
     light = luminaire_min(light, UINT32_C(1) << 14);
@@ -298,8 +299,8 @@ static inline uint32_t luminaire_strip_factor(
     return needed <= available ? full : LUMINAIRE_CAST(uint32_t, (available << 16) / needed);
 }
 
-/* Writes the three bytes of each LED. carries holds three words an LED, at first those of
- * luminaire_phase. The light of a frame that would take more current than the limit is dimmed by one factor. */
+/* Writes three bytes for each LED, by temporal dither. carries has three words for each, at first
+ * those of luminaire_phase. Light beyond the limit of the current is dimmed by one factor. */
 static inline void luminaire_strip_write(
     const luminaire_strip *strip, const luminaire_rgb *lights, uint16_t *carries, uint8_t *bytes, uint32_t count
 ) {

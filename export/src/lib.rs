@@ -42,6 +42,10 @@
 //! 2^-14, and so has the irradiance, which may exceed full scale. The code has no floats, no
 //! division and no memory of its own.
 //!
+//! The outputs of [`display`](luminaire::display) have the bits of `Fx16` too: [`c_pixels`] returns
+//! the part of `luminaire.h` with sRGB and RGB565, and [`c_display_header`] the file
+//! `luminaire_display.h` with the others.
+//!
 //! # JSON
 //!
 //! | member | meaning |

@@ -40,7 +40,7 @@ pub fn c_display_header() -> String {
             let doc =
                 format!("The least luminance of grey codes of {bits} bits from 1 on, in steps of 2^-30.");
             let values = codes.fine_thresholds.iter().copied().chain([1 << 30]);
-            table(&mut text, &doc, "uint32_t", &format!("greys_{bits}"), values);
+            table(&mut text, &doc, "uint32_t", &format!("grays_{bits}"), values);
         }
         if (2..5).contains(&bits) {
             nearest(&mut text, &bits.to_string(), codes);

@@ -17,7 +17,7 @@ use luminaire::number::Light16;
 use luminaire::{Fx16, Rgb};
 use luminaire_export::{c_display_header, c_header, c_pixels};
 
-use compiler::run;
+use compiler::{compile, run};
 
 /// The warnings that both files do without.
 const WARNINGS: &str = "-Wconversion -Wshadow -Wundef";
@@ -227,5 +227,24 @@ fn outputs_have_the_bits_of_the_kernel() {
             );
         }
         assert_eq!(found.len(), expected.len(), "{compiler} {flags}");
+    }
+}
+
+/// A processor without a division needs one for the limit of a strip only, in 64 bits, and no floats.
+#[test]
+fn small_processors_compile_all_outputs_in_integers() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = program(folder.path(), &Palette::new(&COLORS).expect("colours"));
+    let (main, object) = (folder.path().join("main.c"), folder.path().join("main.o"));
+    for (compiler, standard) in [("arm-none-eabi-gcc", "c99"), ("arm-none-eabi-g++", "c++11")] {
+        let flags = format!("-std={standard} -Os -mcpu=cortex-m0 -mthumb -ffreestanding -c {options}");
+        if compile(compiler, &flags, &main, &object).is_none() {
+            continue;
+        }
+        let object = fs::read(&object).expect("an object");
+        for routine in ["__aeabi_f", "__aeabi_d", "__aeabi_ui", "__aeabi_id", "malloc"] {
+            let calls = object.windows(routine.len()).any(|name| name == routine.as_bytes());
+            assert!(!calls, "{compiler} calls {routine}..");
+        }
     }
 }

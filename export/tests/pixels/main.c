@@ -1,6 +1,9 @@
 /* Evaluates all outputs of colours, strips and rows of pixels that it reads as words. */
 #include "luminaire_display.h"
 #include "palette.h"
+#include <stddef.h>
+
+#if __STDC_HOSTED__
 #include <stdio.h>
 
 static uint32_t get(void) {
@@ -9,6 +12,10 @@ static uint32_t get(void) {
 }
 
 static void put(uint32_t word) { fwrite(&word, 4, 1, stdout); }
+#else
+uint32_t get(void);
+void put(uint32_t word);
+#endif
 
 /* Writes one word of the codes at all places of the dither. */
 #define PUT_EACH(code) do { \
