@@ -1,7 +1,5 @@
 //! The command line.
 
-use std::path::PathBuf;
-
 use luminaire::falloff::AnyFalloff;
 use luminaire_export::Language;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
@@ -17,11 +15,6 @@ pub(crate) enum Command {
     Pick(Box<Pick>),
     /// Write a spotlight as source of another language
     Export(Box<Export>),
-    /// Write the library for Arduino's IDE into a new folder
-    Arduino {
-        /// The folder
-        folder: PathBuf,
-    },
 }
 
 /// The angles, the intensity and the place of a spotlight.
@@ -98,8 +91,8 @@ pub(crate) struct Pick {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Export {
     /// json, glsl, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16
-    #[arg(long, value_name = "LANGUAGE", required_unless_present = "header")]
-    pub(crate) to: Option<Language>,
+    #[arg(long, value_name = "LANGUAGE")]
+    pub(crate) to: Language,
     /// The name that begins all names in the source
     #[arg(long, default_value = "light")]
     pub(crate) name: String,
@@ -125,9 +118,6 @@ pub(crate) struct Export {
     /// The linear colour [default: 1,1,1]
     #[arg(long, value_name = "R,G,B", value_parser = vector)]
     pub(crate) color: Option<[f32; 3]>,
-    /// Write luminaire.h, which each light in c-fx16 includes, in place of a light
-    #[arg(long)]
-    pub(crate) header: bool,
 }
 
 fn vector(text: &str) -> Result<[f32; 3], String> {

@@ -1,6 +1,5 @@
 //! `luminaire pick`: the cheapest evaluation of a spotlight whose error is small enough for a
-//! display. `luminaire export`: a spotlight as source of another language. `luminaire arduino`: the
-//! library for Arduino's IDE.
+//! display. `luminaire export`: a spotlight as source of another language.
 #![forbid(unsafe_code)]
 
 mod arguments;
@@ -11,7 +10,6 @@ mod words;
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
-use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -28,10 +26,6 @@ fn main() -> ExitCode {
             Err(refusal) => return refuse(&refusal),
         },
         Command::Export(options) => match export(&options) {
-            Ok(text) => (text, true),
-            Err(error) => return refuse(&error),
-        },
-        Command::Arduino { folder } => match arduino(&folder) {
             Ok(text) => (text, true),
             Err(error) => return refuse(&error),
         },
@@ -52,28 +46,7 @@ fn refuse(reason: &dyn std::fmt::Display) -> ExitCode {
 
 /// Returns a light as source.
 fn export(options: &Export) -> Result<String, ExportError> {
-    match options.to {
-        Some(language) if !options.header => {
-            luminaire_export::export(model::light(options)?, &options.name, language)
-        }
-        _ => Ok(luminaire_export::c_header()),
-    }
-}
-
-/// Writes the library for Arduino's IDE. Returns what there is to say.
-fn arduino(folder: &Path) -> Result<String, String> {
-    let library = luminaire_export::arduino().map_err(|error| error.to_string())?;
-    for (name, text) in &library {
-        let file = folder.join(name);
-        let write = || {
-            fs::create_dir_all(file.parent().unwrap_or(folder))?;
-            fs::File::create_new(&file)?.write_all(text.as_bytes())
-        };
-        write().map_err(|error| printable(&format!("{}: {error}", file.display())))?;
-    }
-    let has_address = library.iter().any(|(_, text)| text.contains("\nurl="));
-    let note = "note: without url, because Cargo.toml has no repository; the Library Manager requires it\n";
-    Ok(if has_address { String::new() } else { note.to_owned() })
+    luminaire_export::export(model::light(options)?, &options.name, options.to)
 }
 
 /// Returns the answer as text or JSON.

@@ -52,19 +52,6 @@ fn export_writes_every_language_and_falloff() {
         let name = falloff.split('=').next().expect("a name");
         assert!(text(&format!("--to json --falloff {falloff}")).contains(&format!("\"name\": \"{name}\"")));
     }
-    assert!(text("--header").contains("luminaire_inverse_square_roots[129] = {\n    0,"));
-}
-
-#[test]
-fn arduino_writes_a_library_once() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("arduino-{}", std::process::id()));
-    let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
-    command.arg("arduino").arg(&folder);
-    assert!(command.status().expect("the program runs").success());
-    assert!(folder.join("src/luminaire.h").is_file() && folder.join("LICENSE").is_file());
-    let told = command.output().expect("the program runs");
-    assert!(!told.status.success() && String::from_utf8_lossy(&told.stderr).contains("library.properties: "));
-    std::fs::remove_dir_all(folder).expect("a folder");
 }
 
 #[test]

@@ -58,7 +58,7 @@ fn version_and_help_say_what_the_program_is() {
 fn closed_output_ends_quietly_and_a_full_one_with_a_reason() {
     let to = |output: Stdio| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
-        command.args(["export", "--header"]).stdout(output).output().expect("the program runs")
+        command.args(["export", "--to", "json"]).stdout(output).output().expect("the program runs")
     };
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);

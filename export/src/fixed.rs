@@ -5,7 +5,7 @@ mod formula;
 use std::fmt::Write;
 
 use luminaire::attenuation::AnyAttenuation;
-use luminaire::codegen::{Parts, Tables};
+use luminaire::codegen::Parts;
 use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Rgb};
 
@@ -15,49 +15,25 @@ use crate::head::head;
 use crate::name::global;
 use crate::trace::Trace;
 
-/// The shared functions, without the tables.
-const HEADER: &str = include_str!("../c/luminaire.h");
-/// The line of the header that the tables replace.
-const TABLES: &str = "/* TABLES */\n";
-/// What the header ends with: lights that move, and many points.
-const FRAGMENTS: [&str; 2] = [include_str!("../c/spot.h"), include_str!("../c/rows.h")];
+/// The files of C that the source of lights in [`Language::CFixed`](crate::Language::CFixed) includes, and
+/// `luminaire_display.h`: names and texts.
+pub const C_HEADERS: [(&str, &str); 3] = [
+    ("luminaire.h", include_str!("../c/src/luminaire.h")),
+    ("luminaire_constant.h", include_str!("../c/src/luminaire_constant.h")),
+    ("luminaire_display.h", include_str!("../c/src/luminaire_display.h")),
+];
 /// The functions of a cone.
-const CONE: &str = include_str!("../c/cone.h");
+const CONE: &str = include_str!("fixed/cone.h");
 /// What replaces them for a point light.
-const SPHERE: &str = include_str!("../c/sphere.h");
+const SPHERE: &str = include_str!("fixed/sphere.h");
 /// The irradiance of a light.
-const LIGHT: &str = include_str!("../c/light.h");
+const LIGHT: &str = include_str!("fixed/light.h");
 /// What stands in the three files for the name of the light.
 const NAME: &str = "NAME";
 /// What stands in [`LIGHT`] for the coarse share of the light, window included.
 const WINDOWED: &str = "WINDOWED";
 
 const PRECISIONS: [Precision; 2] = [Precision("coarse"), Precision("fine")];
-
-/// Returns the file `luminaire.h`, which the source of each light in
-/// [`Language::CFixed`](crate::Language::CFixed) includes.
-///
-/// Its tables are those of the kernel.
-pub fn c_header() -> String {
-    let Tables { inverse_square_roots, logarithms, powers, .. } = Tables::KERNEL;
-    let rows =
-        |values: Vec<String>| values.chunks(8).map(|row| row.join(", ")).collect::<Vec<_>>().join(",\n    ");
-    let roots = rows(inverse_square_roots.iter().map(u16::to_string).collect());
-    let pair =
-        |(reciprocal, logarithm): &(u32, u32)| format!("{{ UINT32_C({reciprocal}), UINT32_C({logarithm}) }}");
-    let logarithms = logarithms.iter().map(pair).collect::<Vec<_>>().join(",\n    ");
-    let powers = rows(powers.iter().map(|power| format!("UINT32_C({power})")).collect());
-    let tables = format!(
-        "/* 2^31 / sqrt(n) at multiples of 2^25, lowered to the middle between chord and curve. */\n\
-         static const uint16_t luminaire_inverse_square_roots[129] LUMINAIRE_TABLE = {{\n    {roots}\n}};\n\n\
-         /* 1 / c with 31 fraction bits and log2 c with 32, for the middles of 64 parts of [1, 2). */\n\
-         static const uint32_t luminaire_logarithms[64][2] LUMINAIRE_TABLE = {{\n    {logarithms}\n}};\n\n\
-         /* 2^-c with 32 fraction bits, for the middles of 64 parts of [0, 1). */\n\
-         static const uint32_t luminaire_powers[64] LUMINAIRE_TABLE = {{\n    {powers}\n}};\n"
-    );
-    let (shared, end) = HEADER.rsplit_once("#endif").unwrap_or((HEADER, ""));
-    format!("{}{}#endif{end}", shared.replace(TABLES, &tables), FRAGMENTS.concat())
-}
 
 /// Returns the constants and functions of a light.
 pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError> {
@@ -108,7 +84,7 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     let guard = format!("{}_LIGHT_H", name.to_ascii_uppercase());
     Ok(format!(
         "/* {head}\n * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14. */\n\
-         #ifndef {guard}\n#define {guard}\n\n#include \"luminaire.h\"\n\n{text}\n#endif\n"
+         #ifndef {guard}\n#define {guard}\n\n#include \"luminaire_constant.h\"\n\n{text}\n#endif\n"
     ))
 }
 

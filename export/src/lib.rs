@@ -37,14 +37,9 @@
 //!
 //! # C
 //!
-//! The source of [`Language::CFixed`] includes the file `luminaire.h`, which all lights share:
-//! [`c_header`] returns its text. A point has steps of 2^-16, a normal and the falloff steps of
-//! 2^-14, and so has the irradiance, which may exceed full scale. The code has no floats, no
-//! division and no memory of its own.
-//!
-//! The outputs of [`display`](luminaire::display) have the bits of `Fx16` too: [`c_pixels`] returns
-//! the part of `luminaire.h` with sRGB and RGB565, and [`c_display_header`] the file
-//! `luminaire_display.h` with the others.
+//! The folder `c` of this crate is a library for C and C++ without Rust, and [`C_HEADERS`] are its files.
+//! The source of [`Language::CFixed`] includes `luminaire_constant.h`, and that `luminaire.h`, whose lights
+//! are set up and move at run time.
 //!
 //! # JSON
 //!
@@ -67,14 +62,12 @@
 //! slope]`: a line starts at `u = place / 65536` and rises by `slope / 32768` per unit of `place`.
 #![forbid(unsafe_code)]
 
-mod arduino;
 mod error;
 mod fixed;
 mod head;
 mod json;
 mod language;
 mod name;
-mod pixels;
 mod rust;
 mod script;
 mod shader;
@@ -83,12 +76,10 @@ mod trace;
 use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Fx32};
 
-pub use crate::arduino::arduino;
 pub use crate::error::{ExportError, printable};
-pub use crate::fixed::c_header;
+pub use crate::fixed::C_HEADERS;
 pub use crate::language::Language;
 pub use crate::name::check_text;
-pub use crate::pixels::{c_display_header, c_pixels};
 use crate::shader::Syntax;
 
 /// Returns a light as source of a language.

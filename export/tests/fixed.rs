@@ -10,9 +10,9 @@ use fastrand::Rng;
 use luminaire::attenuation::SmoothRange;
 use luminaire::dynamic::AnyLight;
 use luminaire::{Angle, Cone, Fx16, Length, SpotLight, Vec3};
-use luminaire_export::{Language, c_header, export};
+use luminaire_export::{Language, export};
 
-use support::compiler::{compile, run};
+use support::compiler::{compile, run, write_headers};
 use support::{points_of_light, spots, vectors};
 
 /// The words of a point and of a normal.
@@ -34,7 +34,7 @@ const BUILDS: [(&str, &str); 3] = [
 /// It reads the words of the places and writes irradiance and falloff in words.
 fn program(folder: &Path, lights: &[AnyLight], places: usize) {
     let mut main = "#include <stdio.h>\n".to_owned();
-    fs::write(folder.join("luminaire.h"), c_header()).expect("a folder");
+    write_headers(folder);
     for (index, light) in lights.iter().enumerate() {
         let text = export(*light, &format!("light{index}"), Language::CFixed).expect("a light");
         fs::write(folder.join(format!("light{index}.h")), text).expect("a folder");
@@ -190,7 +190,7 @@ fn lights_of_any_names_share_a_file() {
         "light",
     ];
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("luminaire.h"), c_header()).expect("a folder");
+    write_headers(folder.path());
     let cone = Cone::soft(Angle::degrees(40.0)).expect("a cone");
     let light = SpotLight::new([0.0, 3.0, 0.0], [0.0, -1.0, 0.0], cone).expect("a light");
     let light = light.with_attenuation(SmoothRange::new(9.0).expect("a range"));

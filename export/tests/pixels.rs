@@ -15,9 +15,8 @@ use luminaire::display::{
 };
 use luminaire::number::Light16;
 use luminaire::{Fx16, Rgb};
-use luminaire_export::{c_display_header, c_header, c_pixels};
 
-use compiler::{compile, run};
+use compiler::{compile, run, write_headers};
 
 /// The warnings that both files do without.
 const WARNINGS: &str = "-Wconversion -Wshadow -Wundef";
@@ -34,36 +33,19 @@ const MOST: u32 = 64;
 
 /// Writes the headers and the program, and returns the options that find them.
 fn program(folder: &Path, palette: &Palette<'_>) -> String {
-    let write = |name: &str, text: &str| {
-        let file = folder.join(name);
-        fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
-        fs::write(file, text).expect("a folder");
-    };
-    // The evaluation of lights has its own test: what is included as of the system has no warnings.
-    write("system/luminaire_fx16.h", &c_header());
-    write("luminaire.h", &format!("#include <luminaire_fx16.h>\n{}", c_pixels()));
-    write("luminaire_display.h", &c_display_header());
+    write_headers(folder);
     let mut cells = String::new();
     for cell in palette.cells() {
         let _ = write!(cells, "{cell}, ");
     }
     let text = format!(
-        "LUMINAIRE_TABLE(uint8_t, cells, 4096) = {{ {cells} }};\n\
+        "static const uint8_t cells[4096] LUMINAIRE_TABLE = {{ {cells} }};\n\
          static const luminaire_palette palette = {{ cells, {} }};\n",
         palette.spacing()
     );
-    write("palette.h", &text);
-    // What AVR's C library has.
-    let mut flash = "#define PROGMEM\n".to_owned();
-    for (name, bits) in [("byte", 8), ("word", 16), ("dword", 32)] {
-        let _ = writeln!(
-            flash,
-            "static inline uint{bits}_t pgm_read_{name}(const uint{bits}_t *at) {{ return *at; }}"
-        );
-    }
-    write("avr/pgmspace.h", &format!("#ifndef FLASH\n#define FLASH\n{flash}#endif\n"));
-    write("main.c", include_str!("pixels/main.c"));
-    format!("{WARNINGS} -isystem {0}/system -I{0}", folder.display())
+    fs::write(folder.join("palette.h"), text).expect("a folder");
+    fs::write(folder.join("main.c"), include_str!("pixels.c")).expect("a folder");
+    format!("{WARNINGS} -I{}", folder.display())
 }
 
 /// Returns one word of the codes at all places of the dither.
@@ -230,7 +212,7 @@ fn outputs_have_the_bits_of_the_kernel() {
     }
 }
 
-/// A processor without a division needs one for the limit of a strip only, in 64 bits, and no floats.
+/// A processor without floats and a division needs no library for them.
 #[test]
 fn small_processors_compile_all_outputs_in_integers() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -242,7 +224,9 @@ fn small_processors_compile_all_outputs_in_integers() {
             continue;
         }
         let object = fs::read(&object).expect("an object");
-        for routine in ["__aeabi_f", "__aeabi_d", "__aeabi_ui", "__aeabi_id", "malloc"] {
+        for routine in
+            ["__aeabi_f", "__aeabi_d", "__aeabi_ui", "__aeabi_ul", "__aeabi_id", "__aeabi_ld", "malloc"]
+        {
             let calls = object.windows(routine.len()).any(|name| name == routine.as_bytes());
             assert!(!calls, "{compiler} calls {routine}..");
         }

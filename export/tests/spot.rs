@@ -11,9 +11,8 @@ use luminaire::falloff::{CompiledCubic, Cubic};
 use luminaire::light::{CompiledCone, CompiledSpotLight, Row};
 use luminaire::number::{Light16, Weight16};
 use luminaire::{Angle, Cone, Fx16, Fx32, Length, Rgb, Scalar, SpotLight, Vec3};
-use luminaire_export::c_header;
 
-use compiler::run;
+use compiler::{run, write_headers};
 
 type Light = CompiledSpotLight<Fx16, Cubic>;
 /// The words of a `luminaire_spot`.
@@ -31,9 +30,6 @@ const BUILDS: [(&str, &str); 7] = [
     ("clang", "-std=c99 -O2"),
 ];
 const WARNINGS: &str = "-Wconversion -Wshadow -Wundef";
-/// What stands for the header of an AVR's C library.
-const FLASH: &str = "#define PROGMEM\n#define pgm_read_byte(a) (*(a))\n#define pgm_read_word(a) (*(a))\n\
-                     #define pgm_read_dword(a) (*(a))\n";
 
 /// What one call of the program gets.
 #[derive(Clone, Copy, Debug)]
@@ -290,9 +286,7 @@ fn a_spot_of_any_words_has_the_bits_of_the_kernel() {
     let count = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1_000_000 } else { BATCH };
     let folder = tempfile::tempdir().expect("a folder");
     let main = folder.path().join("main.c");
-    fs::create_dir(folder.path().join("avr")).expect("a folder");
-    fs::write(folder.path().join("avr/pgmspace.h"), FLASH).expect("a folder");
-    fs::write(folder.path().join("luminaire.h"), c_header()).expect("a folder");
+    write_headers(folder.path());
     fs::write(&main, include_str!("spot.c")).expect("a folder");
     let mut rng = Rng::with_seed(2011);
     let (mut lit, mut fine, mut done) = (0, 0, 0);

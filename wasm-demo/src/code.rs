@@ -1,12 +1,9 @@
 //! The JavaScript class that writes lights as source of other languages.
 
 use crate::{job::Task, panic, refusal::Refusal};
-use luminaire_export::{Language, c_header, export};
+use luminaire_export::{C_HEADERS, Language, export};
 use std::fmt;
 use wasm_bindgen::prelude::*;
-
-/// The name of the file that all lights in C share, as a language to choose.
-const HEADER: &str = "c-header";
 
 /// Writes the lights of a scene as source of other languages.
 #[wasm_bindgen]
@@ -26,12 +23,11 @@ impl Code {
     }
 
     /// Writes a light of a job of the stage, as it is where its movement begins, at an exposure of 0
-    /// stops and switched on. `language` is the name of a [`Language`], or `c-header` for the file
-    /// that all lights in C share. Throws a string if the language or its number format cannot
+    /// stops and switched on. `language` is the name of a [`Language`], or of one of [`C_HEADERS`]. Throws a string if the language or its number format cannot
     /// express the light.
     pub fn write(&mut self, job: &str, light: usize, language: &str) -> Result<String, Refusal> {
-        if language == HEADER {
-            return Ok(c_header());
+        if let Some((_, text)) = C_HEADERS.iter().find(|(name, _)| *name == language) {
+            return Ok((*text).to_owned());
         }
         let language: Language = language.parse()?;
         let task = Task::read(job, self.task.take())?;

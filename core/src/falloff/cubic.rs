@@ -209,6 +209,11 @@ impl<S: Scalar> CompiledCubic<S> {
     pub const fn from_parts(g: S::Weight, h: S::Weight) -> Self {
         Self { g, h }
     }
+
+    /// Returns the weights `g` and `h`.
+    pub const fn weights(&self) -> (S::Weight, S::Weight) {
+        (self.g, self.h)
+    }
 }
 
 written_by_debug!(Smooth);

@@ -1,11 +1,26 @@
 //! Compilers of C and C++ on this machine.
 
+use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Set where the compilers must be installed.
 const TOOLS: &str = "LUMINAIRE_TOOLS";
+
+/// Writes the library for C into a folder, and a stand-in for the header with which an AVR reads its flash.
+pub(crate) fn write_headers(folder: &Path) {
+    for (name, text) in luminaire_export::C_HEADERS {
+        fs::write(folder.join(name), text).expect("a folder");
+    }
+    let read = |name, bits| {
+        format!("static inline uint{bits}_t pgm_read_{name}(const uint{bits}_t *at) {{ return *at; }}\n")
+    };
+    let reads = [("byte", 8), ("word", 16), ("dword", 32)].map(|(name, bits)| read(name, bits)).concat();
+    fs::create_dir_all(folder.join("avr")).expect("a folder");
+    let text = format!("#ifndef FLASH\n#define FLASH\n#define PROGMEM\n{reads}#endif\n");
+    fs::write(folder.join("avr/pgmspace.h"), text).expect("a folder");
+}
 
 /// Compiles a file; `None` without the compiler.
 ///

@@ -7,7 +7,7 @@ use luminaire::Fx16;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::AnyFalloff;
 use luminaire::projector::Fixture;
-use luminaire_export::{Language, c_header, export};
+use luminaire_export::{C_HEADERS, Language, export};
 use luminaire_museum::{ALL, Exhibit, Picture, Side};
 use luminaire_render::{Format, Renderer, scenes::Example};
 use naga::back::glsl;
@@ -104,7 +104,9 @@ fn code() -> Result<Value> {
     let mut fixtures = setup.fixtures.iter();
     let sun = fixtures.position(|fixture| matches!(fixture.light(), AnyLight::Directional(_)));
     let sun = sun.context("no sun")?;
-    Ok(json!({ "lights": lights, "header": c_header(), "sun": sun }))
+    Ok(
+        json!({ "lights": lights, "headers": Map::from_iter(C_HEADERS.map(|(name, text)| (name.to_owned(), text.into()))), "sun": sun }),
+    )
 }
 
 /// Spotlights of all falloffs and attenuations as shaders, with places and what the kernel computes there.

@@ -18,13 +18,12 @@ use crate::renderers;
 
 /// The crates, each after its dependencies, with the files that each must contain beside its
 /// source.
-const CRATES: [(&str, &[&str]); 6] = [
+const CRATES: [(&str, &[&str]); 5] = [
     ("luminaire", &["README.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT"]),
     ("luminaire-native", &["README.md", "LICENSE-APACHE", "LICENSE-MIT"]),
     ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/scenes.rs"]),
     ("luminaire-fixtures", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "data/README.md"]),
     ("luminaire-export", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "arduino/library.properties"]),
-    ("luminaire-c", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "include/luminaire.h"]),
 ];
 
 /// The examples of the kernel.
@@ -45,11 +44,8 @@ const QUICK: [(&str, &str, &str); 2] = [
 ];
 
 /// Where the manifests of folders have the crates.
-const IN_FOLDERS: [(&str, &str); 3] = [
-    ("path = \"../../core\"", "luminaire"),
-    ("path = \"../../../core\"", "luminaire"),
-    ("path = \"../../export/capi\"", "luminaire-c"),
-];
+const IN_FOLDERS: [(&str, &str); 2] =
+    [("path = \"../../core\"", "luminaire"), ("path = \"../../../core\"", "luminaire")];
 
 /// The target of the template: the smallest supported processor.
 const TARGET: &str = "thumbv6m-none-eabi";

@@ -3,6 +3,13 @@
 #include "palette.h"
 #include <stddef.h>
 
+/* The casts that the warnings of C++ allow. */
+#if defined(__cplusplus)
+#define CAST(type, value) static_cast<type>(value)
+#else
+#define CAST(type, value) ((type)(value))
+#endif
+
 #if __STDC_HOSTED__
 #include <stdio.h>
 
@@ -72,9 +79,9 @@ static void colors(void) {
         put(luminaire_palette_nearest(&palette, light));
         put(luminaire_palette_dithered(&palette, light, place, place >> 3));
         for (bits = 1; bits <= 16; ++bits) { put(luminaire_duty(light.red, bits)); }
-        color[0] = LUMINAIRE_CAST(int16_t, light.red & 0x7fff);
-        color[1] = LUMINAIRE_CAST(int16_t, 20000 - color[0]);
-        color[2] = LUMINAIRE_CAST(int16_t, -1 - color[0]);
+        color[0] = CAST(int16_t, light.red & 0x7fff);
+        color[1] = CAST(int16_t, 20000 - color[0]);
+        color[2] = CAST(int16_t, -1 - color[0]);
         sum = luminaire_rgb_plus(light, luminaire_rgb_filtered(light, color));
         put(sum.red);
         put(sum.green);
@@ -100,10 +107,10 @@ static void strips(void) {
         uint16_t carries[3 * MOST];
         uint8_t bytes[3 * MOST];
         uint32_t leds = get();
-        strip.order = LUMINAIRE_CAST(int, get());
+        strip.order = CAST(int, get());
         strip.most = get();
-        strip.channel = LUMINAIRE_CAST(uint16_t, get());
-        strip.idle = LUMINAIRE_CAST(uint16_t, get());
+        strip.channel = CAST(uint16_t, get());
+        strip.idle = CAST(uint16_t, get());
         for (i = 0; i < leds; ++i) {
             lights[i].red = get();
             lights[i].green = get();
@@ -127,9 +134,9 @@ static void rows(void) {
         for (i = 0; i < sizeof bytes; ++i) { bytes[i] = 0xaa; }
         for (i = 0; i < pixels; ++i) {
             uint32_t pixel = get();
-            packed += luminaire_pack(&packer, format, LUMINAIRE_CAST(int, order), pixel) != 0;
+            packed += luminaire_pack(&packer, format, CAST(int, order), pixel) != 0;
         }
-        luminaire_pack_end(&packer, LUMINAIRE_CAST(int, order));
+        luminaire_pack_end(&packer, CAST(int, order));
         put(packed);
         for (i = 0; i < sizeof bytes; ++i) { put(bytes[i]); }
     }

@@ -1,0 +1,1527 @@
+/* luminaire.h: spotlights in integers, for C99 and C++11. Everything is in this file.
+ *
+ * A luminaire_spot is set up from the angles of a data sheet, moved, aimed, zoomed, dimmed and tinted. It lights
+ * points, rows of pixels and vertices; light becomes codes of sRGB and pixels of RGB565, and by luminaire_display.h
+ * those of other displays and LEDs.
+ *
+ * | quantity | type | step |
+ * |---|---|---|
+ * | coordinate of a point or a light, intensity | int32_t | 2^-16 |
+ * | full angle | uint32_t | 2^-16 degrees |
+ * | component of a normal, colour, part | int16_t | 2^-14 |
+ * | component of an axis | int32_t | 2^-30 |
+ * | light | uint32_t | 2^-14 of full scale, which it may exceed |
+ *
+ * The code has no floats, no division, no heap and no state. Each function is defined for all values, and a null
+ * pointer is a dark light, nothing to change, or an array without elements. The results have the bits of luminaire's
+ * format Fx16 in Rust.
+ *
+ * Two evaluations have functions of the same names. The coarse one is usual, in 32-bit products: a fraction has 15
+ * fraction bits and a share of the intensity 14. The fine one is for steep cones and for points near bright lights:
+ * fractions and shares have 31 fraction bits.
+ *
+ * Licence: MIT OR Apache-2.0, at your choice.
+ */
+#ifndef LUMINAIRE_H
+#define LUMINAIRE_H
+
+#include <stdint.h>
+
+/* Casts of C are the only ones that both languages have. */
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#endif
+
+#if (-1 >> 1) != -1
+#error "luminaire needs a compiler whose right shift of a negative number keeps the sign"
+#endif
+
+/* The tables stay in flash, also where flash is no memory. */
+#if defined(__AVR__)
+#include <avr/pgmspace.h>
+#define LUMINAIRE_TABLE PROGMEM
+#define LUMINAIRE_READ_8(address) pgm_read_byte(address)
+#define LUMINAIRE_READ_16(address) pgm_read_word(address)
+#define LUMINAIRE_READ_32(address) pgm_read_dword(address)
+#else
+#define LUMINAIRE_TABLE
+#define LUMINAIRE_READ_8(address) (*(address))
+#define LUMINAIRE_READ_16(address) (*(address))
+#define LUMINAIRE_READ_32(address) (*(address))
+#endif
+
+/* 2^31 / sqrt(n) at multiples of 2^25, lowered to the middle between chord and curve. */
+static const uint16_t luminaire_inverse_square_roots[129] LUMINAIRE_TABLE = {
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 65533, 64532,
+    63576, 62662, 61785, 60945, 60138, 59362, 58615, 57896, 57202, 56533, 55887, 55263, 54659, 54075, 53508, 52960,
+    52427, 51911, 51409, 50922, 50448, 49988, 49539, 49103, 48678, 48263, 47860, 47466, 47081, 46706, 46340, 45982,
+    45632, 45291, 44956, 44629, 44309, 43996, 43690, 43390, 43095, 42807, 42525, 42247, 41976, 41709, 41448, 41191,
+    40939, 40692, 40449, 40210, 39976, 39745, 39519, 39296, 39077, 38862, 38650, 38442, 38237, 38035, 37837, 37641,
+    37448, 37259, 37072, 36888, 36707, 36528, 36352, 36179, 36008, 35839, 35673, 35509, 35347, 35187, 35030, 34874,
+    34721, 34570, 34421, 34273, 34128, 33984, 33842, 33702, 33563, 33427, 33292, 33158, 33026, 32896, 32767
+};
+
+/* Some processors have no instruction for the upper half of a product: they compute it from four
+ * products of 16-bit numbers, with the same result. */
+#if !defined(LUMINAIRE_BY_PARTS) && (defined(__ARM_ARCH_6M__) || defined(__AVR__))
+#define LUMINAIRE_BY_PARTS 1
+#endif
+
+/* Others have no instruction that counts leading zeros: they look them up. */
+#if defined(__GNUC__) && __SIZEOF_INT__ == 4 && !defined(LUMINAIRE_BY_PARTS)
+#if !defined(__riscv) || defined(__riscv_zbb)
+#define LUMINAIRE_COUNTS_ZEROS 1
+#endif
+#endif
+
+/* A function that is seldom called. */
+#if defined(__GNUC__)
+#define LUMINAIRE_RARE __attribute__((cold, noinline, unused)) static
+#else
+#define LUMINAIRE_RARE static inline
+#endif
+
+#define LUMINAIRE_FULL_SCALE (UINT32_C(1) << 14)    /* 1 as a coarse share */
+#define LUMINAIRE_COARSE_ONE (UINT32_C(1) << 15)    /* 1 as a coarse fraction */
+#define LUMINAIRE_FINE_ONE (UINT32_C(1) << 31)      /* 1 as a fine fraction and share */
+#define LUMINAIRE_ALWAYS_FINE UINT32_C(0xffffffff)  /* of a light whose cone is too steep for coarse */
+
+/* The factor mantissa / 2^shift. */
+typedef struct {
+    uint32_t mantissa;
+    int32_t shift;
+} luminaire_gain;
+
+/* The map from a versine, scaled by 4^zoom, to the falloff's argument. */
+typedef struct {
+    uint32_t zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa;
+} luminaire_ramp;
+
+/* The vector from a light to a point: way >> shift has 17 bits. bits is its unscaled bit length. */
+typedef struct {
+    int32_t way[3];
+    uint32_t shift, bits;
+} luminaire_offset;
+
+/* The direction to a point with 30 fraction bits, and 2^30 over its length. */
+typedef struct {
+    int32_t direction[3];
+    uint32_t bits, squared, reciprocal;
+} luminaire_coarse_ray;
+
+/* The direction to a point with 30 fraction bits, and the correction of the estimated length. */
+typedef struct {
+    int32_t direction[3];
+    int32_t bits, excess;
+    uint32_t squared, estimate;
+} luminaire_fine_ray;
+
+/* ---- integers: sums and products wrap ---- */
+
+static inline int32_t luminaire_plus(int32_t a, int32_t b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
+static inline int32_t luminaire_minus(int32_t a, int32_t b) { return (int32_t)((uint32_t)a - (uint32_t)b); }
+static inline int32_t luminaire_times(int32_t a, int32_t b) { return (int32_t)((uint32_t)a * (uint32_t)b); }
+static inline int32_t luminaire_shl(int32_t a, uint32_t by) { return (int32_t)((uint32_t)a << by); }
+static inline uint32_t luminaire_min(uint32_t a, uint32_t b) { return a < b ? a : b; }
+
+/* Returns the magnitude of the smaller of a number and 0. */
+static inline uint32_t luminaire_below_zero(int32_t a) { return a < 0 ? UINT32_C(0) - (uint32_t)a : 0; }
+
+/* Returns the magnitude. */
+static inline uint32_t luminaire_magnitude(int32_t a) { return a < 0 ? UINT32_C(0) - (uint32_t)a : (uint32_t)a; }
+
+#if !defined(LUMINAIRE_COUNTS_ZEROS)
+/* floor(log2 n) for each n of seven bits; 0 for 0. */
+static const uint8_t luminaire_log2[128] LUMINAIRE_TABLE = {
+    0, 0, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5,
+    5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6,
+    6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6,
+    6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6
+};
+#endif
+
+/* Returns the bit length of n from 1 to 127. */
+static inline uint32_t luminaire_bit_length_of_seven(uint32_t n) {
+#if defined(LUMINAIRE_COUNTS_ZEROS)
+    return 32 - (uint32_t)__builtin_clz(n | 1);
+#else
+    return LUMINAIRE_READ_8(&luminaire_log2[n & 127]) + UINT32_C(1);
+#endif
+}
+
+/* Returns the bit length; 1 for 0. */
+static inline uint32_t luminaire_bit_length(uint32_t n) {
+#if defined(LUMINAIRE_COUNTS_ZEROS)
+    return 32 - (uint32_t)__builtin_clz(n | 1);
+#else
+    uint32_t length = 0;
+    for (; n >> 7; n >>= 7) { length += 7; }
+    return length + luminaire_bit_length_of_seven(n);
+#endif
+}
+
+/* Returns a * b / 2^32, rounded down. */
+static inline uint32_t luminaire_high_half(uint32_t a, uint32_t b) {
+#if defined(LUMINAIRE_BY_PARTS)
+    uint32_t ah = a >> 16, al = a & 0xffff, bh = b >> 16, bl = b & 0xffff;
+    uint32_t upper = ah * bl;
+    uint32_t middle = al * bh + (upper & 0xffff) + ((al * bl) >> 16);
+    return ah * bh + (upper >> 16) + (middle >> 16);
+#else
+    return (uint32_t)(((uint64_t)a * b) >> 32);
+#endif
+}
+
+/* Returns a * b / 2^16 for b of 16 bits, rounded down. */
+static inline uint32_t luminaire_high_product(uint32_t a, uint32_t b) {
+    return (a >> 16) * b + (((a & 0xffff) * b) >> 16);
+}
+
+/* Returns a * b / 2^16 for b of 16 bits, rounded down. */
+static inline int32_t luminaire_signed_high_product(int32_t a, uint32_t b) {
+    uint32_t low = (((uint32_t)a & 0xffff) * b) >> 16;
+    return luminaire_plus(luminaire_times(a >> 16, (int32_t)b), (int32_t)low);
+}
+
+/* Returns a * b / 2^32 for numbers of 30 bits and a sign, rounded down. */
+static inline int32_t luminaire_signed_high_half(int32_t a, int32_t b) {
+#if defined(LUMINAIRE_BY_PARTS)
+    int32_t ah = a >> 16, bh = b >> 16;
+    uint32_t al = (uint32_t)a & 0xffff, bl = (uint32_t)b & 0xffff;
+    int32_t middle = luminaire_plus(luminaire_times(ah, (int32_t)bl), luminaire_times((int32_t)al, bh));
+    middle = luminaire_plus(middle, (int32_t)((al * bl) >> 16));
+    return luminaire_plus(luminaire_times(ah, bh), middle >> 16);
+#else
+    return (int32_t)(((int64_t)a * b) >> 32);
+#endif
+}
+
+/* Returns a^2 / 2^32 for a number of 31 bits and a sign, rounded down. */
+static inline uint32_t luminaire_high_square(int32_t a) {
+#if defined(LUMINAIRE_BY_PARTS)
+    int32_t high = a >> 16, low = (int32_t)((uint32_t)a & 0xffff);
+    uint32_t low_squared = ((uint32_t)low * (uint32_t)low) >> 17;
+    int32_t middle = luminaire_plus(luminaire_times(high, low), (int32_t)low_squared);
+    return (uint32_t)luminaire_plus(luminaire_times(high, high), middle >> 15);
+#else
+    return (uint32_t)(((int64_t)a * a) >> 32);
+#endif
+}
+
+/* Returns a number of at least the magnitude's bits, for the bit length of the largest component. */
+static inline uint32_t luminaire_size(const int32_t way[3]) {
+    return (uint32_t)(way[0] ^ (way[0] >> 31)) | (uint32_t)(way[1] ^ (way[1] >> 31))
+        | (uint32_t)(way[2] ^ (way[2] >> 31));
+}
+
+/* Returns 2^31 / sqrt(n) for n >= 2^30, by linear interpolation. */
+static inline uint32_t luminaire_guess(uint32_t n) {
+    uint32_t here = LUMINAIRE_READ_16(&luminaire_inverse_square_roots[n >> 25]);
+    uint32_t next = LUMINAIRE_READ_16(&luminaire_inverse_square_roots[(n >> 25) + 1]);
+    return here - (((here - next) * ((n << 7) >> 16)) >> 16);
+}
+
+/* Returns 2^30 / sqrt(n) for n >= 2^28; 0 for 0. */
+static inline uint32_t luminaire_inverse_sqrt(uint32_t n) {
+    return n >> 30 ? (luminaire_guess(n) + 1) >> 1 : luminaire_guess(n << 2);
+}
+
+/* ---- gains ---- */
+
+/* Returns the light product / 2^shift, rounded to nearest; saturates. */
+static inline uint32_t luminaire_light_of(uint32_t product, int32_t shift) {
+    uint32_t but_one = (uint32_t)shift - 1;
+    if (but_one < 32) {
+        uint32_t doubled = product >> but_one;
+        return (doubled >> 1) + (doubled & 1);
+    }
+    if (shift > 0 || product == 0) { return 0; }
+    if ((uint32_t)-shift <= 32 - luminaire_bit_length(product)) { return product << (uint32_t)-shift; }
+    return UINT32_C(0xffffffff);
+}
+
+static inline luminaire_gain luminaire_gain_of(uint32_t mantissa, int32_t shift) {
+    luminaire_gain gain;
+    gain.mantissa = mantissa;
+    gain.shift = shift < -4096 ? -4096 : shift > 4096 ? 4096 : shift;
+    return gain;
+}
+
+/* Returns bits / 2^shift, rounded to a mantissa of 16 bits. */
+static inline luminaire_gain luminaire_normalised(uint32_t bits, int32_t shift) {
+    int32_t up;
+    uint32_t mantissa, rounded, carry;
+    if (bits == 0) { return luminaire_gain_of(0, 0); }
+    up = 32 - (int32_t)luminaire_bit_length(bits);
+    mantissa = bits << up;
+    rounded = (mantissa >> 16) + ((mantissa >> 15) & 1);
+    carry = rounded >> 16;
+    return luminaire_gain_of(rounded << (16 - carry), shift + up - (int32_t)carry);
+}
+
+static inline luminaire_gain luminaire_gain_by(luminaire_gain a, luminaire_gain b) {
+    return luminaire_normalised((a.mantissa >> 16) * (b.mantissa >> 16), a.shift - 16 + b.shift - 16);
+}
+
+/* Returns 2^31 / m for m of 16 bits, with a relative error of at most 5.6e-5. */
+static inline int32_t luminaire_quick_inverse(uint32_t m) {
+    int32_t inverse = (int32_t)(92521 - ((UINT32_C(61681) * m) >> 16));
+    int step;
+    for (step = 0; step < 2; ++step) {
+        int32_t lack = (int32_t)(LUMINAIRE_FINE_ONE - (uint32_t)inverse * m);
+        inverse = luminaire_plus(inverse, luminaire_times(inverse, lack >> 15) >> 16);
+    }
+    return inverse;
+}
+
+/* ---- offsets and rays ---- */
+
+static inline luminaire_offset luminaire_offset_of(const int32_t way[3], uint32_t shift, uint32_t bits) {
+    luminaire_offset offset;
+    offset.way[0] = way[0];
+    offset.way[1] = way[1];
+    offset.way[2] = way[2];
+    offset.shift = shift & 15;
+    offset.bits = bits;
+    return offset;
+}
+
+/* Returns the offset from a light to a point. */
+static inline luminaire_offset luminaire_offset_between(const int32_t light[3], const int32_t point[3]) {
+    int32_t way[3];
+    uint32_t size, bits;
+    int i;
+    for (i = 0; i < 3; ++i) { way[i] = luminaire_minus(point[i], light[i]); }
+    size = luminaire_size(way);
+    if (size >> 24) {
+        /* A difference that wraps still has more than 24 bits. Halved, it fits. */
+        for (i = 0; i < 3; ++i) { way[i] = (point[i] >> 1) - (light[i] >> 1); }
+        bits = luminaire_bit_length(luminaire_size(way));
+        return luminaire_offset_of(way, bits - 17, bits + 1);
+    }
+    if (size >> 17) {
+        bits = luminaire_bit_length_of_seven(size >> 17);
+        return luminaire_offset_of(way, bits, bits + 17);
+    }
+    bits = luminaire_bit_length(size);
+    for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(way[i], (31 - bits) & 31); }
+    return luminaire_offset_of(way, 14, bits);
+}
+
+/* Returns a component of the offset, scaled until the largest has 15 bits. */
+static inline int32_t luminaire_part(const luminaire_offset *offset, int i) {
+    return offset->way[i] >> (offset->shift + 2);
+}
+
+/* Returns the squared length of the scaled offset. */
+static inline uint32_t luminaire_squared(const luminaire_offset *offset) {
+    uint32_t squared = 0;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        int32_t part = luminaire_part(offset, i);
+        squared += (uint32_t)luminaire_times(part, part);
+    }
+    return squared;
+}
+
+/* Returns the product of the scaled offset and a normal: negative if the surface faces the light. */
+static inline int32_t luminaire_facing(const luminaire_offset *offset, const int16_t normal[3]) {
+    int32_t sum = 0;
+    int i;
+    for (i = 0; i < 3; ++i) { sum = luminaire_plus(sum, luminaire_times(normal[i], luminaire_part(offset, i))); }
+    return sum;
+}
+
+/* Returns whether a point is so close to the light that it needs the fine evaluation. */
+static inline int luminaire_is_near(const luminaire_offset *offset, uint32_t fine_below) {
+    uint32_t fewer = (fine_below >> 26) - offset->bits, down = 2 * fewer + 4;
+    if ((int32_t)fewer < 0) { return 0; }
+    return (down < 32 ? luminaire_squared(offset) >> down : 0) < (fine_below & ((UINT32_C(1) << 26) - 1));
+}
+
+/* Returns whether a point is certainly outside a cone. */
+static inline int luminaire_is_outside(const luminaire_offset *offset, const int32_t axis[3], uint32_t bound) {
+    int32_t along = 0;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        along = luminaire_plus(along, luminaire_times(axis[i] >> 16, luminaire_part(offset, i)));
+    }
+    along = along >> 14 > 0 ? along >> 14 : 0;
+    return (uint32_t)along * (uint32_t)along < (luminaire_squared(offset) >> 14) * bound;
+}
+
+static inline luminaire_coarse_ray luminaire_coarse_ray_of(const luminaire_offset *offset) {
+    luminaire_coarse_ray ray;
+    int i;
+    ray.bits = offset->bits;
+    ray.squared = luminaire_squared(offset);
+    ray.reciprocal = luminaire_inverse_sqrt(ray.squared);
+    for (i = 0; i < 3; ++i) {
+        /* The bias replaces the bits that the offset lost. */
+        int32_t part = luminaire_times(offset->way[i] >> offset->shift, (int32_t)((ray.reciprocal + 2) >> 2));
+        ray.direction[i] = luminaire_plus(part, 6144);
+    }
+    return ray;
+}
+
+/* Returns the squared length of a vector that is scaled up by 2^shift. */
+static inline uint32_t luminaire_squared_length(const int32_t vector[3], uint32_t shift) {
+    return luminaire_high_square(luminaire_shl(vector[0], shift))
+        + luminaire_high_square(luminaire_shl(vector[1], shift))
+        + luminaire_high_square(luminaire_shl(vector[2], shift));
+}
+
+static inline luminaire_fine_ray luminaire_fine_ray_of(const luminaire_offset *offset) {
+    luminaire_fine_ray ray;
+    int32_t whole[3], over, coarse;
+    int i;
+    ray.bits = (int32_t)offset->bits;
+    ray.estimate = luminaire_inverse_sqrt(luminaire_squared(offset));
+    for (i = 0; i < 3; ++i) {
+        whole[i] = luminaire_shl(offset->way[i], (14 - offset->shift) & 31);
+        ray.direction[i] = luminaire_signed_high_product(whole[i], ray.estimate);
+    }
+    ray.squared = luminaire_squared_length(whole, 0);
+    /* The squared length of the direction is 1 + x, and 1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2. */
+    over = (int32_t)(luminaire_squared_length(ray.direction, 0) - (UINT32_C(1) << 28));
+    coarse = over >> 4;
+    ray.excess = luminaire_minus(over >> 3, luminaire_times(3, luminaire_times(coarse, coarse)) >> 25);
+    for (i = 0; i < 3; ++i) {
+        int32_t less = luminaire_signed_high_half(ray.direction[i], luminaire_shl(ray.excess, 16)) >> 10;
+        ray.direction[i] = luminaire_minus(ray.direction[i], less);
+    }
+    return ray;
+}
+
+/* Returns the length of the offset, which is scaled to 31 bits. */
+static inline uint32_t luminaire_fine_length(const luminaire_fine_ray *ray) {
+    uint32_t less = (uint32_t)(luminaire_times((int32_t)ray->estimate, ray->excess) >> 11);
+    return luminaire_high_half(ray->squared, (ray->estimate << 15) - less) << 3;
+}
+
+/* Returns the fine fraction product / 2^shift, at most 1. */
+static inline uint32_t luminaire_capped(uint32_t product, int32_t shift) {
+    uint32_t up = (uint32_t)-shift;
+    if (shift >= 0) { return luminaire_min(shift < 32 ? product >> shift : 0, LUMINAIRE_FINE_ONE); }
+    if (product == 0) { return 0; }
+    if (up < 32 - luminaire_bit_length(product)) { return luminaire_min(product << up, LUMINAIRE_FINE_ONE); }
+    return LUMINAIRE_FINE_ONE;
+}
+
+/* Returns Lambert's cosine as a fraction. */
+static inline uint32_t luminaire_coarse_cosine(const luminaire_coarse_ray *ray, int32_t facing) {
+    return luminaire_min(((luminaire_below_zero(facing) >> 13) * ray->reciprocal) >> 16, LUMINAIRE_COARSE_ONE);
+}
+
+static inline uint32_t luminaire_fine_cosine(const luminaire_fine_ray *ray, const int16_t normal[3]) {
+    int32_t along = 0;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        int32_t d = ray->direction[i], n = normal[i];
+        along = luminaire_plus(along, luminaire_times(d >> 14, n));
+        along = luminaire_plus(along, ((d & 0x3fff) * n) >> 14);
+    }
+    return luminaire_capped(luminaire_below_zero(along), -1);
+}
+
+/* ---- the ramp of a cone ---- */
+
+/* Returns the versine of the angle between a ray and an axis, in the scale of a ramp. */
+static inline uint32_t luminaire_coarse_versine(const luminaire_coarse_ray *ray, const int32_t axis[3], uint32_t zoom) {
+    uint32_t shift = 16 - zoom, versine = 0;
+    int32_t difference[3];
+    int i;
+    for (i = 0; i < 3; ++i) {
+        int32_t lowered = luminaire_minus(axis[i], (int32_t)(UINT32_C(1) << (shift - 1)));
+        difference[i] = luminaire_minus(ray->direction[i], lowered) >> shift;
+    }
+    if (luminaire_size(difference) >> 15) { return UINT32_C(0xffffffff); }
+    for (i = 0; i < 3; ++i) { versine += (uint32_t)luminaire_times(difference[i], difference[i]); }
+    return versine;
+}
+
+/* Returns the excess over the inner versine at which the intensity becomes zero. */
+static inline uint32_t luminaire_width(const luminaire_ramp *ramp) { return ramp->fine ? ramp->fine : ramp->width; }
+
+/* Returns the scale of a ramp's versines: the exponent of 4. */
+static inline uint32_t luminaire_zoom(const luminaire_ramp *ramp) { return luminaire_min(ramp->zoom, 15); }
+
+/* Returns 1 - t of a versine's excess, with 31 fraction bits. */
+static inline uint32_t luminaire_fallen(const luminaire_ramp *ramp, uint32_t past) {
+    uint32_t shift = ramp->fine_shift & 63;
+    if (shift < 32) { return luminaire_high_half(past << ((32 - shift) & 31), ramp->fine_mantissa); }
+    return luminaire_high_half(past, ramp->fine_mantissa) >> (shift - 32);
+}
+
+static inline uint32_t luminaire_fine_rise(
+    const luminaire_fine_ray *ray, const int32_t axis[3], const luminaire_ramp *ramp
+) {
+    uint32_t versine = UINT32_C(0xffffffff), past, fallen, zoom = luminaire_zoom(ramp);
+    int32_t difference[3];
+    int i;
+    for (i = 0; i < 3; ++i) { difference[i] = luminaire_minus(ray->direction[i], axis[i]); }
+    if (luminaire_size(difference) >> (31 - zoom) == 0) { versine = luminaire_squared_length(difference, zoom); }
+    past = versine - ramp->inner;
+    if (past >= luminaire_width(ramp)) { return versine < ramp->inner ? LUMINAIRE_FINE_ONE : 0; }
+    fallen = luminaire_fallen(ramp, past);
+    return fallen < LUMINAIRE_FINE_ONE ? LUMINAIRE_FINE_ONE - fallen : 0;
+}
+
+/* ---- curves ---- */
+
+/* Each function of the falloff's argument has a coarse and a fine version. */
+
+static inline uint32_t luminaire_coarse_complement(uint32_t x) { return LUMINAIRE_COARSE_ONE - x; }
+static inline uint32_t luminaire_fine_complement(uint32_t x) { return LUMINAIRE_FINE_ONE - x; }
+
+static inline uint32_t luminaire_fine_product(uint32_t a, uint32_t b) { return luminaire_high_half(a, b) << 1; }
+
+static inline uint32_t luminaire_coarse_of(uint32_t x, uint32_t share) {
+    return ((x * share + (UINT32_C(1) << 14)) >> 15) & (LUMINAIRE_COARSE_ONE - 1);
+}
+
+static inline uint32_t luminaire_fine_of(uint32_t x, uint32_t share) { return luminaire_fine_product(x, share); }
+
+/* Rounds a product with 30 fraction bits to a share, at most 1. */
+static inline uint32_t luminaire_coarse_capped(uint32_t product) {
+    return luminaire_min((product + (UINT32_C(1) << 15)) >> 16, LUMINAIRE_FULL_SCALE);
+}
+
+static inline uint32_t luminaire_coarse_quadratic(uint32_t x, int32_t g) {
+    int32_t product = luminaire_times((int32_t)luminaire_coarse_complement(x), g);
+    int32_t lift = luminaire_plus(product, INT32_C(1) << 13) >> 14;
+    /* 1 + lift, saturated. */
+    uint32_t factor = LUMINAIRE_COARSE_ONE + (uint32_t)lift;
+    if (lift < 0 && luminaire_magnitude(lift) > LUMINAIRE_COARSE_ONE) { factor = 0; }
+    return luminaire_coarse_capped(x * factor);
+}
+
+/* Returns x (1 + (1 - x) slope) for a slope with 28 fraction bits. */
+static inline uint32_t luminaire_fine_lifted(uint32_t x, int32_t slope) {
+    uint32_t lift = luminaire_high_half(luminaire_fine_product(x, LUMINAIRE_FINE_ONE - x), luminaire_magnitude(slope));
+    uint32_t lifted;
+    lift = luminaire_min(lift, (UINT32_C(1) << 28) - 1) << 4;
+    lifted = x + lift;
+    if (slope < 0) { return x > lift ? luminaire_min(x - lift, LUMINAIRE_FINE_ONE) : 0; }
+    return lifted < x ? LUMINAIRE_FINE_ONE : luminaire_min(lifted, LUMINAIRE_FINE_ONE);
+}
+
+static inline uint32_t luminaire_coarse_cubic(uint32_t x, int32_t g, int32_t h) {
+    int32_t bend = luminaire_plus(luminaire_times((int32_t)x, h), INT32_C(1) << 14) >> 15;
+    return luminaire_coarse_quadratic(x, luminaire_plus(g, bend));
+}
+
+static inline uint32_t luminaire_fine_cubic(uint32_t x, int32_t g, int32_t h) {
+    int32_t slope = luminaire_shl(h, 14);
+    int32_t bend = (int32_t)(luminaire_high_half(x, luminaire_magnitude(slope)) << 1);
+    if (slope < 0) { bend = luminaire_minus(0, bend); }
+    return luminaire_fine_lifted(x, luminaire_plus(luminaire_shl(g, 14), bend));
+}
+
+/* Rounds a fine share to a coarse one. */
+static inline uint32_t luminaire_rounded(uint32_t share) { return (share + (UINT32_C(1) << 16)) >> 17; }
+
+/* ---- attenuation ---- */
+
+/* Returns a share of a gain by the inverse-square law. */
+static inline uint32_t luminaire_coarse_inverse_square(
+    const luminaire_coarse_ray *ray, uint32_t share, luminaire_gain gain
+) {
+    uint32_t mantissa = ((gain.mantissa >> 16) * ((ray->reciprocal * ray->reciprocal) >> 16)) >> 14;
+    return luminaire_light_of(share * mantissa, gain.shift - 16 + 2 * (int32_t)ray->bits - 32);
+}
+
+static inline uint32_t luminaire_fine_inverse_square(
+    const luminaire_fine_ray *ray, uint32_t share, luminaire_gain gain
+) {
+    uint32_t nearly = luminaire_high_product(luminaire_high_product(gain.mantissa, ray->estimate), ray->estimate);
+    int32_t excess = luminaire_minus(luminaire_times(2, ray->excess), luminaire_times(ray->excess, ray->excess) >> 26);
+    uint32_t here = nearly - (uint32_t)(luminaire_times((int32_t)(nearly >> 17), excess) >> 9);
+    return luminaire_light_of(luminaire_high_half(share, here), gain.shift + 2 * ray->bits - 49);
+}
+
+/* Returns whether light is past full scale by more than the error of its share. */
+static inline int luminaire_is_clipped(uint32_t share, uint32_t light) {
+    return share > (UINT32_C(1) << 9) && light > (UINT32_C(9) << 11);
+}
+
+/* ---- light: linear red, green and blue in steps of 2^-14 of full scale, which they may exceed ---- */
+
+typedef struct {
+    uint32_t red, green, blue;
+} luminaire_rgb;
+
+/* Returns the sum of two channels; saturates. */
+static inline uint32_t luminaire_light_plus(uint32_t a, uint32_t b) {
+    return a + b < a ? UINT32_C(0xffffffff) : a + b;
+}
+
+/* Returns a channel times a colour in steps of 2^-14, to nearest; saturates; 0 if negative. */
+static inline uint32_t luminaire_light_filtered(uint32_t light, int16_t color) {
+    uint32_t factor = color < 0 ? 0 : (uint32_t)color;
+    uint32_t high = (light >> 16) * factor, low = ((light & 0xffff) * factor + (UINT32_C(1) << 13)) >> 14;
+    return luminaire_light_plus(high >> 30 == 0 ? high << 2 : UINT32_C(0xffffffff), low);
+}
+
+/* Returns the sum of two lights; saturates. */
+static inline luminaire_rgb luminaire_rgb_plus(luminaire_rgb a, luminaire_rgb b) {
+    a.red = luminaire_light_plus(a.red, b.red);
+    a.green = luminaire_light_plus(a.green, b.green);
+    a.blue = luminaire_light_plus(a.blue, b.blue);
+    return a;
+}
+
+/* Returns the light that a surface of a linear colour, in steps of 2^-14, reflects. */
+static inline luminaire_rgb luminaire_rgb_filtered(luminaire_rgb light, const int16_t color[3]) {
+    light.red = luminaire_light_filtered(light.red, color[0]);
+    light.green = luminaire_light_filtered(light.green, color[1]);
+    light.blue = luminaire_light_filtered(light.blue, color[2]);
+    return light;
+}
+
+/* ---- spotlights that move: any words are defined, and a null spot is dark ---- */
+
+/* A spotlight with the inverse square of the distance. With all words zero it is dark. */
+typedef struct {
+    int32_t position[3];      /* steps of 2^-16 */
+    int32_t axis[3];          /* of unit length, steps of 2^-30 */
+    luminaire_ramp ramp;      /* the cone */
+    int32_t g, h;             /* the edge t (1 + u (g + h t)), steps of 2^-14: soft -2^14, 0; hard 2^14, 0 */
+    luminaire_gain intensity; /* 1 is full scale on the axis at distance 1 */
+    uint32_t fine_below;      /* the points that need the fine evaluation: within an encoded distance */
+    int16_t color[3];         /* linear, from 0 to 2^14 */
+    int16_t outside;          /* the squared cosine of half the outer angle, less a margin, steps of 2^-14 */
+} luminaire_spot;
+
+/* Returns the gain with a mantissa of 32 bits and a shift within reach. */
+static inline luminaire_gain luminaire_sound_gain(luminaire_gain gain) {
+    uint32_t up;
+    if (gain.mantissa >> 31 && gain.shift >= -4096 && gain.shift <= 4096) { return gain; }
+    up = gain.mantissa ? 32 - luminaire_bit_length(gain.mantissa) : 0;
+    gain = luminaire_gain_of(gain.mantissa << up, gain.shift);
+    gain.shift += (int32_t)up;
+    return gain;
+}
+
+/* Returns the falloff's argument along a ray. Words that would give more than 1 are replaced. */
+static inline uint32_t luminaire_spot_rise(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
+    const luminaire_ramp *ramp = &spot->ramp;
+    uint32_t versine = luminaire_coarse_versine(ray, spot->axis, luminaire_zoom(ramp)), past = versine - ramp->inner;
+    uint32_t width = ramp->fine ? 0 : ramp->width, shift = ramp->shift & 31, mantissa = ramp->mantissa, one, steps;
+    if (past >= width) { return versine < ramp->inner ? LUMINAIRE_COARSE_ONE : 0; }
+    one = luminaire_min(ramp->one, LUMINAIRE_FINE_ONE + 65535);
+    steps = (width - 1) >> shift;
+    if (steps * mantissa > one || ((steps | mantissa) >> 16 && luminaire_high_half(steps, mantissa))) { mantissa = 0; }
+    return (one - (past >> shift) * mantissa) >> 16;
+}
+
+static inline uint32_t luminaire_spot_coarse_share(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
+    return luminaire_coarse_cubic(luminaire_spot_rise(spot, ray), spot->g, spot->h);
+}
+
+static inline uint32_t luminaire_spot_fine_share(const luminaire_spot *spot, const luminaire_fine_ray *ray) {
+    return luminaire_fine_cubic(luminaire_fine_rise(ray, spot->axis, &spot->ramp), spot->g, spot->h);
+}
+
+static inline int luminaire_spot_is_outside(const luminaire_spot *spot, const luminaire_offset *offset) {
+    return luminaire_is_outside(offset, spot->axis, spot->outside > 0 ? (uint32_t)spot->outside : 0);
+}
+
+/* The irradiance near the light or in a steep cone. Not inlined: it would slow the usual case. */
+LUMINAIRE_RARE uint32_t luminaire_spot_near(
+    const luminaire_spot *spot, const luminaire_offset *offset, int32_t facing, const int16_t normal[3]
+) {
+    luminaire_gain gain = luminaire_sound_gain(spot->intensity);
+    luminaire_fine_ray ray;
+    if (facing >= 7 << 12 || luminaire_spot_is_outside(spot, offset)) { return 0; }
+    if (spot->fine_below != LUMINAIRE_ALWAYS_FINE) {
+        /* Light that is clipped to full scale in any case keeps the coarse evaluation. */
+        luminaire_coarse_ray coarse = luminaire_coarse_ray_of(offset);
+        uint32_t cosine = luminaire_coarse_cosine(&coarse, facing);
+        uint32_t share = luminaire_coarse_of(cosine, luminaire_spot_coarse_share(spot, &coarse));
+        uint32_t light = luminaire_coarse_inverse_square(&coarse, share, gain);
+        if (luminaire_is_clipped(share, light)) { return light; }
+    }
+    ray = luminaire_fine_ray_of(offset);
+    return luminaire_fine_inverse_square(
+        &ray, luminaire_fine_of(luminaire_fine_cosine(&ray, normal), luminaire_spot_fine_share(spot, &ray)), gain);
+}
+
+/* Returns the irradiance at a point with a unit normal, before the colour. */
+static inline uint32_t luminaire_spot_irradiance(
+    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
+) {
+    luminaire_offset offset;
+    luminaire_coarse_ray ray;
+    int32_t facing;
+    uint32_t share;
+    if (!spot) { return 0; }
+    offset = luminaire_offset_between(spot->position, point);
+    facing = luminaire_facing(&offset, normal);
+    if (luminaire_is_near(&offset, spot->fine_below)) { return luminaire_spot_near(spot, &offset, facing, normal); }
+    if (facing >= 0 || luminaire_spot_is_outside(spot, &offset)) { return 0; }
+    ray = luminaire_coarse_ray_of(&offset);
+    share = luminaire_coarse_of(luminaire_coarse_cosine(&ray, facing), luminaire_spot_coarse_share(spot, &ray));
+    return luminaire_coarse_inverse_square(&ray, share, luminaire_sound_gain(spot->intensity));
+}
+
+/* Returns the light at a point with a unit normal: the irradiance times the colour. */
+static inline luminaire_rgb luminaire_spot_light(
+    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
+) {
+    luminaire_rgb light = { 0, 0, 0 };
+    uint32_t irradiance = luminaire_spot_irradiance(spot, point, normal);
+    if (irradiance) {
+        light.red = luminaire_light_filtered(irradiance, spot->color[0]);
+        light.green = luminaire_light_filtered(irradiance, spot->color[1]);
+        light.blue = luminaire_light_filtered(irradiance, spot->color[2]);
+    }
+    return light;
+}
+
+/* Returns the falloff at a point, from 0 to 2^14. */
+static inline int16_t luminaire_spot_falloff(const luminaire_spot *spot, const int32_t point[3]) {
+    luminaire_offset offset;
+    if (!spot) { return 0; }
+    offset = luminaire_offset_between(spot->position, point);
+    if (luminaire_is_near(&offset, spot->fine_below)) {
+        luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
+        return (int16_t)luminaire_rounded(luminaire_spot_fine_share(spot, &ray));
+    } else {
+        luminaire_coarse_ray ray = luminaire_coarse_ray_of(&offset);
+        return (int16_t)luminaire_spot_coarse_share(spot, &ray);
+    }
+}
+
+/* ---- changes: no part of the evaluation, so never inlined into it ---- */
+
+/* Sets the unit vector from a point to another one. Returns 0, and sets nothing, if they are the same. */
+LUMINAIRE_RARE int luminaire_unit(int32_t unit[3], const int32_t from[3], const int32_t to[3]) {
+    luminaire_offset offset = luminaire_offset_between(from, to);
+    luminaire_fine_ray ray;
+    int i;
+    if (!(offset.way[0] | offset.way[1] | offset.way[2])) { return 0; }
+    ray = luminaire_fine_ray_of(&offset);
+    for (i = 0; i < 3; ++i) { unit[i] = ray.direction[i]; }
+    return 1;
+}
+
+/* Moves the light; its axis stays. */
+static inline void luminaire_spot_move(luminaire_spot *spot, const int32_t position[3]) {
+    int i;
+    for (i = 0; spot && i < 3; ++i) { spot->position[i] = position[i]; }
+}
+
+/* Aims the light at a point. Returns 0, and changes nothing, if the point is the light's position. */
+static inline int luminaire_spot_aim(luminaire_spot *spot, const int32_t point[3]) {
+    return spot && luminaire_unit(spot->axis, spot->position, point);
+}
+
+/* Aims the light along a vector of any length. Returns 0, and changes nothing, if it is zero. */
+static inline int luminaire_spot_aim_along(luminaire_spot *spot, const int32_t way[3]) {
+    static const int32_t origin[3] = { 0, 0, 0 };
+    return spot && luminaire_unit(spot->axis, origin, way);
+}
+
+/* Gives the light a linear colour, in steps of 2^-14 from 0 to 2^14. */
+static inline void luminaire_spot_tint(luminaire_spot *spot, const int16_t color[3]) {
+    int i;
+    for (i = 0; spot && i < 3; ++i) { spot->color[i] = color[i]; }
+}
+
+/* Dims the light to a part of its intensity, from 0 to 2^14. */
+static inline void luminaire_spot_dim(luminaire_spot *spot, int16_t part) {
+    if (!spot || part >= 1 << 14) { return; }
+    spot->intensity = luminaire_gain_by(
+        luminaire_sound_gain(spot->intensity), luminaire_normalised(part > 0 ? (uint32_t)part : 0, 14));
+}
+
+/* Sets the unit normal along a vector of signed bytes; zero along zero. */
+static inline void luminaire_normal_from_bytes(int16_t normal[3], const int8_t bytes[3]) {
+    static const int32_t origin[3] = { 0, 0, 0 };
+    int32_t way[3];
+    int i, has_direction;
+    for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(bytes[i], 23); }
+    has_direction = luminaire_unit(way, origin, way);
+    for (i = 0; i < 3; ++i) {
+        normal[i] = has_direction ? (int16_t)(luminaire_plus(way[i], INT32_C(1) << 15) >> 16) : (int16_t)0;
+    }
+}
+
+/* Returns whether the light may reach points within a radius of a point, in steps of 2^-16. */
+LUMINAIRE_RARE int luminaire_spot_can_reach(const luminaire_spot *spot, const int32_t center[3], int32_t radius) {
+    /* The farthest light of which offsets do not wrap. */
+    const uint32_t farthest = UINT32_C(32639) << 16;
+    int32_t tip[3], ends = 0, squared_sine;
+    uint32_t shift, reciprocal, product, size, up;
+    luminaire_offset offset;
+    int i;
+    if (!spot) { return 0; }
+    squared_sine = 16384 - 18 - spot->outside;
+    if (spot->outside <= 0 || squared_sine <= 0) { return 1; }
+    /* A sphere reaches the cone if its centre is in the cone whose tip is moved back along the axis, by the
+     * radius over the sine of the half angle. */
+    shift = (15 - luminaire_bit_length((uint32_t)squared_sine)) & 14;
+    reciprocal = luminaire_inverse_sqrt((uint32_t)squared_sine << (16 + shift));
+    size = radius > 0 ? (uint32_t)radius + 8 : 8;
+    product = luminaire_high_product(size, reciprocal) + (size >> 13) + 1;
+    up = 1 + shift / 2;
+    if (product >> (29 - up)) { return 1; }
+    for (i = 0; i < 3; ++i) { ends |= spot->position[i] ^ luminaire_shl(spot->position[i], 1); }
+    for (i = 0; i < 3; ++i) {
+        int32_t from = spot->position[i];
+        int32_t back = luminaire_shl(luminaire_signed_high_half(spot->axis[i], (int32_t)(product << up)), 2);
+        tip[i] = luminaire_minus(from, back);
+        /* The moved tip can only be too far if the tip has a coordinate of 31 bits. */
+        if (ends < 0 && ((from ^ back) & (from ^ tip[i])) < 0) { return 1; }
+        if (ends < 0 && luminaire_magnitude(tip[i]) > farthest) { return 1; }
+    }
+    offset = luminaire_offset_between(tip, center);
+    return !luminaire_spot_is_outside(spot, &offset);
+}
+
+/* ---- zoom: cones between two cones, by the chords sqrt(v) of their versines v ---- */
+
+/* The chords with 31 fraction bits: up to which the intensity is full, where the edge would end, and from
+ * which on the light is dark. */
+typedef struct {
+    uint32_t inner, outer, limit;
+} luminaire_chords;
+
+#define LUMINAIRE_LARGEST_CHORD UINT32_C(3037000499) /* sqrt(2), of a versine of 2 */
+
+static inline uint32_t luminaire_less(uint32_t a, uint32_t b) { return a > b ? a - b : 0; }
+static inline uint32_t luminaire_max(uint32_t a, uint32_t b) { return a > b ? a : b; }
+
+/* Returns a sum; saturates. */
+static inline uint32_t luminaire_increased(uint32_t a, int32_t b) {
+    uint32_t sum = a + (uint32_t)b;
+    if (b < 0) { return sum < a ? sum : 0; }
+    return sum < a ? UINT32_C(0xffffffff) : sum;
+}
+
+/* Returns 2^16 sqrt(n). */
+LUMINAIRE_RARE uint32_t luminaire_sqrt(uint32_t n) {
+    uint32_t shift = (32 - luminaire_bit_length(n)) & 30, seed, root;
+    n <<= shift;
+    seed = luminaire_guess(n);
+    root = luminaire_min(luminaire_high_product(n, seed), LUMINAIRE_FINE_ONE - 1) << 1;
+    n -= luminaire_high_half(root, root);
+    return luminaire_increased(root, luminaire_signed_high_product((int32_t)n, seed)) >> (shift / 2);
+}
+
+/* Returns 2^63 / m for m >= 2^31, rounded down; at most 2^32 - 1. */
+LUMINAIRE_RARE uint32_t luminaire_inverse_of_32(uint32_t m) {
+    uint32_t seed = (uint32_t)luminaire_quick_inverse(m >> 16), inverse, high, low;
+    int32_t lack = (int32_t)(LUMINAIRE_FINE_ONE - luminaire_high_product(m, seed)), eighth = lack >> 3;
+    uint64_t rest;
+    int step;
+    lack = luminaire_plus(lack, luminaire_times(eighth, eighth) >> 25);
+    /* At most 3 too much, and then at most 6 too little. */
+    inverse = luminaire_less(
+        luminaire_increased(seed << 16, luminaire_signed_high_product(luminaire_shl(lack, 1), seed)), 3);
+    high = luminaire_high_half(inverse, m);
+    low = inverse * m;
+    rest = (UINT64_C(1) << 63) - (((uint64_t)high << 32) | low);
+    for (step = 0; step < 6; ++step) {
+        if (rest >= m) {
+            rest -= m;
+            inverse = luminaire_increased(inverse, 1);
+        }
+    }
+    return inverse;
+}
+
+/* Returns the chord of a versine with 29 + 2 zoom fraction bits. */
+static inline uint32_t luminaire_chord(uint32_t versine, uint32_t zoom) {
+    uint32_t root = luminaire_sqrt(2 * luminaire_min(versine, UINT32_C(1) << 30));
+    return luminaire_min(root, LUMINAIRE_LARGEST_CHORD) >> (zoom & 15);
+}
+
+/* Returns the versine of a chord times 4^zoom, with 29 fraction bits, to the nearest. */
+static inline uint32_t luminaire_versine_of(uint32_t chord, uint32_t zoom) {
+    uint32_t doubled = luminaire_high_half(chord << (zoom & 15), chord << (zoom & 15));
+    return (doubled >> 1) + (doubled & 1);
+}
+
+/* Returns the largest zoom up to a limit with which a chord's versine is at most 2. */
+static inline uint32_t luminaire_chord_zoom(uint32_t chord, uint32_t most) {
+    uint32_t zoom = luminaire_min(32 - luminaire_bit_length(chord), most) & 15;
+    return chord << zoom > LUMINAIRE_LARGEST_CHORD ? luminaire_less(zoom, 1) : zoom;
+}
+
+/* Returns the chord where the edge ends, of which a ramp has the reciprocal. */
+static inline uint32_t luminaire_outer_chord(const luminaire_ramp *ramp) {
+    uint32_t shift = ramp->fine_shift & 63, zoom = luminaire_zoom(ramp), high, even;
+    uint64_t outer = luminaire_inverse_of_32(ramp->fine_mantissa | LUMINAIRE_FINE_ONE);
+    outer = ((shift > 32 ? outer << ((shift - 32) & 31) : outer >> ((32 - shift) & 63)) + ramp->inner);
+    if (outer >> (30 + 2 * zoom)) { outer = UINT64_C(1) << (30 + 2 * zoom); }
+    outer <<= 33 - 2 * zoom;
+    high = (uint32_t)(outer >> 32);
+    if (!high) { return luminaire_sqrt((uint32_t)outer) >> 16; }
+    even = (luminaire_bit_length(high) + 1) & 62;
+    return luminaire_min(luminaire_sqrt((uint32_t)(outer >> even)) >> (16 - even / 2), LUMINAIRE_LARGEST_CHORD);
+}
+
+LUMINAIRE_RARE luminaire_chords luminaire_chords_of(const luminaire_ramp *ramp) {
+    uint32_t zoom = luminaire_zoom(ramp), width = luminaire_width(ramp), end = ramp->inner + width;
+    luminaire_chords chords;
+    chords.limit = luminaire_chord(end < width ? UINT32_C(0xffffffff) : end, zoom);
+    chords.inner = luminaire_min(luminaire_chord(ramp->inner, zoom), chords.limit);
+    chords.outer = chords.limit;
+    /* Without a cutoff, t is zero at the limit, but for roundings. */
+    if (width && luminaire_fallen(ramp, width) < LUMINAIRE_FINE_ONE - 4) {
+        chords.outer = luminaire_max(luminaire_outer_chord(ramp), chords.limit);
+    }
+    return chords;
+}
+
+static inline uint32_t luminaire_between(uint32_t from, uint32_t to, uint32_t part) {
+    return from <= to ? from + luminaire_high_half(to - from, part) : from - luminaire_high_half(from - to, part);
+}
+
+/* Returns the ramp of a cone with these chords. */
+static inline luminaire_ramp luminaire_ramp_of(const luminaire_chords *chords) {
+    luminaire_ramp ramp;
+    uint32_t zoom = luminaire_chord_zoom(chords->limit, 15), wide = zoom, end, span, bits, mantissa;
+    ramp.zoom = zoom;
+    ramp.inner = luminaire_versine_of(chords->inner, zoom);
+    end = luminaire_versine_of(chords->limit, zoom);
+    if (chords->outer > chords->limit) {
+        /* A cutoff may be so narrow that the outer versine is out of range in the scale of the ramp. */
+        wide = luminaire_chord_zoom(chords->outer, zoom);
+        span = luminaire_less(luminaire_versine_of(chords->outer, wide), luminaire_versine_of(chords->inner, wide));
+    } else {
+        span = luminaire_less(end, ramp.inner);
+    }
+    span = luminaire_max(span, 1);
+    bits = luminaire_bit_length(span);
+    ramp.fine_mantissa = luminaire_inverse_of_32(span << ((32 - bits) & 31));
+    ramp.fine_shift = bits + 2 * (zoom - wide);
+    ramp.shift = luminaire_min(luminaire_less(ramp.fine_shift, 16), 31);
+    mantissa = ramp.fine_mantissa >> ((ramp.fine_shift - ramp.shift - 1) & 31);
+    ramp.mantissa = (mantissa >> 1) + (mantissa & 1);
+    ramp.width = luminaire_less(end, ramp.inner);
+    ramp.one = LUMINAIRE_FINE_ONE + LUMINAIRE_COARSE_ONE - (ramp.mantissa - (ramp.mantissa >> ramp.shift)) / 2;
+    /* The last versine before the limit must not give a negative t. */
+    ramp.one = luminaire_max(ramp.one, (luminaire_less(ramp.width, 1) >> ramp.shift) * ramp.mantissa);
+    ramp.inner = luminaire_min(ramp.inner, end);
+    ramp.fine = 0;
+    return ramp;
+}
+
+/* Gives the light the cone with these chords. */
+static inline void luminaire_spot_set_cone(luminaire_spot *spot, const luminaire_chords *chords, int is_fine) {
+    uint32_t cosine = luminaire_less(UINT32_C(1) << 30, luminaire_high_half(chords->limit, chords->limit)) << 1;
+    spot->ramp = luminaire_ramp_of(chords);
+    if (is_fine) {
+        spot->ramp.fine = spot->ramp.width;
+        spot->ramp.width = 0;
+    }
+    spot->outside = (int16_t)((int32_t)(luminaire_high_half(cosine, cosine) >> 16) - 17);
+}
+
+/* Gives the light a cone between its own, part 0, and that of another light, part 2^14. The rest of the
+ * light stays. The lights may be the same. */
+LUMINAIRE_RARE void luminaire_spot_zoom(luminaire_spot *spot, const luminaire_spot *other, int16_t part) {
+    if (!spot || !other || part <= 0) { return; }
+    spot->fine_below = luminaire_max(spot->fine_below, other->fine_below);
+    if (part >= 1 << 14) {
+        spot->ramp = other->ramp;
+        spot->outside = other->outside;
+    } else {
+        luminaire_chords from = luminaire_chords_of(&spot->ramp), to = luminaire_chords_of(&other->ramp), chords;
+        uint32_t share = (uint32_t)part << 18;
+        int is_fine = spot->ramp.fine || other->ramp.fine;
+        chords.limit = luminaire_between(from.limit, to.limit, share);
+        chords.inner = luminaire_min(luminaire_between(from.inner, to.inner, share), chords.limit);
+        chords.outer = chords.limit;
+        if (from.limit < from.outer || to.limit < to.outer) {
+            chords.outer = luminaire_max(luminaire_between(from.outer, to.outer, share), chords.limit);
+        }
+        luminaire_spot_set_cone(spot, &chords, is_fine);
+    }
+}
+/* ---- many points: functions that add light to an array. A null array is empty ---- */
+
+/* A vertex of a mesh: a point, and a normal of unit length. */
+typedef struct {
+    int32_t point[3];
+    int16_t normal[3];
+} luminaire_vertex;
+
+/* A row of pixels on a straight line of a flat surface. */
+typedef struct {
+    int32_t first[3];  /* the point of the first pixel */
+    int32_t step[3];   /* what the point changes by from pixel to pixel */
+    int16_t normal[3]; /* the surface's, of unit length */
+} luminaire_row;
+
+/* Adds the light of a spotlight at a point with a unit normal. */
+static inline void luminaire_spot_add(
+    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3], luminaire_rgb *sum
+) {
+    luminaire_rgb light = luminaire_spot_light(spot, point, normal);
+    sum->red = luminaire_light_plus(sum->red, light.red);
+    sum->green = luminaire_light_plus(sum->green, light.green);
+    sum->blue = luminaire_light_plus(sum->blue, light.blue);
+}
+
+/* Sets the normal along a vector of signed bytes of a length of about 127, as normal maps have it. */
+static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int8_t bytes[3]) {
+    int32_t x = bytes[0], y = bytes[1], z = bytes[2], factor;
+    uint32_t square = (uint32_t)(x * x + y * y + z * z);
+    int i;
+    /* A step of Newton's iteration: (3 - |n|^2) / 2 for n in units of 127, in steps of 2^-15. */
+    factor = (int32_t)(((square < 48387 ? 48387 - square : 0) * UINT32_C(33548)) >> 15);
+    for (i = 0; i < 3; ++i) { normal[i] = (int16_t)((bytes[i] * factor + 128) >> 8); }
+}
+
+/* Adds the light of all spotlights at each vertex. */
+static inline void luminaire_vertices_add(
+    const luminaire_spot *spots, uint32_t spot_count, const luminaire_vertex *vertices, luminaire_rgb *lights,
+    uint32_t count
+) {
+    uint32_t spot, i;
+    if (!spots || !vertices || !lights) { return; }
+    for (i = 0; i < count; ++i) {
+        for (spot = 0; spot < spot_count; ++spot) {
+            luminaire_spot_add(&spots[spot], vertices[i].point, vertices[i].normal, &lights[i]);
+        }
+    }
+}
+
+static inline void luminaire_row_point(const luminaire_row *row, uint32_t index, int32_t point[3]) {
+    int i;
+    for (i = 0; i < 3; ++i) {
+        point[i] = luminaire_plus(row->first[i], luminaire_times(row->step[i], (int32_t)index));
+    }
+}
+
+/* Sets the centre and returns the radius of a sphere around the line between two points of a row. */
+static inline int32_t luminaire_row_sphere(const luminaire_row *row, uint32_t from, uint32_t to, int32_t center[3]) {
+    int32_t end[3];
+    uint32_t sum = 0, largest = 0;
+    int i;
+    luminaire_row_point(row, from, center);
+    luminaire_row_point(row, to, end);
+    for (i = 0; i < 3; ++i) {
+        int32_t a = center[i] >> 1, b = end[i] >> 1;
+        uint32_t half = luminaire_magnitude(luminaire_minus(a, b)) >> 1;
+        center[i] = luminaire_plus(a, b);
+        sum += half;
+        largest = luminaire_max(largest, half);
+    }
+    /* A vector is no longer than half the sum of its largest component and of all three. */
+    return (int32_t)(luminaire_min(sum + largest, UINT32_C(0x7ffffff8)) + 7);
+}
+
+/* Returns how many of the first points, or of the last ones, a light certainly does not reach: it skips
+ * blocks of 16 to 64 points by their bounding spheres. */
+LUMINAIRE_RARE uint32_t luminaire_row_skipped(
+    const luminaire_row *row, const luminaire_spot *spot, uint32_t first, uint32_t count, int is_backwards
+) {
+    uint32_t start = 0, size = 64, length = count - first;
+    while (start < length) {
+        uint32_t last = luminaire_min(length - 1 - start, size - 1) + start;
+        int32_t center[3];
+        int32_t radius = is_backwards
+            ? luminaire_row_sphere(row, count - 1 - start, count - 1 - last, center)
+            : luminaire_row_sphere(row, start, last, center);
+        if (!luminaire_spot_can_reach(spot, center, radius)) {
+            start = last + 1;
+            if (size < 64 && !(start & (2 * size - 1))) { size *= 2; }
+        } else if (size > 16) {
+            size /= 2;
+        } else {
+            break;
+        }
+    }
+    return start;
+}
+
+/* Adds the light of a spotlight to the pixels of a row, with the normals along three bytes each, or the row's. */
+static inline void luminaire_row_add_any(
+    const luminaire_row *row, const luminaire_spot *spot, const int8_t *normals, luminaire_rgb *lights, uint32_t count
+) {
+    uint32_t i, end;
+    int32_t point[3];
+    int16_t normal[3];
+    int k;
+    if (!row || !spot || !lights) { return; }
+    i = luminaire_row_skipped(row, spot, 0, count, 0);
+    end = count - luminaire_row_skipped(row, spot, i, count, 1);
+    luminaire_row_point(row, i, point);
+    for (k = 0; k < 3; ++k) { normal[k] = row->normal[k]; }
+    for (; i < end; ++i) {
+        if (normals) { luminaire_normal_from_unit_bytes(normal, &normals[3 * i]); }
+        luminaire_spot_add(spot, point, normal, &lights[i]);
+        for (k = 0; k < 3; ++k) { point[k] = luminaire_plus(point[k], row->step[k]); }
+    }
+}
+
+/* Adds the light of a spotlight to each pixel of a row. */
+static inline void luminaire_row_add(
+    const luminaire_row *row, const luminaire_spot *spot, luminaire_rgb *lights, uint32_t count
+) {
+    luminaire_row_add_any(row, spot, 0, lights, count);
+}
+
+/* Adds the light of a spotlight to each pixel of a row whose normals are along three signed bytes each, of a
+ * length of about 127: a sprite with a normal map. The row's normal is not read. */
+static inline void luminaire_row_add_facing(
+    const luminaire_row *row, const luminaire_spot *spot, const int8_t *normals, luminaire_rgb *lights, uint32_t count
+) {
+    if (normals) { luminaire_row_add_any(row, spot, normals, lights, count); }
+}
+
+/* ---- lights from the angles of a data sheet: full angles in steps of 2^-16 degrees ---- */
+
+/* What a set-up returns. */
+enum {
+    LUMINAIRE_OK,        /* the light is set up */
+    LUMINAIRE_ANGLE,     /* an angle of 0, or an outer angle over 180 degrees */
+    LUMINAIRE_ORDER,     /* an inner angle over the outer one, or a beam angle over the field angle */
+    LUMINAIRE_RATIO,     /* a field angle too wide for its beam angle: the ratio of the versines is over 5.437 */
+    LUMINAIRE_STEEPNESS, /* a cone that is too narrow for 16 bits, or an inner angle too close to the outer one */
+    LUMINAIRE_AXIS,      /* an axis of length 0 */
+    LUMINAIRE_NULL       /* a null pointer */
+};
+
+/* A cone: the chords sqrt(1 - cos) of half its inner and its outer angle, in steps of 2^-31, and its edge. */
+typedef struct {
+    uint32_t inner, outer;
+    int32_t g, h; /* as those of a spotlight */
+} luminaire_cone;
+
+/* Returns what a code says, in English. */
+static inline const char *luminaire_refusal(int code) {
+    switch (code) {
+    case LUMINAIRE_OK: return "the light is set up";
+    case LUMINAIRE_ANGLE: return "angle: expected more than 0, and an outer angle of at most 180 degrees";
+    case LUMINAIRE_ORDER: return "angles: expected inner at most outer, and beam at most field";
+    case LUMINAIRE_RATIO: return "field angle: expected a versine of at most 5.437 times that of the beam angle";
+    case LUMINAIRE_STEEPNESS: return "cone: expected a wider cone or a smaller inner angle for 16 bits";
+    case LUMINAIRE_AXIS: return "axis: expected a vector that is not zero";
+    default: return "pointer: expected one that is not null";
+    }
+}
+
+/* Returns the chord of half an angle; 0 for an angle of 0 or over 180 degrees. The error is at most 6 units. */
+static inline uint32_t luminaire_chord_of(uint32_t angle) {
+    static const uint32_t parts[4] = {
+        UINT32_C(59652324), UINT32_C(102261127), UINT32_C(214748365), UINT32_C(715827883)
+    };
+    uint32_t x, squared, series = LUMINAIRE_FINE_ONE;
+    int i;
+    if (angle > UINT32_C(180) << 16) { return 0; }
+    /* Radians of a quarter of the angle, and their sine over them: 1 - x^2/6 (1 - x^2/20 (1 - x^2/42 (1 - x^2/72))). */
+    x = luminaire_high_half(angle << 8, UINT32_C(2398762259));
+    squared = luminaire_high_half(x, x) << 1;
+    for (i = 0; i < 4; ++i) {
+        series = LUMINAIRE_FINE_ONE - luminaire_high_half(luminaire_high_half(squared, series) << 1, parts[i]);
+    }
+    return luminaire_high_half(luminaire_high_half(x << 1, series) << 1, LUMINAIRE_LARGEST_CHORD);
+}
+
+/* Stores a cone, unless half its outer chord is that of more than 180 degrees. */
+static inline int luminaire_cone_of(luminaire_cone *cone, uint32_t inner, uint32_t half, int32_t g, int32_t h) {
+    if (half > LUMINAIRE_FINE_ONE >> 1) { return LUMINAIRE_ANGLE; }
+    cone->inner = inner;
+    cone->outer = half << 1;
+    cone->g = g;
+    cone->h = h;
+    return LUMINAIRE_OK;
+}
+
+/* Sets a cone up with its field angle, at which 10 % of the intensity is left, and a soft or a hard edge. */
+static inline int luminaire_cone_from_field(luminaire_cone *cone, int is_hard, uint32_t field) {
+    uint32_t chord = luminaire_chord_of(field), wider = is_hard ? UINT32_C(2204800193) : UINT32_C(2597013068);
+    if (!cone) { return LUMINAIRE_NULL; }
+    if (chord == 0) { return LUMINAIRE_ANGLE; }
+    return luminaire_cone_of(cone, 0, luminaire_high_half(chord, wider), is_hard ? 16384 : -16384, 0);
+}
+
+/* Sets a cone up with its beam angle, at which 50 % of the intensity is left, and a soft or a hard edge. */
+static inline int luminaire_cone_from_beam(luminaire_cone *cone, int is_hard, uint32_t beam) {
+    uint32_t chord = luminaire_chord_of(beam), wider = is_hard ? UINT32_C(2553802834) : UINT32_C(3968032378);
+    if (!cone) { return LUMINAIRE_NULL; }
+    if (chord == 0) { return LUMINAIRE_ANGLE; }
+    return luminaire_cone_of(cone, 0, luminaire_high_half(chord, wider), is_hard ? 16384 : -16384, 0);
+}
+
+/* Sets a cone up with full intensity up to the inner angle, and no light from the outer angle on. */
+static inline int luminaire_cone_from_inner_and_outer(
+    luminaire_cone *cone, int is_hard, uint32_t inner, uint32_t outer
+) {
+    uint32_t chord = luminaire_chord_of(outer);
+    if (!cone) { return LUMINAIRE_NULL; }
+    if (inner > outer) { return LUMINAIRE_ORDER; }
+    if (chord == 0) { return LUMINAIRE_ANGLE; }
+    luminaire_cone_of(cone, luminaire_chord_of(inner), 0, is_hard ? 16384 : -16384, 0);
+    cone->outer = chord;
+    return LUMINAIRE_OK;
+}
+
+/* Returns 1 - t where the edge with these weights has an intensity, in steps of 2^-31. */
+static inline uint32_t luminaire_edge_versine(int32_t g, int32_t h, uint32_t intensity) {
+    uint32_t versine = 0, bit;
+    for (bit = UINT32_C(1) << 30; bit; bit >>= 1) {
+        if (luminaire_fine_cubic(LUMINAIRE_FINE_ONE - (versine | bit), g, h) > intensity) { versine |= bit; }
+    }
+    return versine;
+}
+
+/* Returns whether the ratio of the versines at a tenth and at half of the intensity is over far / near. */
+static inline int luminaire_ratio_is_over(uint32_t near_, uint32_t far_, int32_t g, int32_t h) {
+    return luminaire_high_half(luminaire_edge_versine(g, h, UINT32_C(214748365)), near_)
+        > luminaire_high_half(luminaire_edge_versine(g, h, LUMINAIRE_FINE_ONE >> 1), far_);
+}
+
+/* Sets a cone up with its beam and its field angle. The intensity at each is within 0.0001 of that named. */
+static inline int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint32_t beam, uint32_t field) {
+    uint32_t chord = luminaire_chord_of(field), near_ = luminaire_chord_of(beam), far_, up, half;
+    int is_cubic;
+    if (!cone) { return LUMINAIRE_NULL; }
+    if (beam > field) { return LUMINAIRE_ORDER; }
+    if (chord == 0 || near_ == 0) { return LUMINAIRE_ANGLE; }
+    /* The two versines in the same unit, in which that of the field angle has 29 or 30 bits. */
+    up = luminaire_bit_length(chord);
+    up = up < 31 ? 31 - up : 0;
+    near_ = luminaire_high_half(near_ << up, near_ << up);
+    far_ = luminaire_high_half(chord << up, chord << up);
+    if (far_ <= luminaire_high_half(near_ << 1, UINT32_C(2881151650))) {
+        /* The hard edge with a hotspot. */
+        uint32_t apart = far_ - near_, less = luminaire_high_half(apart, UINT32_C(3142897062)) << 2, outer;
+        uint32_t inner = luminaire_sqrt(near_ > less ? near_ - less : 0) >> up;
+        outer = luminaire_sqrt(far_ + luminaire_high_half(apart, UINT32_C(912355056))) >> up;
+        if (luminaire_cone_of(cone, inner, outer >> 1, 16384, 0)) { return LUMINAIRE_ANGLE; }
+        cone->outer = outer;
+        return LUMINAIRE_OK;
+    }
+    /* A quadratic between hard and soft, or a cubic with an edge slope of 1.34. */
+    for (is_cubic = far_ > luminaire_high_half(near_ << 2, UINT32_C(2506698000)); is_cubic < 2; ++is_cubic) {
+        int32_t least = is_cubic ? -54149 : -16384, most = is_cubic ? 10813 : 16384;
+        if (is_cubic && !luminaire_ratio_is_over(near_, far_, 5571, least)) { return LUMINAIRE_RATIO; }
+        while (most - least > 1) {
+            int32_t middle = (least + most) >> 1;
+            if (luminaire_ratio_is_over(near_, far_, is_cubic ? 5571 : middle, is_cubic ? middle : 0)) {
+                least = middle;
+            } else {
+                most = middle;
+            }
+        }
+        {
+            int32_t g = is_cubic ? 5571 : least, h = is_cubic ? least : 0;
+            uint32_t root = luminaire_sqrt(luminaire_edge_versine(g, h, UINT32_C(214748365)) << 1);
+            half = luminaire_high_half(chord, luminaire_inverse_of_32(root | LUMINAIRE_FINE_ONE));
+            if (luminaire_cone_of(cone, 0, half, g, h) == LUMINAIRE_OK) { return LUMINAIRE_OK; }
+        }
+    }
+    return LUMINAIRE_ANGLE;
+}
+
+/* Stores upper bounds of the derivatives of a cone's intensity with respect to the angle, in units of the outer
+ * half angle, and to the edge's argument, in steps of 2^-14. Returns whether the edge is not too steep. */
+static inline int luminaire_slopes(const luminaire_cone *cone, uint32_t *steepness, uint32_t *largest) {
+    int32_t g = cone->g, h = cone->h, i, bend = luminaire_times(3, h), tilt = luminaire_times(2, luminaire_minus(h, g));
+    uint32_t up = 32 - luminaire_bit_length(cone->outer), above = (luminaire_magnitude(h) >> 12) + 4, slope, span;
+    uint32_t hotspot = luminaire_high_half(cone->inner << up, luminaire_inverse_of_32(cone->outer << up));
+    /* The difference of the two versines, in units of the outer one. */
+    span = LUMINAIRE_FINE_ONE - (luminaire_high_half(hotspot, hotspot) << 1);
+    *steepness = *largest = 0;
+    if (span >> 21 == 0 || span > LUMINAIRE_FINE_ONE) { return 0; }
+    for (i = 0; i < 64; ++i) {
+        int32_t here = luminaire_plus(luminaire_plus(16384, g), luminaire_times(tilt, i) >> 6), next;
+        next = luminaire_plus(luminaire_plus(16384, g), luminaire_times(tilt, i + 1) >> 6);
+        here = luminaire_minus(here, luminaire_times(bend, i * i) >> 12);
+        next = luminaire_minus(next, luminaire_times(bend, (i + 1) * (i + 1)) >> 12);
+        if (next > here) { here = next; }
+        slope = (here > 0 ? (uint32_t)here : 0) + above;
+        if (slope > *largest) { *largest = slope; }
+        slope *= (luminaire_sqrt((LUMINAIRE_FINE_ONE - (span >> 6) * (uint32_t)i) >> 1) >> 17) + 1;
+        if (slope >> 13 > *steepness) { *steepness = slope >> 13; }
+    }
+    up = 32 - luminaire_bit_length(span);
+    *steepness = luminaire_high_half(*steepness << up, luminaire_inverse_of_32(span << up)) + 1;
+    return 1;
+}
+
+/* Stores an upper bound of the error of the coarse evaluation, in steps of 2^-24 of half a linear code. Returns
+ * whether the cone is not too narrow. */
+static inline int luminaire_coarse_error(const luminaire_cone *cone, uint32_t *error) {
+    uint32_t steepness = 16384, slope = 0, zoom, chord, inverse, direction, squared;
+    if (cone->inner != cone->outer && !luminaire_slopes(cone, &steepness, &slope)) { return 0; }
+    if (steepness > UINT32_C(1) << 22 || cone->outer < steepness * 733) { return 0; }
+    zoom = luminaire_chord_zoom(cone->outer, 15);
+    chord = cone->outer << zoom;
+    inverse = ((luminaire_inverse_of_32(chord >> 31 ? chord : chord << 1) >> (chord >> 31 ? 16 : 15)) + 1) << 15;
+    direction = luminaire_high_half(steepness << 8, ((UINT32_C(4629) << zoom) + 18073) << 8);
+    squared = luminaire_high_half(slope << 14, UINT32_C(52144) << ((2 * zoom) & 31));
+    squared = luminaire_high_half(luminaire_high_half(squared, inverse), inverse);
+    *error = (luminaire_high_half(direction << 6, inverse) << 1)
+        + (luminaire_high_half(steepness << 8, UINT32_C(885588) << 8) << 2) + (squared >> 2)
+        + (luminaire_high_half(slope << 14, UINT32_C(352513) << 8) >> 4) + 705032 + 256;
+    return 1;
+}
+
+/* Returns the encoded distance within which points need the fine evaluation. */
+static inline uint32_t luminaire_fine_below_of(uint32_t error, uint32_t intensity) {
+    uint32_t factor = luminaire_high_half(error, UINT32_C(2481735183)) + 1, up, product, length, bits;
+    if (error >> 24) { return LUMINAIRE_ALWAYS_FINE; }
+    up = 32 - luminaire_bit_length(intensity);
+    product = luminaire_high_half((factor > 1045869 ? factor : 1045869) << 8, intensity << up);
+    length = luminaire_bit_length(product) + 16;
+    if (intensity == 0 || length <= up) { return 0; }
+    bits = (length - up + 1) >> 1;
+    return bits << 26 | product >> ((2 * bits + up - 42) & 31);
+}
+
+/* Sets a white spotlight up, with the inverse square of the distance: position and axis in steps of 2^-16, the axis
+ * of any length, and an intensity on the axis in steps of 2^-16. If it is refused, it is dark. */
+static inline int luminaire_spot_set_up(
+    luminaire_spot *spot, const luminaire_cone *cone, const int32_t position[3], const int32_t axis[3],
+    int32_t intensity
+) {
+    static const luminaire_spot dark = {
+        { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, 0, 0, { 0, 0 }, 0, { 0, 0, 0 }, 0
+    };
+    luminaire_chords chords;
+    uint32_t error;
+    int i;
+    if (!spot) { return LUMINAIRE_NULL; }
+    *spot = dark;
+    if (!cone || !position || !axis) { return LUMINAIRE_NULL; }
+    if (!luminaire_coarse_error(cone, &error)) { return LUMINAIRE_STEEPNESS; }
+    if (!luminaire_spot_aim_along(spot, axis)) { return LUMINAIRE_AXIS; }
+    chords.inner = cone->inner;
+    chords.outer = chords.limit = cone->outer;
+    luminaire_spot_set_cone(spot, &chords, error >> 24 != 0);
+    spot->g = cone->g;
+    spot->h = cone->h;
+    for (i = 0; i < 3; ++i) {
+        spot->position[i] = position[i];
+        spot->color[i] = 16384;
+    }
+    intensity = intensity > 0 ? intensity : 0;
+    spot->intensity.mantissa = (uint32_t)intensity;
+    spot->intensity.shift = 16;
+    spot->intensity = luminaire_sound_gain(spot->intensity);
+    spot->fine_below = luminaire_fine_below_of(error, (uint32_t)intensity);
+    return LUMINAIRE_OK;
+}
+
+/* ---- pixels ----
+ *
+ * A light has three channels in steps of 2^-14 of full scale, which they may exceed; an output
+ * clips it. A code is the nearest of sRGB, or with ordered dither one of the two around the light:
+ * over cells of 8 x 8 pixels their mean is the light.
+ *
+ * The search for a code starts from a table of 256 bytes, by the upper eight bits of the light, and
+ * goes up. On Cortex-M0 a pixel of RGB565 then takes 91 instructions, with dither 139, on average
+ * over uniform light (measured, -Os); by bisection 213 and 236. Unused tables are not linked.
+ */
+
+/* Bayer's matrix as thresholds in 128ths. */
+static const uint8_t luminaire_thresholds[64] LUMINAIRE_TABLE = {
+    1, 65, 17, 81, 5, 69, 21, 85, 97, 33, 113, 49, 101, 37, 117, 53, 25, 89, 9, 73, 29, 93, 13, 77, 121, 57, 105, 41,
+    125, 61, 109, 45, 7, 71, 23, 87, 3, 67, 19, 83, 103, 39, 119, 55, 99, 35, 115, 51, 31, 95, 15, 79, 27, 91, 11, 75,
+    127, 63, 111, 47, 123, 59, 107, 43
+};
+
+/* 256 times a code up to those of light with these upper bits, over any last code, rounded up. */
+static const uint8_t luminaire_starts[256] LUMINAIRE_TABLE = {
+    1, 13, 22, 28, 34, 39, 43, 47, 50, 53, 56, 59, 62, 64, 67, 69, 71, 73, 75, 78, 79, 81, 83, 85, 87, 89, 90, 92, 93,
+    95, 97, 98, 100, 101, 102, 104, 105, 107, 108, 109, 111, 112, 113, 114, 115, 117, 118, 119, 120, 121, 123, 123,
+    125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147,
+    148, 149, 150, 150, 151, 152, 153, 154, 155, 156, 156, 157, 158, 159, 160, 161, 161, 162, 163, 164, 164, 165, 166,
+    167, 168, 168, 169, 170, 171, 171, 172, 173, 174, 174, 175, 176, 176, 177, 178, 178, 179, 180, 181, 181, 182, 183,
+    183, 184, 185, 185, 186, 187, 187, 188, 189, 189, 190, 190, 191, 192, 193, 193, 194, 194, 195, 196, 196, 197, 198,
+    198, 199, 199, 200, 201, 201, 202, 202, 203, 204, 204, 205, 205, 206, 206, 207, 208, 208, 209, 209, 210, 211, 211,
+    212, 212, 213, 213, 214, 214, 215, 216, 216, 217, 217, 218, 218, 219, 219, 220, 220, 221, 221, 222, 222, 223, 224,
+    224, 225, 225, 226, 226, 227, 227, 228, 228, 229, 229, 230, 230, 231, 231, 232, 232, 233, 233, 234, 234, 235, 235,
+    236, 236, 237, 237, 238, 238, 239, 239, 240, 240, 240, 241, 241, 242, 242, 243, 243, 244, 244, 245, 245, 246, 246,
+    247, 247, 247, 248, 248, 249, 249, 250, 250, 251, 251, 252, 252, 252, 253, 253, 254, 254, 255, 255
+};
+
+/* The least light whose nearest code is each from 1 on, in steps of 2^-14. */
+static const uint16_t luminaire_nearest_5[32] LUMINAIRE_TABLE = {
+    21, 63, 120, 199, 304, 435, 594, 782, 1002, 1253, 1539, 1859, 2215, 2607, 3038, 3507, 4017, 4567, 5158, 5792,
+    6469, 7191, 7957, 8769, 9627, 10532, 11485, 12487, 13538, 14639, 15790, 16384
+};
+
+/* The light of each code, in steps of 2^-24. */
+static const uint32_t luminaire_lights_5[32] LUMINAIRE_TABLE = {
+    0, 41889, 90103, 159878, 253898, 374113, 522276, 699989, 908731, 1149884, 1424746, 1734543, 2080442, 2463553,
+    2884941, 3345627, 3846592, 4388786, 4973125, 5600496, 6271760, 6987753, 7749289, 8557159, 9412136, 10314974,
+    11266409, 12267161, 13317934, 14419419, 15572292, 16777216
+};
+
+/* The least light whose nearest code is each from 1 on, in steps of 2^-14. */
+static const uint16_t luminaire_nearest_6[64] LUMINAIRE_TABLE = {
+    11, 31, 51, 73, 101, 134, 173, 217, 268, 325, 388, 458, 535, 619, 710, 808, 914, 1028, 1150, 1279, 1417, 1563,
+    1717, 1880, 2052, 2232, 2422, 2620, 2828, 3045, 3271, 3507, 3753, 4008, 4273, 4548, 4834, 5129, 5435, 5751, 6077,
+    6414, 6762, 7120, 7489, 7870, 8261, 8663, 9077, 9502, 9938, 10385, 10845, 11316, 11798, 12293, 12799, 13317,
+    13847, 14390, 14944, 15511, 16090, 16384
+};
+
+/* The light of each code, in steps of 2^-24. */
+static const uint32_t luminaire_lights_6[64] LUMINAIRE_TABLE = {
+    0, 20612, 41224, 62497, 88261, 119344, 156022, 198550, 247169, 302105, 363573, 431778, 506917, 589176, 678737,
+    775774, 880455, 992944, 1113399, 1241973, 1378815, 1524071, 1677882, 1840387, 2011721, 2192015, 2381399, 2579999,
+    2787939, 3005340, 3232322, 3469002, 3715494, 3971912, 4238366, 4514966, 4801818, 5099030, 5406705, 5724946,
+    6053854, 6393528, 6744068, 7105570, 7478130, 7861844, 8256803, 8663100, 9080827, 9510074, 9950929, 10403481,
+    10867817, 11344022, 11832183, 12332382, 12844704, 13369231, 13906044, 14455225, 15016854, 15591010, 16177771,
+    16777216
+};
+
+/* The least light whose nearest code is each from 1 on, in steps of 2^-14. */
+static const uint16_t luminaire_nearest_8[256] LUMINAIRE_TABLE = {
+    3, 8, 13, 18, 23, 28, 33, 38, 43, 48, 53, 58, 64, 69, 76, 82, 89, 96, 103, 111, 119, 128, 136, 145, 155, 165, 175,
+    185, 196, 207, 219, 231, 243, 256, 269, 283, 297, 311, 325, 340, 356, 372, 388, 405, 422, 439, 457, 475, 494, 513,
+    533, 553, 573, 594, 616, 637, 660, 682, 705, 729, 753, 777, 802, 828, 853, 880, 907, 934, 961, 990, 1018, 1047,
+    1077, 1107, 1138, 1169, 1200, 1233, 1265, 1298, 1332, 1366, 1400, 1435, 1471, 1507, 1544, 1581, 1618, 1656, 1695,
+    1734, 1774, 1814, 1855, 1896, 1938, 1980, 2023, 2067, 2110, 2155, 2200, 2246, 2292, 2338, 2386, 2433, 2482, 2531,
+    2580, 2630, 2681, 2732, 2783, 2836, 2888, 2942, 2996, 3050, 3105, 3161, 3217, 3274, 3332, 3390, 3448, 3507, 3567,
+    3627, 3688, 3750, 3812, 3875, 3938, 4002, 4067, 4132, 4197, 4264, 4331, 4398, 4466, 4535, 4605, 4675, 4745, 4817,
+    4888, 4961, 5034, 5108, 5182, 5257, 5333, 5409, 5486, 5563, 5642, 5720, 5800, 5880, 5961, 6042, 6124, 6207, 6290,
+    6374, 6458, 6544, 6630, 6716, 6803, 6891, 6980, 7069, 7159, 7249, 7340, 7432, 7525, 7618, 7712, 7806, 7901, 7997,
+    8094, 8191, 8289, 8387, 8487, 8587, 8687, 8788, 8890, 8993, 9096, 9200, 9305, 9411, 9517, 9624, 9731, 9839, 9948,
+    10058, 10168, 10279, 10391, 10503, 10616, 10730, 10845, 10960, 11076, 11193, 11310, 11428, 11547, 11666, 11787,
+    11908, 12029, 12152, 12275, 12399, 12523, 12649, 12775, 12901, 13029, 13157, 13286, 13416, 13546, 13678, 13809,
+    13942, 14075, 14210, 14345, 14480, 14617, 14754, 14891, 15030, 15169, 15310, 15450, 15592, 15734, 15878, 16021,
+    16166, 16312, 16384
+};
+
+/* The light of each code, in steps of 2^-24. */
+static const uint32_t luminaire_lights_8[256] LUMINAIRE_TABLE = {
+    0, 5092, 10185, 15277, 20369, 25462, 30554, 35646, 40739, 45831, 50923, 56146, 61682, 67524, 73676, 80144, 86931,
+    94043, 101483, 109255, 117364, 125813, 134607, 143749, 153244, 163095, 173306, 183880, 194821, 206133, 217819,
+    229883, 242327, 255157, 268373, 281981, 295983, 310382, 325182, 340386, 355996, 372016, 388449, 405298, 422565,
+    440255, 458369, 476910, 495881, 515286, 535127, 555406, 576126, 597291, 618902, 640963, 663476, 686443, 709868,
+    733752, 758099, 782910, 808189, 833938, 860159, 886854, 914027, 941680, 969814, 998433, 1027538, 1057133, 1087218,
+    1117798, 1148873, 1180447, 1212520, 1245097, 1278179, 1311767, 1345865, 1380475, 1415598, 1451237, 1487394,
+    1524071, 1561270, 1598994, 1637244, 1676023, 1715332, 1755173, 1795550, 1836463, 1877915, 1919907, 1962442,
+    2005522, 2049149, 2093324, 2138049, 2183328, 2229161, 2275550, 2322497, 2370005, 2418074, 2466708, 2515908,
+    2565675, 2616012, 2666920, 2718402, 2770458, 2823092, 2876304, 2930097, 2984472, 3039432, 3094977, 3151110,
+    3207832, 3265145, 3323052, 3381553, 3440650, 3500346, 3560641, 3621538, 3683038, 3745144, 3807855, 3871176,
+    3935106, 3999648, 4064803, 4130573, 4196960, 4263965, 4331589, 4399836, 4468706, 4538200, 4608321, 4679069,
+    4750448, 4822457, 4895099, 4968376, 5042288, 5116838, 5192027, 5267856, 5344328, 5421443, 5499204, 5577611,
+    5656667, 5736372, 5816729, 5897738, 5979402, 6061722, 6144699, 6228335, 6312631, 6397589, 6483210, 6569496,
+    6656448, 6744068, 6832357, 6921317, 7010948, 7101253, 7192233, 7283889, 7376223, 7469237, 7562930, 7657306,
+    7752366, 7848110, 7944540, 8041658, 8139465, 8237963, 8337152, 8437035, 8537612, 8638885, 8740855, 8843524,
+    8946893, 9050964, 9155737, 9261215, 9367397, 9474287, 9581885, 9690192, 9799210, 9908940, 10019383, 10130542,
+    10242416, 10355008, 10468318, 10582349, 10697100, 10812575, 10928773, 11045697, 11163346, 11281724, 11400831,
+    11520668, 11641236, 11762538, 11884573, 12007344, 12130852, 12255098, 12380082, 12505807, 12632274, 12759484,
+    12887438, 13016137, 13145583, 13275776, 13406719, 13538412, 13670857, 13804054, 13938006, 14072712, 14208175,
+    14344396, 14481375, 14619114, 14757615, 14896878, 15036905, 15177696, 15319253, 15461578, 15604671, 15748533,
+    15893166, 16038571, 16184750, 16331702, 16479430, 16627934, 16777216
+};
+
+/* ---- codes ---- */
+
+/* Returns the dither's threshold of the pixel at (x, y): an odd number of 128ths, 1 to 127. */
+static inline uint32_t luminaire_threshold(uint32_t x, uint32_t y) {
+    return LUMINAIRE_READ_8(&luminaire_thresholds[(y & 7) << 3 | (x & 7)]);
+}
+
+/* Returns a channel clipped just below 1: the light there has the codes of 1. */
+static inline uint32_t luminaire_clipped(uint32_t light) { return luminaire_min(light, (UINT32_C(1) << 14) - 1); }
+
+/* Returns a code of 1 to 8 bits that no light with these upper eight bits is below. */
+static inline uint32_t luminaire_start(uint32_t place, uint32_t bits) {
+    uint32_t start = LUMINAIRE_READ_8(&luminaire_starts[place]);
+    return ((start << bits) - start) >> 8;
+}
+
+/* Returns the nearest code to a clipped channel, from a code up to it. */
+static inline uint32_t luminaire_nearest(const uint16_t *nearest, uint32_t code, uint32_t light) {
+    while (light >= LUMINAIRE_READ_16(&nearest[code])) { ++code; }
+    return code;
+}
+
+/* Returns the dithered code of a light below 1 in steps of 2^-24, from a code up to it. */
+static inline uint32_t luminaire_dithered(
+    const uint32_t *lights, uint32_t code, uint32_t light, uint32_t threshold
+) {
+    uint32_t here, next;
+    while (light >= LUMINAIRE_READ_32(&lights[code + 1])) { ++code; }
+    here = LUMINAIRE_READ_32(&lights[code]);
+    next = LUMINAIRE_READ_32(&lights[code + 1]);
+    return code + ((light - here) << 7 > (next - here) * threshold);
+}
+
+/* Returns the nearest sRGB code of up to eight bits to a channel. */
+static inline uint32_t luminaire_code(const uint16_t *nearest, uint32_t bits, uint32_t light) {
+    light = luminaire_clipped(light);
+    return luminaire_nearest(nearest, luminaire_start(light >> 6, bits), light);
+}
+
+/* Returns the dithered sRGB code of up to eight bits of a channel. */
+static inline uint32_t luminaire_code_dithered(
+    const uint32_t *lights, uint32_t bits, uint32_t light, uint32_t threshold
+) {
+    light = luminaire_clipped(light);
+    return luminaire_dithered(lights, luminaire_start(light >> 6, bits), light << 10, threshold);
+}
+
+/* ---- pixels ---- */
+
+/* Returns the sRGB code of a channel, from 0 to 255. */
+static inline uint8_t luminaire_encode_srgb(uint32_t light) {
+    return (uint8_t)luminaire_code(luminaire_nearest_8, 8, light);
+}
+
+/* Returns the sRGB code of a channel for the pixel at (x, y), with ordered dither. */
+static inline uint8_t luminaire_encode_srgb_dithered(uint32_t light, uint32_t x, uint32_t y) {
+    return (uint8_t)(luminaire_code_dithered(luminaire_lights_8, 8, light, luminaire_threshold(x, y)));
+}
+
+/* Returns the three sRGB codes of a light as 0xRRGGBB. */
+static inline uint32_t luminaire_srgb(luminaire_rgb light) {
+    return luminaire_code(luminaire_nearest_8, 8, light.red) << 16
+        | luminaire_code(luminaire_nearest_8, 8, light.green) << 8
+        | luminaire_code(luminaire_nearest_8, 8, light.blue);
+}
+
+/* Returns the three sRGB codes of a light at (x, y) as 0xRRGGBB, with ordered dither. */
+static inline uint32_t luminaire_srgb_dithered(luminaire_rgb light, uint32_t x, uint32_t y) {
+    uint32_t threshold = luminaire_threshold(x, y);
+    return luminaire_code_dithered(luminaire_lights_8, 8, light.red, threshold) << 16
+        | luminaire_code_dithered(luminaire_lights_8, 8, light.green, threshold) << 8
+        | luminaire_code_dithered(luminaire_lights_8, 8, light.blue, threshold);
+}
+
+/* Returns the nearest pixel of five bits of red above six of green and five of blue. */
+static inline uint16_t luminaire_rgb565(luminaire_rgb light) {
+    return (uint16_t)(luminaire_code(luminaire_nearest_5, 5, light.red) << 11
+        | luminaire_code(luminaire_nearest_6, 6, light.green) << 5
+        | luminaire_code(luminaire_nearest_5, 5, light.blue));
+}
+
+/* Returns the pixel of RGB565 at (x, y), with ordered dither. */
+static inline uint16_t luminaire_rgb565_dithered(luminaire_rgb light, uint32_t x, uint32_t y) {
+    uint32_t threshold = luminaire_threshold(x, y);
+    return (uint16_t)(luminaire_code_dithered(luminaire_lights_5, 5, light.red, threshold) << 11
+        | luminaire_code_dithered(luminaire_lights_6, 6, light.green, threshold) << 5
+        | luminaire_code_dithered(luminaire_lights_5, 5, light.blue, threshold));
+}
+
+/* Writes a pixel of 16 bits with its upper byte first: the order of most displays on SPI. */
+static inline void luminaire_high_first(uint16_t pixel, uint8_t bytes[2]) {
+    bytes[0] = (uint8_t)(pixel >> 8);
+    bytes[1] = (uint8_t)(pixel & 0xff);
+}
+
+/* Writes a pixel of 16 bits with its lower byte first. */
+static inline void luminaire_low_first(uint16_t pixel, uint8_t bytes[2]) {
+    bytes[0] = (uint8_t)(pixel & 0xff);
+    bytes[1] = (uint8_t)(pixel >> 8);
+}
+
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+#endif

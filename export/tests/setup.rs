@@ -1,0 +1,105 @@
+//! A light that C sets up has the words of [`IntegerCone`], and each refusal its code.
+
+#[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
+mod compiler;
+
+use std::fs;
+
+use fastrand::Rng;
+use luminaire::codegen::ConeParts;
+use luminaire::falloff::{Falloff, SoftOrHard};
+use luminaire::light::{IntegerCone, Refusal};
+use luminaire::{Fx16, Length, Vec3};
+
+use compiler::{run, write_headers};
+
+const BUILDS: [(&str, &str); 5] = [
+    ("cc", "-std=c99 -O0"),
+    ("cc", "-std=c99 -Os"),
+    ("cc", "-std=c99 -O1 -DLUMINAIRE_BY_PARTS -fsanitize=undefined,address -fno-sanitize-recover=all"),
+    ("c++", "-std=c++11 -O2"),
+    ("clang", "-std=c99 -O2"),
+];
+
+/// A way to set a light up, two angles, and the words of position, axis and intensity.
+type Input = [u32; 10];
+
+fn three(words: &[u32]) -> Vec3<Length> {
+    Vec3::new(words[0], words[1], words[2]).map(|word| Length::from_bits(word as i32))
+}
+
+/// The code and the words of a light.
+fn expected(input: &Input) -> [u32; 23] {
+    let [way, first, second, ..] = *input;
+    let edge = if way & 1 == 1 { SoftOrHard::Hard } else { SoftOrHard::Soft };
+    let cone = match way >> 1 {
+        0 => IntegerCone::from_field(edge, first),
+        1 => IntegerCone::from_beam(edge, first),
+        2 => IntegerCone::from_inner_and_outer(edge, first, second),
+        _ => IntegerCone::from_beam_and_field(first, second),
+    };
+    let intensity = Length::from_bits(input[9] as i32);
+    let light = match cone.and_then(|cone| cone.light(three(&input[3..]), three(&input[6..]), intensity)) {
+        Ok(light) => light,
+        Err(refusal) => return std::array::from_fn(|i| if i == 0 { refusal as u32 } else { 0 }),
+    };
+    let parts = light.parts();
+    let ConeParts { axis, ramp, outside } = parts.cone.expect("a cone");
+    let curve = light.falloff().compile::<Fx16>();
+    let (g, h) = curve.weights();
+    let position = <[_; 3]>::from(parts.position.map(|c| c.to_bits() as u32));
+    let axis = <[_; 3]>::from(axis.map(|c| c.to_bits() as u32));
+    let gain = parts.intensity.to_bits().map(|bits| bits as u32);
+    let color = [1 << 14 | 1 << 30, 1 << 14 | u32::from(outside.to_bits() as u16) << 16];
+    let weights = [g, h].map(|weight| weight.to_bits() as u32);
+    let words =
+        [&[0], &position[..], &axis, &ramp.to_bits(), &weights, &gain, &[parts.fine_below], &color].concat();
+    words.try_into().expect("all words")
+}
+
+fn input(rng: &mut Rng) -> Input {
+    let degrees = |rng: &mut Rng| match rng.u8(..8) {
+        0 => rng.u32(..),
+        1 => [0, 1, 180 << 16, (180 << 16) + 1][rng.usize(..4)],
+        2 => rng.u32(..181) << 16,
+        _ => (rng.f32() * rng.f32() * 185.0 * 65_536.0) as u32,
+    };
+    let first = degrees(rng);
+    // Most beam and field angles that a data sheet may have.
+    let second = if rng.bool() { degrees(rng) } else { (first as f32 * (1.0 + 1.6 * rng.f32())) as u32 };
+    let mut word = || match rng.u8(..8) {
+        0 => 0,
+        _ => (rng.i32(..) >> rng.u8(..32)) as u32,
+    };
+    let [way, words @ ..] = [(); 8].map(|()| word());
+    let [x, y, z, along_x, along_y, along_z, intensity] = words;
+    [way % 8, first, second, x, y, z, along_x, along_y, along_z, intensity]
+}
+
+#[test]
+fn lights_have_the_words_of_the_kernel() {
+    const BATCH: usize = 5_000;
+    let batches = if std::env::var_os("LUMINAIRE_FULL").is_some() { 200 } else { 1 };
+    let folder = tempfile::tempdir().expect("a folder");
+    let main = folder.path().join("main.c");
+    write_headers(folder.path());
+    fs::write(&main, include_str!("setup.c")).expect("a folder");
+    let mut rng = Rng::with_seed(2027);
+    let mut codes = [0; 6];
+    for _ in 0..batches {
+        let inputs: Vec<_> = (0..BATCH).map(|_| input(&mut rng)).collect();
+        let answers: Vec<_> = inputs.iter().map(expected).collect();
+        answers.iter().for_each(|answer| codes[answer[0] as usize] += 1);
+        for (compiler, flags) in BUILDS {
+            let flags = format!("{flags} -Wconversion -Wshadow -Wundef -I{}", folder.path().display());
+            let Some(found) = run(compiler, &flags, &main, &inputs.concat()) else { continue };
+            assert_eq!(found.len(), 23 * BATCH);
+            for ((found, expected), input) in found.chunks_exact(23).zip(&answers).zip(&inputs) {
+                assert_eq!(found, expected, "{compiler} {flags}: {input:?}");
+            }
+        }
+    }
+    println!("{codes:?} lights by their codes");
+    assert!(codes.iter().all(|count| *count > 5) && codes[0] > BATCH / 8, "{codes:?}");
+    assert_eq!(Refusal::Axis as u32, 5);
+}
