@@ -14,14 +14,13 @@ use crate::record::{Group, Line};
 use crate::target::{BOARDS, Board};
 use tools::progress::Progress;
 use tools::suite::Suite;
-use tools::toolchain::Toolchain;
 use tools::{command, compilers, project};
 
-/// The package of the library, and the name of its file.
-const LIBRARY: (&str, &str) = ("luminaire-c", "libluminaire_c.a");
+/// The files of the library.
+const LIBRARY: &str = "export/c/src";
 
-/// The program that calls every function of the library.
-const CALLS: &str = "export/capi/tests/calls.c";
+/// The program that calls its functions.
+const CALLS: &str = "export/tests/calls.c";
 
 /// A lit point in floats, by the functions of libgcc on a processor without a floating point unit.
 const LIT: &str = "benches/firmware/src/lit.c";
@@ -91,17 +90,11 @@ pub fn steps(suite: &mut Suite) {
 fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     let Machine { board, compiler, options, beside } = machine;
     compilers::find(progress)?;
-    let (package, library) = LIBRARY;
-    progress.run(command::cargo(["build", "--package", package]))?;
-    let of_host = project::target().join("debug").join(library);
-    let program = compiled("cc", &[], &[project::root().join(CALLS), of_host])?;
+    let program = compiled("cc", &[], &[project::root().join(CALLS)])?;
     let expected = command::answer(&mut Command::new(program))?;
 
-    let toolchain = Toolchain::find(board.target, progress)?.with_flags(board.flags);
-    toolchain.build(project::root(), &["--release", "--package", package], progress)?;
     let options = [&["-Os", "-Wl,--gc-sections"], *options].concat();
-    let sources = beside.iter().chain([&CALLS]).map(|file| project::root().join(file));
-    let files: Vec<_> = sources.chain([toolchain.artifacts("release").join(library)]).collect();
+    let files: Vec<_> = beside.iter().chain([&CALLS]).map(|file| project::root().join(file)).collect();
     let program = compiled(compiler, &options, &files)?;
     // picolibc writes single letters to the console. Without a device for it, QEMU writes them to its
     // standard error.
@@ -153,7 +146,7 @@ fn compiled(compiler: &str, options: &[&str], files: &[PathBuf]) -> Result<PathB
     let (root, program) = (project::root(), project::target().join(format!("calls-{compiler}")));
     let mut compile = Command::new(compiler);
     compile.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic"]).args(options);
-    compile.arg("-I").arg(root.join("export/capi/include")).args(files);
+    compile.arg("-I").arg(root.join(LIBRARY)).args(files);
     compile.args(["-lm", "-o"]).arg(&program);
     command::answer(&mut compile)?;
     Ok(program)

@@ -12,11 +12,11 @@ enum { MOST = (COLUMNS + 1) * (ROWS + 1) }; /* vertices of the larger mesh, the 
 /* A vertex on the screen, in steps of 2^-16 pixels, with its linear light. */
 typedef struct {
     int32_t x, y;
-    luminaire_light light;
+    luminaire_rgb light;
 } corner;
 
 static luminaire_vertex vertices[MOST];
-static luminaire_light lights[MOST];
+static luminaire_rgb lights[MOST];
 static uint32_t picture[HEIGHT][WIDTH];
 
 /* a + (b - a) part / whole */
@@ -66,22 +66,22 @@ static void triangle(const corner *a, const corner *b, const corner *c) {
 
 /* Where the camera at (0, 3, 4), which looks at the origin, sees a vertex. */
 static corner project(int i) {
-    luminaire_point p = vertices[i].point;
-    int64_t up = 4 * (int64_t)(p.y - 3 * ONE) - 3 * (int64_t)(p.z - 4 * ONE); /* five times the length */
-    int64_t depth = -3 * (int64_t)(p.y - 3 * ONE) - 4 * (int64_t)(p.z - 4 * ONE);
+    const int32_t *p = vertices[i].point;
+    int64_t up = 4 * (int64_t)(p[1] - 3 * ONE) - 3 * (int64_t)(p[2] - 4 * ONE); /* five times the length */
+    int64_t depth = -3 * (int64_t)(p[1] - 3 * ONE) - 4 * (int64_t)(p[2] - 4 * ONE);
     corner c;
-    c.x = (int32_t)(WIDTH / 2 * ONE + (int64_t)p.x * 5 * HEIGHT * ONE / depth);
+    c.x = (int32_t)(WIDTH / 2 * ONE + (int64_t)p[0] * 5 * HEIGHT * ONE / depth);
     c.y = (int32_t)(HEIGHT / 2 * ONE - up * HEIGHT * ONE / depth);
     c.light = lights[i];
     return c;
 }
 
 /* Lights and draws the vertices, a grid whose squares are two triangles each. */
-static void draw(const luminaire_spot *spots, luminaire_light ambient, int columns, int rows) {
+static void draw(const luminaire_spot *spots, luminaire_rgb ambient, int columns, int rows) {
     int i, row, count = (columns + 1) * (rows + 1);
     /* glue */
-    luminaire_vertices(spots, 2, vertices, lights, (size_t)count);
-    for (i = 0; i < count; ++i) { lights[i] = luminaire_add(lights[i], ambient); }
+    for (i = 0; i < count; ++i) { lights[i] = ambient; }
+    luminaire_vertices_add(spots, 2, vertices, lights, (uint32_t)count);
     /* end of glue */
     for (row = 0; row < rows; ++row) {
         for (i = row * (columns + 1); i < row * (columns + 1) + columns; ++i) {
@@ -95,8 +95,8 @@ static void draw(const luminaire_spot *spots, luminaire_light ambient, int colum
 
 static void set_floor(int column, int row) {
     luminaire_vertex vertex = { { 0, 0, 0 }, { 0, 1 << 14, 0 } };
-    vertex.point.x = column * (ONE / 8) - 12 * ONE;
-    vertex.point.z = row * (ONE / 8) - 14 * ONE;
+    vertex.point[0] = column * (ONE / 8) - 12 * ONE;
+    vertex.point[2] = row * (ONE / 8) - 14 * ONE;
     vertices[row * (COLUMNS + 1) + column] = vertex;
 }
 
@@ -105,28 +105,29 @@ static void set_ball(int column, int row) {
     double longitude = turn * column / SEGMENTS, latitude = turn / 2 * row / RINGS;
     double x = sin(latitude) * sin(longitude), y = cos(latitude), z = sin(latitude) * cos(longitude);
     luminaire_vertex *vertex = &vertices[row * (SEGMENTS + 1) + column];
-    vertex->point.x = (int32_t)lrint(x * ONE);
-    vertex->point.y = (int32_t)lrint(y * ONE) + ONE;
-    vertex->point.z = (int32_t)lrint(z * ONE);
-    vertex->normal.x = (int16_t)lrint(x * (1 << 14));
-    vertex->normal.y = (int16_t)lrint(y * (1 << 14));
-    vertex->normal.z = (int16_t)lrint(z * (1 << 14));
+    vertex->point[0] = (int32_t)lrint(x * ONE);
+    vertex->point[1] = (int32_t)lrint(y * ONE) + ONE;
+    vertex->point[2] = (int32_t)lrint(z * ONE);
+    vertex->normal[0] = (int16_t)lrint(x * (1 << 14));
+    vertex->normal[1] = (int16_t)lrint(y * (1 << 14));
+    vertex->normal[2] = (int16_t)lrint(z * (1 << 14));
 }
 
 int main(void) {
-    const luminaire_spot_description warm = {
-        { -2.6f, 3.2f, 2.6f }, { 2.2f, -2.9f, -2.2f }, 0.0f, 46.0f, 20.0f, { 1.0f, 0.65f, 0.3f }, false
-    };
-    const luminaire_spot_description cool = {
-        { 2.8f, 2.6f, -0.6f }, { -2.5f, -2.2f, 0.7f }, 0.0f, 46.0f, 14.0f, { 0.3f, 0.55f, 1.0f }, false
-    };
-    const luminaire_light ambient = { 229, 262, 328 }; /* 0.014, 0.016 and 0.02 of full scale */
+    /* In steps of 2^-16 metres, and colours in steps of 2^-14. */
+    static const int32_t places[2][3] = { { -170394, 209715, 170394 }, { 183501, 170394, -39322 } };
+    static const int32_t axes[2][3] = { { 144179, -190054, -144179 }, { -163840, -144179, 45875 } };
+    static const int16_t colors[2][3] = { { 16384, 10650, 4915 }, { 4915, 9011, 16384 } };
+    const luminaire_rgb ambient = { 229, 262, 328 }; /* 0.014, 0.016 and 0.02 of full scale */
+    luminaire_cone cone;
     luminaire_spot spots[2];
-    char message[96];
-    int row, column;
-    if (!luminaire_spot_set_up(&spots[0], &warm, message, sizeof message)
-        || !luminaire_spot_set_up(&spots[1], &cool, message, sizeof message)) {
-        fputs(message, stderr);
+    int i, row, column, code = luminaire_cone_from_field(&cone, 0, 46 << 16);
+    for (i = 0; i < 2 && code == LUMINAIRE_OK; ++i) {
+        code = luminaire_spot_set_up(&spots[i], &cone, places[i], axes[i], (i ? 14 : 20) * ONE);
+        luminaire_spot_tint(&spots[i], colors[i]);
+    }
+    if (code != LUMINAIRE_OK) {
+        fputs(luminaire_refusal(code), stderr);
         return 1;
     }
     for (row = 0; row <= ROWS; ++row) {

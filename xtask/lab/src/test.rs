@@ -172,9 +172,10 @@ fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tal
 /// installed.
 fn by_all_compilers(progress: &Progress) -> Result<Tally> {
     compilers::find(progress)?;
-    let mut test = cargo(["test", "--package", "luminaire-export", "--test", "fixed", "--test", "float"]);
+    let mut test = cargo(["test", "--package", "luminaire-export"]);
     // The tests skip a compiler that is not installed, unless this variable is set.
-    test.args(["--package", "luminaire-c", "--test", "calls"]).env("LUMINAIRE_TOOLS", "1");
+    test.args(["fixed", "float", "spot", "setup", "pixels"].map(|test| format!("--test={test}")));
+    test.env("LUMINAIRE_TOOLS", "1");
     tally::cargo_test(test, progress)
 }
 

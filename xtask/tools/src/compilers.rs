@@ -10,9 +10,10 @@ use crate::{command, install};
 
 /// The compilers, each with a file of its library of C that is a package of its own, and Debian's
 /// packages.
-const COMPILERS: [(&str, Option<&str>, &[&str]); 5] = [
+const COMPILERS: [(&str, Option<&str>, &[&str]); 6] = [
     ("cc", None, &["gcc"]),
     ("c++", None, &["g++"]),
+    ("clang", None, &["clang"]),
     ("arm-none-eabi-gcc", Some("rdimon.specs"), &["gcc-arm-none-eabi", "libnewlib-arm-none-eabi"]),
     ("arm-none-eabi-g++", None, &["gcc-arm-none-eabi"]),
     (
