@@ -9,6 +9,7 @@ use luminaire::{Angle, Cone, Fx16, SpotLight, falloff::Soft, number::Length};
 use luminaire_effects::Inputs;
 
 use crate::counted::thousandths;
+use crate::program::Program;
 use crate::qemu::{Qemu, prints_the_same};
 use crate::record::{Group, Line};
 use crate::target::{BOARDS, Board};
@@ -22,11 +23,38 @@ const LIBRARY: &str = "export/c/src";
 /// The program that calls its functions.
 const CALLS: &str = "export/tests/calls.c";
 
+/// The program that counts its calls, and one whose size is counted.
+const PRICES: &str = "benches/firmware/src/prices.c";
+const MOVING: &str = "benches/firmware/src/moving.c";
+
+/// The prefix of their names on record.
+pub(crate) const PREFIX: &str = "c.";
+
+/// The calls that are counted: name, and what they are; a row counts for each of its pixels.
+pub(crate) const CALLS_COUNTED: [(&str, &str); 16] = [
+    ("irradiance", "`luminaire_spot_irradiance`, of a point in the light"),
+    ("light", "`luminaire_spot_light`, with a colour"),
+    ("light-away", "`luminaire_spot_irradiance`, of a point outside the cone"),
+    ("falloff", "`luminaire_spot_falloff`"),
+    ("can-reach", "`luminaire_spot_can_reach`"),
+    ("normal", "`luminaire_normal_from_unit_bytes`"),
+    ("changes", "`luminaire_spot_move`, `_dim` and `_aim`"),
+    ("zoom", "`luminaire_spot_zoom`"),
+    ("set-up", "`luminaire_cone_from_field` and `luminaire_spot_set_up`"),
+    ("both-angles", "`luminaire_cone_from_beam_and_field`"),
+    ("row", "`luminaire_row_add`, a pixel of a row across a light"),
+    ("row-beside", "`luminaire_row_add`, a pixel of a row that the light does not reach"),
+    ("rgb565", "`luminaire_rgb565`"),
+    ("rgb565-dithered", "`luminaire_rgb565_dithered`"),
+    ("srgb", "`luminaire_srgb`"),
+    ("gray4-dithered", "`luminaire_pixel_dithered(LUMINAIRE_GRAY4, ..)`"),
+];
+
 /// A lit point in floats, by the functions of libgcc on a processor without a floating point unit.
 const LIT: &str = "benches/firmware/src/lit.c";
 
 /// The processor that it is counted on, and the name of its figures.
-pub(crate) const FLOATS_OF_C: &str = "cortex-m0";
+const FLOATS_OF_C: &str = "cortex-m0";
 const LIT_BY_LIBGCC: &str = "lit-inverse-square-libgcc.rival";
 
 /// The number of its inputs.
@@ -45,13 +73,26 @@ struct Machine {
 /// its code.
 static ROOMY: Board = Board::arm("cortex-m0", "Cortex-M0", "thumbv6m-none-eabi", &["-M", "mps2-an385"]);
 
-static MACHINES: [Machine; 2] = [
+static MACHINES: [Machine; 3] = [
     Machine {
         board: &ROOMY,
         compiler: "arm-none-eabi-gcc",
         options: &[
             "-mcpu=cortex-m0",
             "-mthumb",
+            "--specs=rdimon.specs",
+            "-Wl,--section-start=.vectors=0",
+            "-Wl,--undefined=vectors",
+        ],
+        beside: Some("benches/firmware/src/vectors.c"),
+    },
+    Machine {
+        board: &BOARDS[2],
+        compiler: "arm-none-eabi-gcc",
+        options: &[
+            "-mcpu=cortex-m4",
+            "-mthumb",
+            "-mfloat-abi=hard",
             "--specs=rdimon.specs",
             "-Wl,--section-start=.vectors=0",
             "-Wl,--undefined=vectors",
@@ -104,10 +145,46 @@ fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     prints_the_same(board, &found, &expected)
 }
 
+/// Adds what C costs on a board, if one of the machines is it: the calls of the library, the size of a
+/// program, and the floats of C.
+pub(crate) fn add(board: &Board, group: &mut Group, progress: &Progress) -> Result<()> {
+    let Some(machine) = MACHINES.iter().find(|machine| machine.board.name == board.name) else {
+        return Ok(());
+    };
+    compilers::find(progress)?;
+    add_prices(machine, group, progress)?;
+    if board.name == FLOATS_OF_C {
+        add_lit_by_libgcc(group, progress)?;
+    }
+    Ok(())
+}
+
+/// Counts the instructions of the calls, optimised for speed. The results must be the host's.
+fn add_prices(machine: &Machine, group: &mut Group, progress: &Progress) -> Result<()> {
+    let Machine { board, compiler, options, beside } = machine;
+    let root = project::root();
+    let expected = command::answer(&mut Command::new(compiled("cc", &["-O2"], &[root.join(PRICES)])?))?;
+    let files: Vec<_> = beside.iter().chain([&PRICES]).map(|file| root.join(file)).collect();
+    let program = compiled(compiler, &[&["-O2"], *options].concat(), &files)?;
+    let (found, regions) = Qemu::find(board, progress)?.count(&program, progress)?;
+    prints_the_same(board, &found, &expected)?;
+    let lines = Line::all(&found)?;
+    ensure!(lines.len() == regions.len(), "{PRICES}: {} lines, {} regions", lines.len(), regions.len());
+    let sums: Vec<_> = regions.iter().map(|region| region.values().sum::<u64>() as f64).collect();
+    for (line, sum) in lines.iter().zip(&sums).skip(1) {
+        let count = (sum - sums[0]) / COUNT as f64;
+        group.add(&format!("{PREFIX}{}", line.name), "instructions", (10.0 * count).round() / 10.0);
+    }
+    let sized = [&["-Os", "-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"], *options].concat();
+    let alone = ["-nostartfiles", "-Wl,-e,main"];
+    let program = compiled(compiler, &[&sized[..], &alone].concat(), &[root.join(MOVING)])?;
+    group.add(&format!("{PREFIX}moving"), "bytes", Program::read(&program)?.bytes());
+    Ok(())
+}
+
 /// Counts the instructions of a lit point in C on a Cortex-M0, with the floats of libgcc. It must have the
 /// bits of the host, and the light of the kernel.
-pub(crate) fn add_lit_by_libgcc(group: &mut Group, progress: &Progress) -> Result<()> {
-    compilers::find(progress)?;
+fn add_lit_by_libgcc(group: &mut Group, progress: &Progress) -> Result<()> {
     let Machine { board, compiler, options, beside } = &MACHINES[0];
     let (root, target) = (project::root(), project::target());
     let mut inputs = Inputs::default();

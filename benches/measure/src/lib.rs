@@ -81,9 +81,7 @@ fn on(target: Target, check: bool, progress: &Progress) -> Result<Record> {
         Target::Browser { simd } => timed::browser(simd, progress),
         Target::Board(board) => {
             let mut group = effects::counted(board, progress)?;
-            if board.name == c::FLOATS_OF_C {
-                c::add_lit_by_libgcc(&mut group, progress)?;
-            }
+            c::add(board, &mut group, progress)?;
             drawn::add(board, &mut group, progress)?;
             let picture = frame::draw(board, &mut group, check, progress)?;
             let groups = [("picture", picture), (board.name, group)];
