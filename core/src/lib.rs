@@ -96,7 +96,8 @@
 //!
 //! Within the ranges of the table, the error of the falloff of a compiled cone is at most half a linear
 //! code, 1/510 of full scale (searched). Where the falloff jumps, the error of the edge's position is at most 1/510
-//! of the outer half angle. `tests/suite/domain.rs` tests the ends of each range.
+//! of the outer half angle. `tests/suite/domain.rs` tests the ends of each range, and
+//! `tests/slow` those of the angles and exponents.
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] | outside |
 //! |---|---|---|---|---|

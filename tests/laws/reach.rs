@@ -72,12 +72,17 @@ fn row<S: Format, L: LightModel<S>>(
     let count = words.choice(96) as usize;
     let point = |i: usize| nearest::<S>(at(i as f64 / 96.0));
     let mut pixels = vec![Rgb::default(); count];
-    Row::new(normal, point).light(&[light], &mut pixels, |pixel, _, light| *pixel = light);
+    Row::new(normal, point).light(&[light; 2], &mut pixels, |pixel, _, light| *pixel = light);
     for (i, pixel) in pixels.into_iter().enumerate() {
         let arrived =
             light.evaluate::<NoSpecular>(&SurfacePoint::matte(point(i), normal), &(), false).diffuse;
-        let single = Rgb::default().plus::<S>(Rgb::lit::<S>(arrived, light.colors()[0]));
-        assert_eq!(pixel, single, "{light:?} at {:?}, point {i} of {count}", point(i));
+        let single = Rgb::lit::<S>(arrived, light.colors()[0]);
+        assert_eq!(
+            pixel,
+            Rgb::default().plus::<S>(single).plus::<S>(single),
+            "{light:?} at {:?}, point {i} of {count}",
+            point(i)
+        );
     }
     // The same places along x.
     let start = point(0);

@@ -8,7 +8,7 @@ use fastrand::Rng;
 use luminaire::{
     Fx16, Fx32, SpotLight,
     display::encode_srgb,
-    falloff::{Falloff, Hard, Smooth, Soft},
+    falloff::{AnyFalloff, Falloff},
 };
 use support::{
     beams,
@@ -100,29 +100,29 @@ fn broken<S: Format, P: Falloff>(shape: &Shape<P>) -> Vec<String> {
     broken
 }
 
-fn four<S: Format>() -> Vec<String> {
-    [
-        broken::<S, _>(&Shape::plain("soft", Soft, oracle::soft)),
-        broken::<S, _>(&Shape::plain("hard", Hard, oracle::hard)),
-        broken::<S, _>(&Shape::plain("smooth", Smooth, oracle::smooth)),
-        broken::<S, _>(&Shape::plain("cubic", falloffs::cubic(), oracle::cubic)),
-    ]
-    .concat()
+fn each<S: Format>() -> Vec<String> {
+    shapes().iter().flat_map(broken::<S, _>).collect()
+}
+
+/// The shapes of the tables.
+fn shapes() -> Vec<Shape<AnyFalloff>> {
+    let is_of_them = |shape: &Shape<_>| limits::FALLOFFS.contains(&shape.name);
+    falloffs::listed().into_iter().filter(is_of_them).collect()
 }
 
 #[test]
 fn f32_is_within_four_times_the_limit() {
-    bounds::assert_kept(&four::<f32>());
+    bounds::assert_kept(&each::<f32>());
 }
 
 #[test]
 fn fx32_is_within_four_times_the_limit() {
-    bounds::assert_kept(&four::<Fx32>());
+    bounds::assert_kept(&each::<Fx32>());
 }
 
 #[test]
 fn fx16_is_within_four_times_the_limit() {
-    bounds::assert_kept(&four::<Fx16>());
+    bounds::assert_kept(&each::<Fx16>());
 }
 
 /// The a-priori bound of the versine form is kept, and its part that grows as the cone narrows is
@@ -152,20 +152,15 @@ fn the_two_forms_keep_their_a_priori_bounds() {
 /// The tables of the documentation are those of the bounds.
 #[test]
 fn the_documented_tables_are_up_to_date() {
-    let block = limits::markdown(|falloff, format| match (falloff, format) {
-        ("soft", format) => limit_of(&Shape::plain("soft", Soft, oracle::soft), format),
-        ("hard", format) => limit_of(&Shape::plain("hard", Hard, oracle::hard), format),
-        ("smooth", format) => limit_of(&Shape::plain("smooth", Smooth, oracle::smooth), format),
-        (_, format) => limit_of(&Shape::plain("cubic", falloffs::cubic(), oracle::cubic), format),
+    let shapes = shapes();
+    let block = limits::markdown(|falloff, format| {
+        let shape = shapes.iter().find(|shape| shape.name == falloff).expect("a falloff of the list");
+        match format {
+            "f32" => limit::<f32, _>(shape),
+            "fx32" => limit::<Fx32, _>(shape),
+            _ => limit::<Fx16, _>(shape),
+        }
     });
     let page = include_str!("../../docs/NUMERICS.md");
     assert!(page.contains(&block), "replace the tables under \"What a user sees\" by these:\n\n{block}");
-}
-
-fn limit_of<P: Falloff>(shape: &Shape<P>, format: &str) -> [Column; 2] {
-    match format {
-        "f32" => limit::<f32, P>(shape),
-        "fx32" => limit::<Fx32, P>(shape),
-        _ => limit::<Fx16, P>(shape),
-    }
 }

@@ -12,6 +12,4 @@ mod haze_search;
 mod limits;
 mod narrow;
 mod powers;
-
 mod stability;
-mod worst;

@@ -14,10 +14,10 @@ use fastrand::Rng;
 use luminaire::{
     Cone, Fx16, Fx32, SpotLight, Vec3,
     attenuation::{Attenuation, InverseSquare, NoAttenuation},
-    falloff::{AnyFalloff, Cubic, Hard, Linear, Soft},
+    falloff::AnyFalloff,
 };
 use support::{
-    falloffs,
+    falloffs::{Shape, four},
     format::Format,
     oracle::{self, DVec3},
     sweep,
@@ -119,23 +119,6 @@ impl Way {
 /// The quantum of the fixed-point lengths.
 const QUANTUM: f32 = 1.0 / 65_536.0;
 
-/// A cone, and its reference in f64.
-struct Shape {
-    name: &'static str,
-    falloff: AnyFalloff,
-    exact: oracle::Falloff,
-}
-
-fn shapes() -> [Shape; 4] {
-    let cubic: Cubic = falloffs::cubic();
-    [
-        Shape { name: "soft", falloff: Soft.into(), exact: oracle::soft },
-        Shape { name: "hard", falloff: Hard.into(), exact: oracle::hard },
-        Shape { name: "linear", falloff: Linear.into(), exact: oracle::linear },
-        Shape { name: "cubic", falloff: cubic.into(), exact: oracle::cubic },
-    ]
-}
-
 /// A kind of light: its distance model and where its points are.
 #[derive(Clone, Copy)]
 struct Kind<A> {
@@ -226,12 +209,17 @@ impl<A: Attenuation> Kind<A> {
     }
 
     /// The largest reversal of a pixel.
-    fn reversal<S: Format>(&self, rng: &mut Rng, shape: &Shape, half_degrees: f32, motion: Motion) -> f64 {
+    fn reversal<S: Format>(
+        &self,
+        rng: &mut Rng,
+        shape: &Shape<AnyFalloff>,
+        half_degrees: f32,
+        motion: Motion,
+    ) -> f64 {
         let toward = direction(rng);
         let way = Way::random(rng, toward);
         let mut scene = self.scene(rng, half_degrees.into(), motion, way, toward);
-        let cone = Cone::from_outer(shape.falloff, sweep::half(half_degrees)).expect("a sound angle");
-        let exact = oracle::Cone::new(shape.exact, oracle::versine(half_degrees.into()));
+        let (cone, exact) = (shape.at(half_degrees), shape.exactly_at(half_degrees));
         let normals = scene.normals.map(|normal| normal.map(S::from_f32));
         let compile = |scene: &Scene| {
             let spot = SpotLight::new(scene.light, scene.axis, cone)
@@ -279,7 +267,7 @@ impl<A: Attenuation> Kind<A> {
     /// multiples `narrow` of the narrowest half angle.
     fn largest<S: Format>(&self, name: &str, narrow: &[f32], degrees: &[f32], starts: usize) -> Row {
         let mut largest = Row::default();
-        for shape in shapes() {
+        for shape in four() {
             let narrowest = Cone::narrowest::<S>(shape.falloff).to_degrees() / 2.0;
             let held = degrees.iter().copied().filter(|&half| half > narrowest);
             for half_degrees in narrow.iter().map(|times| times * 1.0001 * narrowest).chain(held) {

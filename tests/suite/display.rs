@@ -1,10 +1,15 @@
-//! The encoding for the display against IEC 61966-2-1.
+//! The encoding for the display: back from a code, of many values at once, and exactly on a threshold of
+//! the dither.
 
 use luminaire::{
     Fx16, Fx32, Rgb,
-    display::{Rgb565, decode_srgb, encode_srgb, encode_srgb_each},
+    display::{
+        Rgb565, decode_srgb, encode_srgb, encode_srgb_dithered, encode_srgb_dithered_each, encode_srgb_each,
+    },
 };
 use support::{format::Format, oracle};
+
+use crate::outputs::bayer;
 
 /// Every code decodes to a linear value that encodes to it again, within the stated error of the
 /// standard.
@@ -40,96 +45,59 @@ fn encoding_many_is_encoding_each() {
     assert_each((0..1 << 16).map(|i| Fx32::from_bits(i << 15)));
 }
 
-/// The exact product of numbers: the lowest digits first, without leading zeros.
-fn product(factors: impl IntoIterator<Item = u32>) -> Vec<u32> {
-    let mut digits = vec![1];
-    for factor in factors {
-        let mut carry = 0;
-        for digit in &mut digits {
-            let sum = u64::from(*digit) * u64::from(factor) + carry;
-            (*digit, carry) = (sum as u32, sum >> 32);
-        }
-        digits.extend((carry > 0).then_some(carry as u32));
+/// Exactly on a threshold a pixel shows the lower code, and just above it the upper one. Among the
+/// first ten codes, where sRGB is linear, every threshold is a number of f32.
+#[test]
+fn a_value_on_a_threshold_shows_the_lower_code() {
+    let light = |code: u32| (f64::from(code) / 255.0 / 12.92 * 16_777_216.0).round();
+    for (code, x, y) in (0..9).flat_map(|code| (0..64).map(move |i| (code, i % 8, i / 8))) {
+        let threshold = f64::from(2 * bayer(x, y, 8) + 1) / 128.0;
+        let value = ((light(code) + (light(code + 1) - light(code)) * threshold) / 16_777_216.0) as f32;
+        assert_eq!(u32::from(encode_srgb_dithered(value, x, y)), code, "{x} {y}");
+        assert_eq!(u32::from(encode_srgb_dithered(value.next_up(), x, y)), code + 1, "{x} {y}");
     }
-    digits
 }
 
-/// Whether `mantissa / 2^exponent` is at or over the linear value halfway between a code and the
-/// next, in exact integers: the standard's power 2.4 is a comparison of a fifth with a twelfth
-/// power.
-fn reaches([mantissa, exponent]: [u32; 2], code: u32, last: u32) -> bool {
-    let odd = 2 * code + 1;
-    let copies = |factor, count| std::iter::repeat_n(factor, count);
-    // v = odd / (2 last) is in the toe up to 12.92 * 0.0031308; beyond it (v + 0.055) / 1.055 is a
-    // quotient of integers.
-    let is_toe = f64::from(odd) / f64::from(2 * last) <= 12.92 * 0.003_130_8;
-    let (power, [numerator, denominator]) = match is_toe {
-        true => ([1, 1], [100 * odd, 1292 * 2 * last]),
-        false => ([5, 12], [1000 * odd + 110 * last, 2110 * last]),
-    };
-    let value = copies(mantissa, power[0]).chain(copies(denominator, power[1]));
-    let threshold = copies(numerator, power[1]).chain(copies(2, exponent as usize * power[0]));
-    let order = |digits: Vec<u32>| (digits.len(), digits.into_iter().rev().collect::<Vec<_>>());
-    order(product(value)) >= order(product(threshold))
-}
-
-/// The codes of a grey value, of eight, six and five bits.
-fn codes<S: Format>(value: S) -> [u32; 3] {
-    let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
-    assert_eq!(pixel >> 11, pixel & 31, "red and blue of {value:?}");
-    [encode_srgb(value).into(), (pixel >> 5 & 63).into(), (pixel & 31).into()]
-}
-
-/// The code changes exactly where the standard's code does, and nowhere else within `side` values
-/// on either side. `exactly` returns a value as a mantissa over a power of two.
-fn assert_nearest<S: Format>(one: u32, side: u32, value: fn(u32) -> S, exactly: fn(u32) -> [u32; 2]) {
-    for (which, last) in [255, 63, 31].into_iter().enumerate() {
-        for code in 0..last {
-            let (mut below, mut above) = (0, one);
-            while above - below > 1 {
-                let middle = u32::midpoint(below, above);
-                if reaches(exactly(middle), code, last) { above = middle } else { below = middle }
-            }
-            for bits in below - side..=(above + side).min(one) {
-                let expected = code + u32::from(bits >= above);
-                assert_eq!(codes(value(bits))[which], expected, "{:?} of {last} codes", value(bits));
-            }
+/// Encoding many values at once with dither gives the code of each, on both sides of every threshold of
+/// every pixel of a cell, and outside the range; and so does the fast dither of RGB565.
+#[test]
+fn encoding_many_dithered_is_encoding_each() {
+    fn assert_each<S: Format>(values: impl IntoIterator<Item = S>, x: u32, y: u32) {
+        let values: Vec<_> = values.into_iter().collect();
+        for (block, at) in values.as_chunks::<32>().0.iter().zip((0..).map(|block| x.wrapping_add(5 * block)))
+        {
+            let mut place = at;
+            let codes = block.map(|value| {
+                let gray = Rgb::new(value, value, value);
+                let fast = Rgb565::from_linear_dithered_fast(gray, place, y);
+                assert_eq!(fast, Rgb565::from_linear_dithered(gray, place, y), "{value:?} at {place}, {y}");
+                place = place.wrapping_add(1);
+                encode_srgb_dithered(value, place.wrapping_sub(1), y)
+            });
+            assert_eq!(encode_srgb_dithered_each(block, at, y), codes, "{block:?} at {at}, {y}");
         }
     }
-}
-
-/// In f32 and `Fx32` it tests 3,000 values on either side of each threshold. Because codes never
-/// fall, which `exhaustive` tests, all other values are right, too.
-#[test]
-fn every_threshold_is_exact() {
-    let float = |bits: u32| [bits & 0x007f_ffff | 0x0080_0000, 150 - (bits >> 23)];
-    assert_nearest(1.0_f32.to_bits(), 3_000, f32::from_bits, float);
-    assert_nearest(1 << 30, 3_000, |bits| Fx32::from_bits(bits as i32), |bits| [bits, 30]);
-    assert_nearest(1 << 14, 0, |bits| Fx16::from_bits(bits as i16), |bits| [bits, 14]);
-}
-
-#[test]
-fn values_beyond_the_display_are_clipped() {
-    let clipped = [-1.0, -0.0, f32::NAN, f32::NEG_INFINITY, 1.0, 2.0, f32::INFINITY].map(encode_srgb);
-    assert_eq!(clipped, [0, 0, 0, 0, 255, 255, 255]);
-}
-
-/// The nearest code of an exact one.
-fn nearest(exact: f64) -> f64 {
-    (exact + 0.5).floor()
-}
-
-/// Every 16-bit value has the nearest code of eight, six and five bits. Exhaustive, including
-/// clipped values.
-#[test]
-fn sixteen_bits_are_encoded_exactly() {
-    for value in (i16::MIN..=i16::MAX).map(Fx16::from_bits) {
-        let exact = oracle::srgb_code(value.exact().clamp(0.0, 1.0));
-        assert_eq!(f64::from(encode_srgb(value)), nearest(exact), "{value}");
-        let Rgb565(pixel) = Rgb565::from_linear(Rgb::new(value, value, value));
-        let [five, six] = [31.0, 63.0].map(|last| nearest(exact / 255.0 * last) as u16);
-        assert_eq!(pixel, five << 11 | six << 5 | five, "{value}");
+    let lights: Vec<_> = (0..=255_u8).map(|code| oracle::srgb_linear(code.into())).collect();
+    for y in 0..8 {
+        // The first pixel of a row of 8 has the threshold of each column once.
+        for x in [0, 3, u32::MAX - 9] {
+            let around = lights.windows(2).flat_map(|pair| {
+                (0..8).flat_map(move |column| {
+                    let part = f64::from(2 * bayer(column, y, 8) + 1) / 128.0;
+                    let value = (pair[0] + part * (pair[1] - pair[0])) as f32;
+                    (-8..8).map(move |ulps| f32::from_bits(value.to_bits().wrapping_add_signed(ulps)))
+                })
+            });
+            assert_each(around.flat_map(|value| [value; 8]), x, y);
+        }
+        assert_each((0..1 << 18).map(|i| i as f32 / (1 << 18) as f32), y, y);
+        for x in 0..8 {
+            assert_each((i16::MIN..=i16::MAX).map(Fx16::from_bits), x, y);
+        }
+        assert_each((0..1 << 15).map(|i| Fx32::from_bits(i << 16)), 0, y);
     }
+    let special = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -0.0, 0.0, 1.0, 1e-30];
+    assert_each(special.into_iter().chain(special.map(|value| -value)).cycle().take(64), 0, 0);
 }
 
 /// Every pixel is restored from its codes, and every code converts to the nearest pixel.

@@ -5,19 +5,12 @@ use fastrand::Rng;
 use luminaire::display::{Rgb565, Rgb565Ramp};
 use luminaire::number::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Rgb};
-use support::oracle::{self, climb::Search};
+use support::oracle::climb::Search;
+
+use crate::draw::steps;
 
 /// The last codes of red, green and blue.
-const LASTS: [u16; 3] = [31, 63, 31];
-
-/// A linear value between two codes of a channel, in steps: the share between the codes is that in
-/// linear light.
-fn steps(linear: f64, last: u16) -> f64 {
-    let light = |code: u16| oracle::srgb_linear(f64::from(code) / f64::from(last) * 255.0);
-    let linear = linear.min(1.0);
-    let code = (1..last).take_while(|&code| light(code) <= linear).last().unwrap_or(0);
-    f64::from(code) + (linear - light(code)) / (light(code + 1) - light(code))
-}
+const LASTS: [u32; 3] = [31, 63, 31];
 
 /// The steps that a cell of the dither shows on average.
 fn shown(ramp: &Rgb565Ramp, light: Light16) -> [f64; 3] {

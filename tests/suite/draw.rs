@@ -44,7 +44,7 @@ channels! {
 
 /// A linear value between two codes of a channel, in steps: the share between the codes is that in
 /// linear light.
-fn steps(linear: f64, last: u32) -> f64 {
+pub(crate) fn steps(linear: f64, last: u32) -> f64 {
     let light = |code: u32| srgb_linear(f64::from(code) / f64::from(last) * 255.0);
     let linear = linear.clamp(0.0, 1.0);
     // An error of this code is an error of the formula below of the same size.

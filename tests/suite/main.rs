@@ -15,7 +15,6 @@ mod cones;
 mod decay;
 mod display;
 mod display_ramp;
-mod dither;
 mod domain;
 mod draw;
 mod falloff_ends;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use fastrand::Rng;
 use luminaire::{
     Fx16, Fx32, Rgb, Scalar,
     display::{
@@ -21,6 +22,7 @@ struct Channel {
     wide: fn(Fx32) -> u32,
     float: fn(f32) -> u32,
     dithered: fn(Fx16, u32, u32) -> u32,
+    dithered_wide: fn(Fx32, u32, u32) -> u32,
     dithered_float: fn(f32, u32, u32) -> u32,
 }
 
@@ -50,6 +52,7 @@ macro_rules! channels {
             wide: |light| $pixel::nearest(colored(light, $which)).to_bits().rotate_right($low),
             float: |light| $pixel::nearest(colored(light, $which)).to_bits().rotate_right($low),
             dithered: |light, x, y| $pixel::dithered(colored(light, $which), x, y).to_bits().rotate_right($low),
+            dithered_wide: |light, x, y| $pixel::dithered(colored(light, $which), x, y).to_bits().rotate_right($low),
             dithered_float: |light, x, y| $pixel::dithered(colored(light, $which), x, y).to_bits().rotate_right($low),
         },)*)* $(Channel {
             name: stringify!($curve),
@@ -59,6 +62,7 @@ macro_rules! channels {
             wide: |light| $curve::encode(light).into(),
             float: |light| $curve::encode(light).into(),
             dithered: |light, x, y| $curve::encode_dithered(light, x, y).into(),
+            dithered_wide: |light, x, y| $curve::encode_dithered(light, x, y).into(),
             dithered_float: |light, x, y| $curve::encode_dithered(light, x, y).into(),
         },)*]
     };
@@ -98,47 +102,81 @@ fn every_code_is_the_nearest() {
             assert_eq!(narrow(value), nearest(value.exact()), "{name}: {value}");
         }
         for (near, off) in thresholds.iter().flat_map(|near| (-3..=3).map(move |off| (near, off))) {
+            // Of the thresholds in proportion one is a number, a half, which f64 has exactly.
+            let is_clear = |exact: f64| exact == 0.5 || (exact / near - 1.0).abs() > 1e-13;
             let value = Fx32::from_bits((near * f64::from(1 << 30)) as i32 + off);
             assert_eq!(wide(value), nearest(value.exact()), "{name}: {value}");
+            assert!(is_clear(value.exact()), "{name}: f64 decides about {value}");
             let value = f32::from_bits((*near as f32).to_bits().wrapping_add_signed(off));
             assert_eq!(float(value), nearest(value.into()), "{name}: {value}");
+            assert!(is_clear(value.exact()), "{name}: f64 decides about {value}");
         }
         let special = [f32::NAN, f32::NEG_INFINITY, -0.0, 1e-45, 1.0, f32::INFINITY];
         assert_eq!(special.map(float), [0, 0, 0, 0, last, last], "{name}");
     }
 }
 
-/// The mean light of a cell is the value, within the stated part of a step, and no pixel falls where
-/// the light rises: exhaustive in 16 bits. The codes in f32 are the same.
+/// Bayer's matrix by his recursion: four copies of the next smaller one, four times as far apart.
+pub(crate) fn bayer(x: u32, y: u32, size: u32) -> u32 {
+    if size == 1 {
+        return 0;
+    }
+    let half = size / 2;
+    4 * bayer(x % half, y % half, half) + [[0, 2], [3, 1]][(y / half) as usize][(x / half) as usize]
+}
+
+/// The code that a place of a cell shows of a light, by the light of each code; `None` where the 24 bits
+/// of the tables may give either code.
+fn defined(lights: &[f64], light: f64, place: u32) -> Option<u32> {
+    let light = light.clamp(0.0, 1.0);
+    let above = lights.partition_point(|of_code| *of_code <= light).clamp(1, lights.len() - 1);
+    let [from, to] = [lights[above - 1], lights[above]];
+    let part = (f64::from(bayer(place % 8, place / 8, 8)) + 0.5) / 64.0;
+    let past = light - from - part * (to - from);
+    (past.abs() > 0.5_f64.powi(24)).then(|| above as u32 - u32::from(past < 0.0))
+}
+
+/// Each pixel of a cell has the code of the definition, the mean light is the value, within the stated
+/// part of a step, and no pixel falls where the light rises: exhaustive in 16 bits, including clipped
+/// values. In the other formats the codes of random values are those of the definition.
 #[test]
 fn every_cell_keeps_the_light() {
     let mut seen = BTreeSet::new();
-    for Channel { name, last, law, dithered, dithered_float, .. } in CHANNELS {
+    for Channel { name, last, law, dithered, dithered_wide, dithered_float, .. } in CHANNELS {
         let lights: Vec<_> = (0..=last).map(|code| law(f64::from(code) / f64::from(last))).collect();
         let (mut before, mut worst) = ([0; 64], 0.0_f64);
         // Every eighth value of a width and a curve that an earlier channel had.
         let stride = if seen.insert((last, law(0.5).to_bits())) { 1 } else { 8 };
-        for value in (0..=1 << 14).step_by(stride).map(Fx16::from_bits) {
-            let mut mean = 0.0;
+        let mut rng = Rng::with_seed(64);
+        for value in (-8..=(1 << 14) + 8).step_by(stride).map(Fx16::from_bits) {
+            let (light, mut mean) = (value.exact().clamp(0.0, 1.0), 0.0);
             for (place, before) in (0..).zip(&mut before) {
                 let code = dithered(value, place % 8, place / 8);
                 assert!((*before..=last).contains(&code), "{name}: {value} has {code} after {before}");
+                assert!(
+                    defined(&lights, light, place).is_none_or(|defined| code == defined),
+                    "{name}: {value}"
+                );
                 *before = code;
                 mean += lights[code as usize] / 64.0;
             }
-            // In f32 one pixel of the cell suffices: the values around a threshold are many.
-            let place = value.to_bits() as u32 / 8 % 64;
-            assert_eq!(
-                dithered_float(value.to_f32(), place % 8, place / 8),
-                before[place as usize],
-                "{name}: {value}"
-            );
-            let above = lights.partition_point(|light| *light <= value.exact()).clamp(1, last as usize);
-            let off = (mean - value.exact()).abs() - 1.0 / f64::from(1 << 24);
+            let (wide, place) = (Fx32::from_f32(law(rng.f64()) as f32), rng.u32(..64));
+            if let Some(defined) = defined(&lights, wide.exact(), place) {
+                let found = [
+                    dithered_wide(wide, place % 8, place / 8),
+                    dithered_float(wide.to_f32(), place % 8, place / 8),
+                ];
+                assert_eq!(found, [defined; 2], "{name}: {wide}");
+            }
+            let above = lights.partition_point(|of_code| *of_code <= light).clamp(1, last as usize);
+            let off = (mean - light).abs() - 1.0 / f64::from(1 << 24);
             worst = worst.max(off / (lights[above] - lights[above - 1]));
         }
         println!("{name}: a cell is off by {worst:.5} of a step");
         assert_eq!(before, [last; 64], "{name}: full scale");
+        let special = [f32::NAN, f32::NEG_INFINITY, -0.0, 1e-45, 1.0, f32::INFINITY];
+        let found = special.map(|value| dithered_float(value, 5, 2));
+        assert_eq!(found, [0, 0, 0, 0, last, last], "{name}");
         assert!((0.007..=0.0081).contains(&worst), "{name}: {worst} of a step");
     }
     let mut thresholds: Vec<_> = (0..64).map(|place| threshold(place % 8 + 8, place / 8)).collect();

@@ -132,20 +132,6 @@ fn the_limit_that_a_message_names_is_the_limit() {
     }
 }
 
-#[test]
-fn limits_are_the_models() {
-    let limit = |result: Result<Cone<SoftOrHard>, Error>| match result.expect_err("too wide").accepted {
-        Expected::AngleUpTo(limit) => (limit * 100.0).floor() / 100.0,
-        other => panic!("{other}"),
-    };
-    let wide = Angle::degrees(200.0);
-    assert_eq!(limit(Cone::from_field(SoftOrHard::Soft, wide)), 143.13);
-    assert_eq!(limit(Cone::from_field(SoftOrHard::Hard, wide)), 174.11);
-    assert_eq!(limit(Cone::from_beam(SoftOrHard::Soft, wide)), 90.0);
-    assert_eq!(limit(Cone::from_beam(SoftOrHard::Hard, wide)), 145.93);
-    assert_eq!(limit(Cone::from_outer(SoftOrHard::Soft, wide)), 180.0);
-}
-
 /// A format refuses a cone that it cannot evaluate within half a step of eight bits. A format of
 /// more bits accepts the cone.
 #[test]
@@ -172,14 +158,6 @@ fn a_cone_too_narrow_for_its_format() {
     assert!(
         Cone::from_outer(Hard, Angle::degrees(narrowest * 1.001)).expect("sound").compile::<Fx16>().is_ok()
     );
-}
-
-/// After a refused change the original description is unchanged.
-#[test]
-fn a_refused_change_leaves_the_light() {
-    let light = spot().with_intensity(3.0).expect("sound");
-    assert!(light.with_intensity(-1.0).is_err());
-    assert_eq!(light.intensity(), 3.0);
 }
 
 /// Every kind of light and every material has the same limits of colour and intensity.
@@ -279,12 +257,6 @@ fn a_position_beyond_the_reach_of_its_format() {
     assert_refused(far.compile::<Fx32>(), &message(32_639));
     let light = luminaire::PointLight::new(Vec3::new(0.0, 0.0, -40_000.0)).expect("a sound light");
     assert!(light.compile::<Fx16>().is_err());
-}
-
-/// A cone so narrow that its versine rounds to zero is refused.
-#[test]
-fn a_cone_narrower_than_numbers() {
-    assert!(Cone::from_field(Soft, Angle::degrees(1e-30)).is_err());
 }
 
 /// An angle above zero whose versine rounds to zero is refused: the cone would have no light, or

@@ -11,10 +11,6 @@ use support::{
     oracle::{self, half_degrees},
 };
 
-#[path = "../../examples/feasible-region.rs"]
-#[allow(dead_code, reason = "the example prints the picture")]
-mod region;
-
 /// The full angle in degrees whose half has this versine.
 fn full(versine: f64) -> f64 {
     2.0 * half_degrees(versine)
@@ -256,17 +252,6 @@ fn what_is_no_angle_is_refused_by_name() {
         let refused = refused.expect_err("no such slope");
         assert_eq!(refused.parameter, Parameter::EdgeSlope, "{refused}");
     }
-}
-
-/// The picture in the documentation equals the one that the search draws.
-#[test]
-fn the_documented_picture_is_up_to_date() {
-    let picture = include_str!("../../docs/feasible-region.svg");
-    assert_eq!(
-        picture,
-        region::svg(),
-        "cargo run -p suite --example feasible-region > docs/feasible-region.svg"
-    );
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::{oracle, sweep};
 use luminaire::{
-    Cone,
+    Cone, Scalar,
     falloff::{
         AnyFalloff, Cubic, Falloff, FalloffVisitor, InvertedPower, ListedFalloff, Power, Quadratic, Soft,
         falloffs,
@@ -45,6 +45,11 @@ impl<P: Falloff> Shape<P> {
 
     pub fn at(&self, half_degrees: f32) -> Cone<P> {
         (self.cone)(self.falloff, half_degrees)
+    }
+
+    /// The narrowest half angle of a format in degrees, plus a margin for the rounding of an angle.
+    pub fn narrowest<S: Scalar>(&self) -> f32 {
+        Cone::narrowest::<S>(self.falloff).to_degrees() / 2.0 * 1.000_01
     }
 
     pub fn exactly_at(&self, half_degrees: f32) -> oracle::Cone {
@@ -166,6 +171,11 @@ pub fn listed() -> Vec<Shape<AnyFalloff>> {
     let mut listed = Listed(Vec::new());
     falloffs(&mut listed);
     listed.0
+}
+
+/// Soft, hard, linear and cubic of the list.
+pub fn four() -> Vec<Shape<AnyFalloff>> {
+    listed().into_iter().filter(|shape| ["soft", "hard", "linear", "cubic"].contains(&shape.name)).collect()
 }
 
 /// Visits a shape.

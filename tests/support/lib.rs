@@ -21,7 +21,6 @@ pub mod shapes;
 pub mod squares;
 pub mod sweep;
 pub mod views;
-pub mod worst;
 
 pub use luminaire_oracle as oracle;
 

@@ -8,7 +8,7 @@ use std::process::{Command, ExitCode};
 use anyhow::{Context, Result, bail, ensure};
 use tools::browser::Visit;
 
-use crate::counted::{self, FIRMWARE};
+use crate::counted;
 use crate::qemu::Qemu;
 use crate::target::{BOARDS, Board, Target};
 use tools::progress::Progress;
@@ -127,7 +127,7 @@ fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
     let is_small = ["cortex-m0", "cortex-m3"].contains(&board.name);
     let profile = if is_small { "size" } else { "release" };
     let options = ["--profile", profile, "--bin", "conform", "--features", "conform"];
-    let program = counted::build_in(FIRMWARE, board, &options, progress)?.artifacts(profile).join("conform");
+    let program = counted::build(board, &options, progress)?.artifacts(profile).join("conform");
     // The program reads the vectors from the folder that QEMU is started in.
     let mut qemu = Qemu::find(board, progress)?.command("");
     command::answer(qemu.current_dir(folder()).arg("-kernel").arg(program))

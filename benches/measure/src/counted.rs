@@ -19,17 +19,16 @@ use crate::target::Board;
 /// The folder of the firmware.
 pub(crate) const FIRMWARE: &str = "benches/firmware";
 /// The profile of programs that are optimised for speed.
-pub(crate) const RELEASE: &str = "release";
+const RELEASE: &str = "release";
 /// The profile of programs that are optimised for size.
 pub(crate) const SIZE: &str = "size";
 
 /// The kernel that does nothing, which runs before each other one over the same inputs.
 const EMPTY: &str = "empty.";
 
-/// A program of a workspace of firmware, with further options of cargo, such as features.
+/// A program of the firmware, with further options of cargo, such as features.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Firmware<'a> {
-    pub(crate) folder: &'a str,
     pub(crate) name: &'a str,
     pub(crate) options: &'a [&'a str],
     pub(crate) profile: &'a str,
@@ -63,13 +62,13 @@ pub(crate) struct Cost {
 impl<'a> Firmware<'a> {
     /// A program of the firmware, in a profile, with a feature.
     pub(crate) fn new(name: &'a str, options: &'a [&'a str]) -> Self {
-        Self { folder: FIRMWARE, name, options, profile: RELEASE }
+        Self { name, options, profile: RELEASE }
     }
 
     /// Returns what the program prints on the host. The results of the host are right by definition.
     pub(crate) fn on_the_host(&self, progress: &Progress) -> Result<String> {
         let mut build = command::cargo(["build", "--release", "--bin", self.name]);
-        build.args(self.options).current_dir(project::root().join(self.folder));
+        build.args(self.options).current_dir(project::root().join(FIRMWARE));
         progress.run(build)?;
         let program = project::target().join("release").join(format!("{}{EXE_SUFFIX}", self.name));
         command::answer(&mut Command::new(program))
@@ -78,7 +77,7 @@ impl<'a> Firmware<'a> {
     /// Builds the program for a board. Returns its file.
     pub(crate) fn build(&self, board: &'static Board, progress: &Progress) -> Result<PathBuf> {
         let options = [&["--profile", self.profile, "--bin", self.name], self.options].concat();
-        let toolchain = build_in(self.folder, board, &options, progress)?;
+        let toolchain = build(board, &options, progress)?;
         Ok(toolchain.artifacts(self.profile).join(self.name))
     }
 
@@ -158,15 +157,10 @@ pub(crate) fn thousandths(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }
 
-/// Builds programs of a workspace for a board. They are among the artifacts of the returned toolchain.
-pub(crate) fn build_in(
-    folder: &str,
-    board: &Board,
-    options: &[&str],
-    progress: &Progress,
-) -> Result<Toolchain> {
+/// Builds programs for a board. They are among the artifacts of the returned toolchain.
+pub(crate) fn build(board: &Board, options: &[&str], progress: &Progress) -> Result<Toolchain> {
     let toolchain = Toolchain::find(board.target, progress)?.with_flags(board.flags);
-    toolchain.build(&project::root().join(folder), options, progress)?;
+    toolchain.build(&project::root().join(FIRMWARE), options, progress)?;
     Ok(toolchain)
 }
 

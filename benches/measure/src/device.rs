@@ -11,7 +11,7 @@ use anyhow::{Context, Result};
 use tools::board::RP2040;
 use tools::progress::Progress;
 use tools::suite::Suite;
-use tools::{board, project, tally};
+use tools::{board, project};
 
 use crate::program::Program;
 
@@ -55,9 +55,6 @@ pub(crate) fn steps(suite: &mut Suite) {
             progress.run(board::cargo(name, ["fmt", "--check"]))
         });
     }
-    suite.count("board: panel, cargo test", |progress| {
-        tally::cargo_test(board::cargo("panel", ["test"]), progress)
-    });
     suite.remarked("board: rp2040 sends the host's pixels to its display", |progress| {
         check::check(&build(progress)?, progress)
     });

@@ -175,7 +175,7 @@ pub(crate) fn build(
     write_programs()?;
     let package = ["--profile", SIZE, "--package", "luminaire-effects"];
     let options = [&package, programs, format.features].concat();
-    Ok(counted::build_in(FIRMWARE, board, &options, progress)?.artifacts(SIZE))
+    Ok(counted::build(board, &options, progress)?.artifacts(SIZE))
 }
 
 fn file_name(program: &str) -> String {

@@ -18,7 +18,6 @@ mod qemu;
 mod record;
 pub mod rivals;
 mod rp2040;
-pub mod spotlights;
 pub mod steps;
 mod target;
 mod timed;

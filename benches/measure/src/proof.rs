@@ -148,7 +148,7 @@ impl Proof {
         let package = ["--profile", SIZE, "--package", "luminaire-proof", "--features", self.configuration];
         let bins: Vec<_> = programs(format).iter().flat_map(|name| ["--bin", name]).collect();
         let options = [&package, &bins[..], format.features, options].concat();
-        let folder = counted::build_in(FIRMWARE, board, &options, progress)?.artifacts(SIZE);
+        let folder = counted::build(board, &options, progress)?.artifacts(SIZE);
         Ok(programs(format).iter().map(|name| folder.join(name)).collect())
     }
 

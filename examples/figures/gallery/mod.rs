@@ -9,6 +9,7 @@ mod gradient;
 mod mach_bands;
 mod picture;
 mod preview;
+mod region;
 mod scene;
 mod svg;
 mod warn;
@@ -41,7 +42,7 @@ impl Figure {
     }
 }
 
-/// Every figure, in the order of the page, and the demo's picture for links.
+/// Every figure, in the order of the page, the demo's picture for links, and a figure of NUMERICS.md.
 pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
     let [warn, soft, hard] = scene::pictures()?;
     let bands = mach_bands::MachBands::draw()?;
@@ -60,5 +61,6 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
         picture("gradient-dithered.png", dithered),
         picture("gradient-error.png", error),
         picture("preview.png", preview::picture()?),
+        drawing("feasible-region.svg", region::svg()),
     ])
 }

@@ -7,7 +7,7 @@ use crate::{
 };
 use core::f32::consts::PI;
 use fastrand::Rng;
-use luminaire::{Angle, Cone, Fx16, Fx32, SpotLight, Vec3, falloff::SoftOrHard};
+use luminaire::Vec3;
 
 extern crate std;
 
@@ -143,56 +143,6 @@ fn a_floor_that_runs_under_the_eye_is_cut_at_the_near_plane() {
             let below_horizon = y >= SIZE.1 / 2;
             assert_eq!(fragment(&renderer, x, y).2 != 0, below_horizon, "pixel {x}, {y}");
         }
-    }
-}
-
-/// Lights each pixel with the kernel, without the renderer, and checks that the light is
-/// bit-identical.
-fn blocks_left_out_are_dark<S: Format>(camera: &Camera, lights: &[SpotLight]) {
-    let scene = stage::scene().unwrap();
-    let mut renderer = renderer::<S>(&scene, camera);
-    renderer.draw_light(lights).unwrap();
-    let compiled: Vec<_> = lights.iter().map(|spot| spot.compile::<S>().unwrap()).collect();
-    for y in 0..renderer.height {
-        for x in 0..renderer.width {
-            let (point, normal, material) = fragment(&renderer, x, y);
-            let mut sum = scene.ambient().map(|channel| S::ONE.light(S::gain(channel)));
-            for light in &compiled {
-                let arrived = light.irradiance_unskipped(point, normal);
-                let color = light.color();
-                sum.red = S::add_light(sum.red, S::filter(arrived, color.red));
-                sum.green = S::add_light(sum.green, S::filter(arrived, color.green));
-                sum.blue = S::add_light(sum.blue, S::filter(arrived, color.blue));
-            }
-            let (light, albedo) =
-                (sum.map(S::light_to_f32), renderer.finishes[material as usize].material().albedo());
-            let expected =
-                Rgb::new(light.red * albedo.red, light.green * albedo.green, light.blue * albedo.blue);
-            assert_eq!(renderer.linear(x, y), Some(expected), "{} at {x}, {y}", S::NAME);
-        }
-    }
-}
-
-#[test]
-fn a_block_is_left_out_only_where_no_light_arrives() {
-    let mut camera = stage::camera();
-    let mut lights = stage::lights().unwrap().to_vec();
-    for (falloff, outer) in [
-        (SoftOrHard::Soft, 180.0),
-        (SoftOrHard::Hard, 180.0),
-        (SoftOrHard::Hard, 8.0),
-        (SoftOrHard::Soft, 5.0),
-    ] {
-        let cone = Cone::from_outer(falloff, Angle::degrees(outer)).unwrap();
-        let axis = Vec3::new(outer - 6.0, -20.0, 3.0);
-        lights.push(SpotLight::new(Vec3::new(0.0, 3.0, 0.0), axis, cone).unwrap());
-    }
-    for _ in 0..5 {
-        blocks_left_out_are_dark::<f32>(&camera, &lights);
-        blocks_left_out_are_dark::<Fx32>(&camera, &lights);
-        blocks_left_out_are_dark::<Fx16>(&camera, &lights);
-        camera.orbit(0.5, 0.15);
-        camera.zoom(0.75);
     }
 }
 

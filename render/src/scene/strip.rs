@@ -14,8 +14,8 @@ const IDLE: u16 = 1;
 
 /// LEDs at places of a scene, which show the bytes of a strip and not the shading of a surface.
 ///
-/// An LED has the [irradiance](luminaire::light::CompiledSpotLight::irradiance_facing) of all lights at
-/// its place, without gobos and shadows. A [`LedStrip`] converts the light of all LEDs to bytes.
+/// An LED has the [irradiance](luminaire::light::CompiledSpotLight::irradiance_facing) of all spotlights
+/// at its place, without gobos and shadows. A [`LedStrip`] converts the light of all LEDs to bytes.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Strip {
     places: Vec<Vec3<f32>>,
@@ -48,11 +48,13 @@ impl Strip {
         &self,
         lights: impl IntoIterator<Item = &'a AnyLight>,
     ) -> Result<Vec<Rgb<u8>>, Error> {
-        let compile = |light: &'a AnyLight| Ok((light, light.compile::<S>()?));
-        let lights = lights.into_iter().map(compile).collect::<Result<Vec<_>, Error>>()?;
+        let lights = lights.into_iter().map(AnyLight::compile::<S>).collect::<Result<Vec<_>, Error>>()?;
         let arrived = self.places.iter().map(|&place| {
-            let add = |sum: Rgb<S::Irradiance>, (light, compiled): &(&AnyLight, CompiledAnyLight<S>)| {
-                sum.plus::<S>(Rgb::lit(facing(light, compiled, place), compiled.color()))
+            let add = |sum: Rgb<S::Irradiance>, light: &CompiledAnyLight<S>| match light {
+                CompiledAnyLight::Spot(spot) => {
+                    sum.plus::<S>(Rgb::lit(spot.irradiance_facing(place.map(S::length)), spot.color()))
+                }
+                _ => sum,
             };
             clip::<S>(lights.iter().fold(Rgb::default(), add))
         });
@@ -70,17 +72,4 @@ impl Strip {
         let duties = frame.iter().flat_map(|led| [led.red, led.green, led.blue]).map(u32::from);
         frame.len() as u32 * u32::from(IDLE) + (duties.sum::<u32>() * u32::from(CHANNEL)).div_ceil(255)
     }
-}
-
-/// Returns the irradiance at a place that faces the light.
-fn facing<S: Scalar>(light: &AnyLight, compiled: &CompiledAnyLight<S>, place: Vec3<f32>) -> S::Irradiance {
-    let point = place.map(S::length);
-    let toward = match (light, compiled) {
-        (_, CompiledAnyLight::Spot(spot)) => return spot.irradiance_facing(point),
-        (AnyLight::Point(light), _) => light.position().zip(place, |light, place| light - place),
-        (AnyLight::Directional(light), _) => light.direction().map(|part| -part),
-        (AnyLight::Spot(_), _) => return S::Irradiance::default(),
-    };
-    let length = libm::sqrtf(toward.dot(toward));
-    compiled.irradiance(point, S::normal(toward.map(|part| part / length)))
 }

@@ -1,10 +1,9 @@
 //! Anti-aliasing, compared with 256 samples per pixel, and its independence from everything that
 //! must not change a picture.
 
-use luminaire::{Fx16, Rgb, SpotLight, Vec3, display::decode_srgb, projector::Fixture};
+use luminaire::{Rgb, SpotLight, Vec3, display::decode_srgb, projector::Fixture};
 use luminaire_render::{
-    Camera, Display, Edges, Format, Material, Mesh, Outline, Output, Renderer, Scene, Stripes,
-    scenes::Example,
+    Camera, Display, Edges, Material, Mesh, Outline, Output, Renderer, Scene, scenes::Example,
 };
 use std::f32::consts::{PI, TAU};
 
@@ -165,46 +164,6 @@ fn edges_inside_the_picture_are_mixed() {
         }
     }
     assert!(steps > 300 && mixed * 20 > steps * 19, "{mixed} of {steps} steps are mixed");
-}
-
-/// The whole picture, and the same picture from several renderers.
-fn must_agree<S: Format>(example: Example, display: Display) {
-    let setup = example.setup().unwrap();
-    let lights = setup.fixtures_at(0.0).unwrap();
-    let draw = |stripes| {
-        let mut renderer = Renderer::<S>::of_stripes(SIZE.0, SIZE.1, stripes).unwrap();
-        renderer.set_antialiased(true);
-        renderer.set_display(display);
-        renderer.draw_geometry(&setup.scene, &setup.camera);
-        renderer.draw_light(&lights).unwrap();
-        renderer.encode();
-        renderer
-    };
-    let whole = draw(Stripes::ALL);
-    for count in [2, 4] {
-        let (mut marks, mut picture) = (Vec::new(), vec![0; whole.pixels().len()]);
-        for share in (0..count).rev() {
-            let renderer = draw(Stripes::new(share, count).unwrap());
-            marks.extend(renderer.edge_marks());
-            let rows = renderer.stripes().rows(SIZE.1).flatten();
-            for (row, pixels) in rows.zip(renderer.pixels().chunks_exact(4 * SIZE.0)) {
-                picture[4 * SIZE.0 * row..][..pixels.len()].copy_from_slice(pixels);
-            }
-        }
-        let mut edges = Edges::new();
-        edges.take(marks);
-        edges.mix(display, SIZE.0, &mut picture);
-        assert!(picture == whole.pixels(), "{} {example:?} in {count} shares", S::NAME);
-    }
-}
-
-#[test]
-fn renderers_that_share_a_picture_find_the_same_edges() {
-    for &example in Example::ALL {
-        must_agree::<f32>(example, Output::Rgb888.dithered());
-    }
-    must_agree::<Fx16>(Example::ThreePoint, Display::default());
-    must_agree::<Fx16>(Example::Pocket, Output::Rgb565.dithered());
 }
 
 /// Every way to a state of the scene gives the same picture as a new renderer.

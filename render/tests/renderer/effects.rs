@@ -158,39 +158,6 @@ fn shadows_that_change_are_seen() -> Result<(), Error> {
     Ok(())
 }
 
-#[test]
-fn another_display_shows_other_codes() -> Result<(), Error> {
-    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures()?);
-    let plain = renderer.encode().to_vec();
-    let displays = [Output::Rgb888.dithered(), Output::Rgb565.nearest(), Output::Rgb565.dithered()];
-    for (display, most) in displays.into_iter().zip([1, 5, 9]) {
-        renderer.set_display(display);
-        let codes = renderer.encode();
-        let largest = codes.iter().zip(&plain).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0);
-        assert_eq!(largest, most, "{display:?}");
-    }
-    renderer.set_display(Display::default());
-    assert_eq!(renderer.encode(), plain);
-    Ok(())
-}
-
-/// Overexposed light keeps its hue, and light within full scale is unchanged.
-#[test]
-fn only_overexposed_light_is_changed_to_keep_its_hue() -> Result<(), Error> {
-    let mut renderer = renderer::<f32>(&stage::scene().unwrap(), &fixtures()?);
-    let plain = renderer.encode().to_vec();
-    renderer.set_display(Display { keeps_hue: true, ..Display::default() });
-    let mut changed = 0;
-    for (kept, clipped) in renderer.encode().chunks_exact(4).zip(plain.chunks_exact(4)) {
-        let is_within = clipped[..3].iter().all(|code| *code < 255);
-        assert!(!is_within || kept == clipped, "{clipped:?} becomes {kept:?}");
-        assert!(is_within || kept[..3].iter().any(|code| *code >= 254), "{clipped:?} becomes {kept:?}");
-        changed += usize::from(kept != clipped);
-    }
-    assert!(changed > 0 && changed < plain.len() / 8, "{changed} pixels are changed");
-    Ok(())
-}
-
 /// Each output shows the kernel's pixels, and keeps the hue before it encodes.
 #[test]
 fn every_output_shows_the_pixels_of_the_kernel() -> Result<(), Error> {

@@ -1,7 +1,7 @@
 //! The LEDs of a strip show its bytes.
 
 use luminaire::{
-    DirectionalLight, Error, Fx16, Fx32, PointLight, Rgb, Vec3,
+    Error, Fx16, Fx32, Rgb,
     display::{LedOrder, LedStrip, TemporalDither, clip},
     dynamic::{AnyLight, CompiledAnyLight},
 };
@@ -70,18 +70,4 @@ fn leds_show_their_bytes_in_every_format() -> Result<(), Box<dyn std::error::Err
     assert_leds_show_their_bytes::<f32>()?;
     assert_leds_show_their_bytes::<Fx32>()?;
     assert_leds_show_their_bytes::<Fx16>()
-}
-
-#[test]
-fn lights_without_a_cone_light_leds_as_if_they_faced_them() -> Result<(), Error> {
-    let strip = Strip::new([Vec3::new(1.0, 2.0, 0.5)], 1_000);
-    let point = PointLight::new(Vec3::new(1.0, 2.0, -1.5))?.with_color(Rgb::new(1.0, 0.0, 0.0))?;
-    let sun = DirectionalLight::new(Vec3::new(0.3, -1.0, 0.2))?.with_color(Rgb::new(0.0, 0.0, 0.5))?;
-    let lights = [AnyLight::from(point), sun.into()];
-    for frame in [strip.frame::<f32>(&lights)?, strip.frame::<Fx32>(&lights)?, strip.frame::<Fx16>(&lights)?]
-    {
-        // A quarter and a half of 255, each shown by the two duties around it.
-        assert!((63..=64).contains(&frame[0].red) && (127..=128).contains(&frame[0].blue), "{frame:?}");
-    }
-    Ok(())
 }

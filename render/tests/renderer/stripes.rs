@@ -1,8 +1,9 @@
-//! A picture that several renderers share is bit-identical to the picture of one renderer.
+//! A picture that several renderers share is bit-identical to the picture of one renderer, and they find
+//! the same edges.
 
 use luminaire::{Fx16, Fx32, Vec3, projector::Fixture};
 use luminaire_render::{
-    Account, Camera, Display, Format, Output, Renderer, Scene, SizeError, Stripes,
+    Account, Camera, Display, Edges, Format, Output, Renderer, Scene, SizeError, Stripes,
     scenes::{Example, Setup, stage, turntable},
 };
 
@@ -17,11 +18,13 @@ struct Team<S: Format> {
 
 impl<S: Format> Team<S> {
     fn new(count: usize) -> Self {
-        let share = |share| Renderer::of_stripes(SIZE.0, SIZE.1, Stripes::new(share, count).unwrap());
-        Self {
-            whole: Renderer::new(SIZE.0, SIZE.1).unwrap(),
-            shares: (0..count).map(|number| share(number).unwrap()).collect(),
-        }
+        let share = |stripes| {
+            let mut renderer = Renderer::of_stripes(SIZE.0, SIZE.1, stripes).unwrap();
+            renderer.set_antialiased(true);
+            renderer
+        };
+        let shares = (0..count).map(|number| share(Stripes::new(number, count).unwrap()));
+        Self { whole: share(Stripes::ALL), shares: shares.collect() }
     }
 
     /// Draws a picture in both ways and compares everything that a renderer tells of it. Returns the
@@ -47,6 +50,7 @@ impl<S: Format> Team<S> {
                 maps.push((owner, number, depths));
             }
         }
+        let (mut marks, mut picture) = (Vec::new(), vec![0; self.whole.pixels().len()]);
         for (share, renderer) in self.shares.iter_mut().enumerate() {
             for (_, number, depths) in maps.iter().filter(|(owner, ..)| *owner != share) {
                 renderer.take_shadow_map(scene, lights, *number, depths).unwrap();
@@ -56,10 +60,14 @@ impl<S: Format> Team<S> {
             renderer.set_display(display);
             let rows = renderer.stripes().rows(SIZE.1).flatten();
             for (row, pixels) in rows.zip(renderer.encode().chunks_exact(4 * SIZE.0)) {
-                let whole = &self.whole.pixels()[4 * SIZE.0 * row..][..4 * SIZE.0];
-                assert!(whole == pixels, "{what}: row {row} of share {share} differs");
+                picture[4 * SIZE.0 * row..][..pixels.len()].copy_from_slice(pixels);
             }
+            marks.extend(renderer.edge_marks());
         }
+        let mut edges = Edges::new();
+        edges.take(marks);
+        edges.mix(display, SIZE.0, &mut picture);
+        assert!(picture == self.whole.pixels(), "{what}: the picture differs");
         self.must_tell_the_same(what);
         maps.len()
     }

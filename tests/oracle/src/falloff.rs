@@ -46,11 +46,6 @@ pub fn power_15(t: f64) -> f64 {
     libm::pow(t, 15.0)
 }
 
-/// Godot's cone with an exponent of 4.
-pub fn inverted_power_4(t: f64) -> f64 {
-    1.0 - power_4(1.0 - t)
-}
-
 /// 1 - cos of a half angle in degrees.
 pub fn versine(half_degrees: f64) -> f64 {
     let sine = libm::sin(half_degrees.to_radians() / 2.0);

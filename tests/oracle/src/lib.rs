@@ -25,8 +25,7 @@
 //! assert!(errors.climbed.error > 0.2); // in linear codes, at `errors.climbed.input`
 //! ```
 //!
-//! `cargo run -p luminaire-oracle --example faulty` prints the errors of a faulty spotlight beside
-//! those of a correct one.
+//! `cargo run -p luminaire-oracle --example own_kernel` prints the errors of the spotlight of a shader.
 //!
 //! | module | holds |
 //! |---|---|

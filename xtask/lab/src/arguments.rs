@@ -19,8 +19,7 @@ pub(crate) enum Request {
     Prove,
     /// Take the pictures of the demo for the documents again
     Pictures,
-    /// Draw the pictures of renderers that are not the project's, and compare the spotlight of
-    /// embedded-3dgfx with the kernel's
+    /// Draw the pictures of renderers that are not the project's
     Renderers,
     /// Build the firmware of a board with a display: rp2040
     Board(DeviceOptions),

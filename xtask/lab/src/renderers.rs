@@ -1,5 +1,4 @@
-//! `cargo xtask renderers`: pictures of renderers that are not the project's, and the spotlight of
-//! embedded-3dgfx beside the kernel's.
+//! `cargo xtask renderers`: pictures of renderers that are not the project's.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +6,6 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
-use measure::spotlights;
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::{command, project};
@@ -15,38 +13,21 @@ use tools::{command, project};
 /// The workspace of the renderers.
 pub(crate) const FOLDER: &str = "examples/renderers";
 
-/// The page that has the rows of the tables.
+/// The page that has the rows of the table.
 const PAGE: &str = "examples/renderers/README.md";
 
-/// Prints the rows of the tables of the page.
+/// Prints the rows of the table of the page.
 pub(crate) fn run() -> Result<()> {
-    let progress = Progress::Live;
-    let pictures = pictures(&project::root().join(FOLDER), &progress)?;
-    let (compiler, instructions) = spotlights::instructions(&progress)?;
-    for rows in [pictures, spotlights::errors(&progress)?, instructions] {
-        println!("{}\n", rows.join("\n"));
-    }
-    println!("{compiler}");
+    println!("{}", pictures(&project::root().join(FOLDER), &Progress::Live)?.join("\n"));
     Ok(())
 }
 
-/// Adds the steps: format and lints, and the spotlights.
+/// Adds the step: format and lints.
 pub(crate) fn steps(suite: &mut Suite) {
     suite.step("renderers: cargo fmt and clippy", |progress| {
-        spotlights::lint(progress)?;
         let folder = project::root().join(FOLDER);
         progress.run(cargo(&folder, &["fmt", "--all", "--check"]))?;
         progress.run(cargo(&folder, &["clippy", "--workspace", "--all-targets", "--", "-Dwarnings"]))
-    });
-    suite.step("renderers: the spotlight of embedded-3dgfx has the errors of the page", |progress| {
-        are_on_the_page(&spotlights::errors(progress)?)
-    });
-    suite.remarked("renderers: the spotlights take the instructions of the page", |progress| {
-        let (compiler, rows) = spotlights::instructions(progress)?;
-        if !page()?.contains(&compiler) {
-            return Ok(vec![format!("not compared: counted with {compiler}, the page has another compiler")]);
-        }
-        are_on_the_page(&rows).map(|()| Vec::new())
     });
 }
 
@@ -60,15 +41,11 @@ pub(crate) fn pictures(folder: &Path, progress: &Progress) -> Result<Vec<String>
 
 /// Fails unless the page has these rows.
 pub(crate) fn are_on_the_page(rows: &[String]) -> Result<()> {
-    let page = page()?;
+    let page = fs::read_to_string(project::root().join(PAGE)).context(PAGE)?;
     ensure!(!rows.is_empty(), "expected rows");
     let missing: Vec<_> = rows.iter().filter(|row| !page.contains(*row)).collect();
     ensure!(missing.is_empty(), "{PAGE} has other rows than `cargo xtask renderers` prints: {missing:#?}");
     Ok(())
-}
-
-fn page() -> Result<String> {
-    fs::read_to_string(project::root().join(PAGE)).context(PAGE)
 }
 
 /// A call of cargo in a workspace of renderers, whose crates are compiled in a folder of their own.

@@ -8,8 +8,6 @@
 mod display;
 mod picture;
 mod second;
-#[cfg(test)]
-mod tests;
 
 use core::convert::Infallible;
 use core::fmt::Write;
@@ -29,7 +27,7 @@ use picture::Picture;
 use second::Drawn;
 
 pub use display::{Panel, Words};
-pub use second::{Alone, Job, Second, Strip};
+pub use second::{Job, Second, Strip};
 
 /// Starts the display at a bus of bytes in mode 3. `None` if its driver refuses the options.
 pub fn start(

@@ -64,19 +64,3 @@ pub trait Second {
     /// Waits until the row is drawn. `None` if it has none.
     fn finish(&mut self) -> Option<Job>;
 }
-
-/// Draws the rows of the second core on the first, after its own.
-#[derive(Default, Debug)]
-pub struct Alone(Option<Job>);
-
-impl Second for Alone {
-    fn start(&mut self, job: Job) -> Option<()> {
-        self.0.replace(job).is_none().then_some(())
-    }
-
-    fn finish(&mut self) -> Option<Job> {
-        let mut job = self.0.take()?;
-        job.run();
-        Some(job)
-    }
-}

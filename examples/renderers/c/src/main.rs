@@ -33,7 +33,7 @@ mod tests {
     #[test]
     fn picture_is_what_the_kernel_computes() {
         let picture = draw();
-        let found = picture.agreement::<luminaire::Fx16>(|_, _| false);
+        let found = picture.agreement::<luminaire::Fx16>();
         // Between vertices the light is a straight line.
         let bounds = [9.0, 16.0];
         let (source, folder) = (include_str!("../rasteriser.c"), env!("CARGO_MANIFEST_DIR"));

@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn picture_is_what_the_kernel_computes() {
         let picture = draw().expect("valid lights");
-        let found = picture.agreement::<Fx16>(|_, _| false);
+        let found = picture.agreement::<Fx16>();
         // A step of five bits is 8.2 codes, and dither shows the one above or the one below.
         let bounds = [9.0, 10.5];
         let (source, folder) = (include_str!("main.rs"), env!("CARGO_MANIFEST_DIR"));

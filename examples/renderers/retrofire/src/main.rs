@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn picture_is_what_the_kernel_computes() {
         let picture = draw().expect("valid lights");
-        let found = picture.agreement::<f32>(|_, _| false);
+        let found = picture.agreement::<f32>();
         // Half a code by rounding; on the ball also the chords of its 64 segments.
         let bounds = [0.6, 5.0];
         let (source, folder) = (include_str!("main.rs"), env!("CARGO_MANIFEST_DIR"));

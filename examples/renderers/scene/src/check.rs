@@ -77,9 +77,8 @@ impl Picture {
     }
 
     /// Compares each pixel with the kernel's colour, in a format, at the point that the middle of the
-    /// pixel sees, which is found without triangles. Left out are pixels beside an outline and those
-    /// that `covered` names.
-    pub fn agreement<S: Scalar>(&self, covered: impl Fn(usize, usize) -> bool) -> Agreement {
+    /// pixel sees, which is found without triangles. Left out are pixels beside an outline.
+    pub fn agreement<S: Scalar>(&self) -> Agreement {
         let mut agreement = Agreement { pixels: 0, floor: 0.0, ball: 0.0 };
         for y in 0..HEIGHT {
             for x in 0..WIDTH {
@@ -88,7 +87,7 @@ impl Picture {
                 let around = [(-2.0, 0.0), (2.0, 0.0), (0.0, -2.0), (0.0, 2.0)];
                 let is_inside =
                     around.iter().all(|(right, down)| seen(column + right, row + down).object == site.object);
-                if !is_inside || covered(x, y) {
+                if !is_inside {
                     continue;
                 }
                 let pairs = exact::<S>(&site).into_iter().zip(self.0[y * WIDTH + x]);
