@@ -38,8 +38,11 @@
 //! # C
 //!
 //! The folder `c` of this crate is a library for C and C++ without Rust, and [`C_HEADERS`] are its files.
-//! The source of [`Language::CFixed`] includes `luminaire_constant.h`, and that `luminaire.h`, whose lights
-//! are set up and move at run time.
+//! The source of [`Language::CFixed`] includes `luminaire_constant.h`, and that `luminaire.h`. This has
+//! `luminaire_spot`, a spotlight that is set up and moves at run time. For any words of it the results
+//! have the bits of [`CompiledSpotLight`](luminaire::light::CompiledSpotLight) in [`Fx16`] with a
+//! [`Cubic`](luminaire::falloff::Cubic) and the inverse square, and its set-up those of
+//! [`IntegerCone`](luminaire::light::IntegerCone).
 //!
 //! # JSON
 //!
@@ -85,8 +88,7 @@ use crate::shader::Syntax;
 /// Returns a light as source of a language.
 ///
 /// `name` begins the names of the functions and constants for users, and `luminaire_` and `name` those
-/// of all others. Lights of different names can be in one file, also with `luminaire.h` of
-/// `luminaire-c`.
+/// of all others. Lights of different names can be in one file.
 ///
 /// # Errors
 /// A light that the number format of the language cannot hold, with the error of its `compile`. A

@@ -1,13 +1,10 @@
 /* Reads lights and places, and writes what the functions of luminaire.h return of each. */
-#include <stdio.h>
-
 #include "luminaire.h"
 
 typedef struct {
-    luminaire_spot spot, other;
+    luminaire_spot spots[2];
     int32_t point[3], radius;
     int16_t normal[3], part;
-    /* A row of as many pixels, and their normals or, of the first ones, also points. */
     luminaire_row row;
     int8_t bytes[4];
     uint32_t count;
@@ -18,9 +15,9 @@ static luminaire_rgb lights[MOST];
 static luminaire_vertex vertices[MOST];
 static int8_t normals[3 * MOST];
 
-static void put(const void *words, size_t count) {
-    if (fwrite(words, 4, count, stdout) != count) { fprintf(stderr, "no output\n"); }
-}
+void put(const void *words, uint32_t count);
+void answer(const place *at);
+int nothing(void);
 
 static void put_number(uint32_t number) { put(&number, 1); }
 
@@ -37,8 +34,8 @@ static void put_lights(uint32_t count) {
     }
 }
 
-static void put_change(const place *at) {
-    luminaire_spot spot = at->spot;
+static void put_changes(const place *at) {
+    luminaire_spot spot = at->spots[0];
     put_number((uint32_t)luminaire_spot_aim(&spot, at->point));
     put_spot(&spot);
     luminaire_spot_move(&spot, at->point);
@@ -47,64 +44,71 @@ static void put_change(const place *at) {
     put_number((uint32_t)luminaire_spot_aim_along(&spot, at->row.step));
     luminaire_spot_dim(&spot, at->part);
     put_spot(&spot);
-    luminaire_spot_zoom(&spot, &at->other, at->part);
+    luminaire_spot_zoom(&spot, &at->spots[1], at->part);
     put_spot(&spot);
     luminaire_spot_zoom(&spot, &spot, at->part);
     put_spot(&spot);
 }
 
 static void put_many(const place *at) {
-    const luminaire_spot *spots = &at->spot; /* and the other */
-    uint32_t i;
+    uint32_t i, k;
     for (i = 0; i < 3 * at->count; ++i) { normals[i] = (int8_t)(at->bytes[i & 3] + (int32_t)i); }
     for (i = 0; i < at->count; ++i) {
-        int k;
         for (k = 0; k < 3; ++k) {
             vertices[i].point[k] = luminaire_plus(at->point[k], luminaire_shl(at->row.step[k], i & 15));
             vertices[i].normal[k] = (int16_t)(at->normal[k] >> (i & 3));
         }
     }
     put_lights(0);
-    luminaire_row_add(&at->row, spots, lights, at->count);
+    luminaire_row_add(&at->row, at->spots, lights, at->count);
     put_lights(at->count);
-    luminaire_row_add_facing(&at->row, spots, normals, lights, at->count);
+    luminaire_row_add_facing(&at->row, at->spots, normals, lights, at->count);
     put_lights(at->count);
-    luminaire_vertices_add(spots, 2, vertices, lights, at->count);
+    luminaire_vertices_add(at->spots, 2, vertices, lights, at->count);
     put_lights(at->count);
+}
+
+void answer(const place *at) {
+    luminaire_rgb light = luminaire_spot_light(at->spots, at->point, at->normal);
+    int16_t normal[6];
+    put_number(luminaire_spot_irradiance(at->spots, at->point, at->normal));
+    put(&light, 3);
+    put_number((uint32_t)luminaire_spot_falloff(at->spots, at->point));
+    put_number((uint32_t)luminaire_spot_can_reach(at->spots, at->point, at->radius));
+    luminaire_normal_from_bytes(normal, at->bytes);
+    luminaire_normal_from_unit_bytes(&normal[3], at->bytes);
+    put(normal, 3);
+    put_changes(at);
+    put_many(at);
 }
 
 /* Calls every function with null pointers. Returns 0 if they do nothing. */
-static int nothing(void) {
+int nothing(void) {
+    static luminaire_spot dark;
     const int32_t point[3] = { 0, 0, 0 };
     const int16_t normal[3] = { 0, 0, 0 };
-    luminaire_rgb light = luminaire_spot_light(NULL, point, normal);
-    luminaire_spot_move(NULL, point);
-    luminaire_spot_tint(NULL, normal);
-    luminaire_spot_dim(NULL, 1);
-    luminaire_spot_zoom(NULL, NULL, 1);
-    luminaire_vertices_add(NULL, 1, vertices, lights, 1);
-    luminaire_vertices_add(NULL, 1, NULL, NULL, 1);
-    luminaire_row_add(NULL, NULL, NULL, 1);
-    luminaire_row_add_facing(NULL, NULL, NULL, lights, 1);
-    return luminaire_spot_irradiance(NULL, point, normal) || light.red || light.green || light.blue
-        || luminaire_spot_falloff(NULL, point) || luminaire_spot_can_reach(NULL, point, 1)
-        || luminaire_spot_aim(NULL, point) || luminaire_spot_aim_along(NULL, point);
+    luminaire_rgb light = luminaire_spot_light(0, point, normal);
+    luminaire_spot_move(0, point);
+    luminaire_spot_tint(0, normal);
+    luminaire_spot_dim(0, 1);
+    luminaire_spot_zoom(0, 0, 1);
+    luminaire_vertices_add(0, 1, vertices, lights, 1);
+    luminaire_vertices_add(&dark, 1, 0, 0, 1);
+    luminaire_row_add(0, &dark, lights, 1);
+    luminaire_row_add_facing(0, 0, 0, 0, 1);
+    return luminaire_spot_irradiance(0, point, normal) || light.red || light.green || light.blue
+        || luminaire_spot_falloff(0, point) || luminaire_spot_can_reach(0, point, 1)
+        || luminaire_spot_aim(0, point) || luminaire_spot_aim_along(0, point);
+}
+
+#include <stdio.h>
+
+void put(const void *words, uint32_t count) {
+    if (fwrite(words, 4, count, stdout) != count) { fprintf(stderr, "no output\n"); }
 }
 
 int main(void) {
-    place at;
-    while (fread(&at, sizeof at, 1, stdin) == 1) {
-        luminaire_rgb light = luminaire_spot_light(&at.spot, at.point, at.normal);
-        int16_t normal[6];
-        put_number(luminaire_spot_irradiance(&at.spot, at.point, at.normal));
-        put(&light, 3);
-        put_number((uint32_t)luminaire_spot_falloff(&at.spot, at.point));
-        put_number((uint32_t)luminaire_spot_can_reach(&at.spot, at.point, at.radius));
-        luminaire_normal_from_bytes(normal, at.bytes);
-        luminaire_normal_from_unit_bytes(&normal[3], at.bytes);
-        put(normal, 3);
-        put_change(&at);
-        put_many(&at);
-    }
+    static place at;
+    while (fread(&at, sizeof at, 1, stdin) == 1) { answer(&at); }
     return nothing();
 }

@@ -76,7 +76,7 @@ static const uint16_t luminaire_inverse_square_roots[129] LUMINAIRE_TABLE = {
 #endif
 
 /* A function that is seldom called. */
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__FRAMAC__)
 #define LUMINAIRE_RARE __attribute__((cold, noinline, unused)) static
 #else
 #define LUMINAIRE_RARE static inline
@@ -290,7 +290,7 @@ static inline luminaire_offset luminaire_offset_of(const int32_t way[3], uint32_
 /* Returns the offset from a light to a point. */
 static inline luminaire_offset luminaire_offset_between(const int32_t light[3], const int32_t point[3]) {
     int32_t way[3];
-    uint32_t size, bits;
+    uint32_t size, bits, up;
     int i;
     for (i = 0; i < 3; ++i) { way[i] = luminaire_minus(point[i], light[i]); }
     size = luminaire_size(way);
@@ -305,7 +305,8 @@ static inline luminaire_offset luminaire_offset_between(const int32_t light[3], 
         return luminaire_offset_of(way, bits, bits + 17);
     }
     bits = luminaire_bit_length(size);
-    for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(way[i], (31 - bits) & 31); }
+    up = ~bits & 31; /* 31 - bits */
+    for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(way[i], up); }
     return luminaire_offset_of(way, 14, bits);
 }
 
@@ -444,9 +445,6 @@ static inline uint32_t luminaire_coarse_versine(const luminaire_coarse_ray *ray,
 /* Returns the excess over the inner versine at which the intensity becomes zero. */
 static inline uint32_t luminaire_width(const luminaire_ramp *ramp) { return ramp->fine ? ramp->fine : ramp->width; }
 
-/* Returns the scale of a ramp's versines: the exponent of 4. */
-static inline uint32_t luminaire_zoom(const luminaire_ramp *ramp) { return luminaire_min(ramp->zoom, 15); }
-
 /* Returns 1 - t of a versine's excess, with 31 fraction bits. */
 static inline uint32_t luminaire_fallen(const luminaire_ramp *ramp, uint32_t past) {
     uint32_t shift = ramp->fine_shift & 63;
@@ -457,7 +455,7 @@ static inline uint32_t luminaire_fallen(const luminaire_ramp *ramp, uint32_t pas
 static inline uint32_t luminaire_fine_rise(
     const luminaire_fine_ray *ray, const int32_t axis[3], const luminaire_ramp *ramp
 ) {
-    uint32_t versine = UINT32_C(0xffffffff), past, fallen, zoom = luminaire_zoom(ramp);
+    uint32_t versine = UINT32_C(0xffffffff), past, fallen, zoom = luminaire_min(ramp->zoom, 15);
     int32_t difference[3];
     int i;
     for (i = 0; i < 3; ++i) { difference[i] = luminaire_minus(ray->direction[i], axis[i]); }
@@ -553,9 +551,7 @@ typedef struct {
 } luminaire_rgb;
 
 /* Returns the sum of two channels; saturates. */
-static inline uint32_t luminaire_light_plus(uint32_t a, uint32_t b) {
-    return a + b < a ? UINT32_C(0xffffffff) : a + b;
-}
+static inline uint32_t luminaire_light_plus(uint32_t a, uint32_t b) { return a + luminaire_min(b, ~a); }
 
 /* Returns a channel times a colour in steps of 2^-14, to nearest; saturates; 0 if negative. */
 static inline uint32_t luminaire_light_filtered(uint32_t light, int16_t color) {
@@ -580,7 +576,7 @@ static inline luminaire_rgb luminaire_rgb_filtered(luminaire_rgb light, const in
     return light;
 }
 
-/* ---- spotlights that move: any words are defined, and a null spot is dark ---- */
+/* ---- spotlights that move: any words are defined, and a null light is dark ---- */
 
 /* A spotlight with the inverse square of the distance. With all words zero it is dark. */
 typedef struct {
@@ -594,30 +590,45 @@ typedef struct {
     int16_t outside;          /* the squared cosine of half the outer angle, less a margin, steps of 2^-14 */
 } luminaire_spot;
 
-/* Returns the gain with a mantissa of 32 bits and a shift within reach. */
-static inline luminaire_gain luminaire_sound_gain(luminaire_gain gain) {
-    uint32_t up;
-    if (gain.mantissa >> 31 && gain.shift >= -4096 && gain.shift <= 4096) { return gain; }
-    up = gain.mantissa ? 32 - luminaire_bit_length(gain.mantissa) : 0;
+/* Returns a gain of any words as one with a mantissa of 32 bits and a shift within reach. */
+LUMINAIRE_RARE luminaire_gain luminaire_restored(luminaire_gain gain) {
+    uint32_t up = gain.mantissa ? 32 - luminaire_bit_length(gain.mantissa) : 0;
     gain = luminaire_gain_of(gain.mantissa << up, gain.shift);
     gain.shift += (int32_t)up;
     return gain;
 }
 
-/* Returns the falloff's argument along a ray. Words that would give more than 1 are replaced. */
-static inline uint32_t luminaire_spot_rise(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
-    const luminaire_ramp *ramp = &spot->ramp;
-    uint32_t versine = luminaire_coarse_versine(ray, spot->axis, luminaire_zoom(ramp)), past = versine - ramp->inner;
-    uint32_t width = ramp->fine ? 0 : ramp->width, shift = ramp->shift & 31, mantissa = ramp->mantissa, one, steps;
-    if (past >= width) { return versine < ramp->inner ? LUMINAIRE_COARSE_ONE : 0; }
-    one = luminaire_min(ramp->one, LUMINAIRE_FINE_ONE + 65535);
-    steps = (width - 1) >> shift;
-    if (steps * mantissa > one || ((steps | mantissa) >> 16 && luminaire_high_half(steps, mantissa))) { mantissa = 0; }
-    return (one - (past >> shift) * mantissa) >> 16;
+static inline luminaire_gain luminaire_spot_gain(luminaire_gain gain) {
+    uint32_t shift = (uint32_t)gain.shift; /* a copy, of which a proof learns the range */
+    if ((int32_t)gain.mantissa > 0 || shift > 127) {
+        gain = luminaire_restored(gain);
+    } else {
+        gain.shift = (int32_t)shift;
+    }
+    return gain;
 }
 
+/* Returns the falloff's argument at an excess over the inner versine, of a ramp of any words. */
+LUMINAIRE_RARE uint32_t luminaire_odd_rise(const luminaire_ramp *ramp, uint32_t past) {
+    uint32_t shift = ramp->shift & 31, steps = (ramp->width - 1) >> shift, slope = ramp->mantissa;
+    uint32_t one = luminaire_min(ramp->one, LUMINAIRE_FINE_ONE + 65535);
+    if (ramp->fine) { return past + ramp->inner < ramp->inner ? LUMINAIRE_COARSE_ONE : 0; }
+    if (luminaire_high_half(steps, slope) || steps * slope > one) { slope = 0; }
+    return (one - (past >> shift) * slope) >> 16;
+}
+
+/* Returns the falloff along a ray. */
 static inline uint32_t luminaire_spot_coarse_share(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
-    return luminaire_coarse_cubic(luminaire_spot_rise(spot, ray), spot->g, spot->h);
+    const luminaire_ramp *ramp = &spot->ramp;
+    uint32_t versine = luminaire_coarse_versine(ray, spot->axis, luminaire_min(ramp->zoom, 15));
+    uint32_t past = versine - ramp->inner, t = versine < ramp->inner ? LUMINAIRE_COARSE_ONE : 0;
+    if (past < ramp->width) {
+        uint32_t shift = ramp->shift & 31, steps = (ramp->width - 1) >> shift;
+        uint32_t odd = ramp->fine | (steps | ramp->mantissa) >> 16 | (ramp->one << 1) >> 17;
+        t = (ramp->one - (past >> shift) * ramp->mantissa) >> 16;
+        if (odd || steps * ramp->mantissa > ramp->one) { t = luminaire_odd_rise(ramp, past); }
+    }
+    return luminaire_coarse_cubic(t, spot->g, spot->h);
 }
 
 static inline uint32_t luminaire_spot_fine_share(const luminaire_spot *spot, const luminaire_fine_ray *ray) {
@@ -625,53 +636,50 @@ static inline uint32_t luminaire_spot_fine_share(const luminaire_spot *spot, con
 }
 
 static inline int luminaire_spot_is_outside(const luminaire_spot *spot, const luminaire_offset *offset) {
-    return luminaire_is_outside(offset, spot->axis, spot->outside > 0 ? (uint32_t)spot->outside : 0);
+    int32_t bound = spot->outside;
+    return luminaire_is_outside(offset, spot->axis, bound > 0 ? (uint32_t)bound : 0);
 }
 
 /* The irradiance near the light or in a steep cone. Not inlined: it would slow the usual case. */
 LUMINAIRE_RARE uint32_t luminaire_spot_near(
-    const luminaire_spot *spot, const luminaire_offset *offset, int32_t facing, const int16_t normal[3]
+    const luminaire_spot *spot, luminaire_offset offset, int32_t facing, const int16_t normal[3]
 ) {
-    luminaire_gain gain = luminaire_sound_gain(spot->intensity);
-    luminaire_fine_ray ray;
-    if (facing >= 7 << 12 || luminaire_spot_is_outside(spot, offset)) { return 0; }
+    if (facing >= 7 << 12 || luminaire_spot_is_outside(spot, &offset)) { return 0; }
+    luminaire_gain gain = luminaire_spot_gain(spot->intensity);
     if (spot->fine_below != LUMINAIRE_ALWAYS_FINE) {
         /* Light that is clipped to full scale in any case keeps the coarse evaluation. */
-        luminaire_coarse_ray coarse = luminaire_coarse_ray_of(offset);
+        luminaire_coarse_ray coarse = luminaire_coarse_ray_of(&offset);
         uint32_t cosine = luminaire_coarse_cosine(&coarse, facing);
         uint32_t share = luminaire_coarse_of(cosine, luminaire_spot_coarse_share(spot, &coarse));
         uint32_t light = luminaire_coarse_inverse_square(&coarse, share, gain);
         if (luminaire_is_clipped(share, light)) { return light; }
     }
-    ray = luminaire_fine_ray_of(offset);
-    return luminaire_fine_inverse_square(
-        &ray, luminaire_fine_of(luminaire_fine_cosine(&ray, normal), luminaire_spot_fine_share(spot, &ray)), gain);
+    luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
+    uint32_t cosine = luminaire_fine_cosine(&ray, normal);
+    return luminaire_fine_inverse_square(&ray, luminaire_fine_of(cosine, luminaire_spot_fine_share(spot, &ray)), gain);
 }
 
 /* Returns the irradiance at a point with a unit normal, before the colour. */
 static inline uint32_t luminaire_spot_irradiance(
-    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
+    const luminaire_spot *spot, const int32_t at[3], const int16_t normal[3]
 ) {
-    luminaire_offset offset;
-    luminaire_coarse_ray ray;
-    int32_t facing;
-    uint32_t share;
     if (!spot) { return 0; }
-    offset = luminaire_offset_between(spot->position, point);
-    facing = luminaire_facing(&offset, normal);
-    if (luminaire_is_near(&offset, spot->fine_below)) { return luminaire_spot_near(spot, &offset, facing, normal); }
+    luminaire_offset offset = luminaire_offset_between(spot->position, at);
+    int32_t facing = luminaire_facing(&offset, normal);
+    if (luminaire_is_near(&offset, spot->fine_below)) { return luminaire_spot_near(spot, offset, facing, normal); }
     if (facing >= 0 || luminaire_spot_is_outside(spot, &offset)) { return 0; }
-    ray = luminaire_coarse_ray_of(&offset);
-    share = luminaire_coarse_of(luminaire_coarse_cosine(&ray, facing), luminaire_spot_coarse_share(spot, &ray));
-    return luminaire_coarse_inverse_square(&ray, share, luminaire_sound_gain(spot->intensity));
+    luminaire_coarse_ray ray = luminaire_coarse_ray_of(&offset);
+    uint32_t cosine = luminaire_coarse_cosine(&ray, facing);
+    uint32_t share = luminaire_coarse_of(cosine, luminaire_spot_coarse_share(spot, &ray));
+    return luminaire_coarse_inverse_square(&ray, share, luminaire_spot_gain(spot->intensity));
 }
 
 /* Returns the light at a point with a unit normal: the irradiance times the colour. */
 static inline luminaire_rgb luminaire_spot_light(
-    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
+    const luminaire_spot *spot, const int32_t at[3], const int16_t normal[3]
 ) {
     luminaire_rgb light = { 0, 0, 0 };
-    uint32_t irradiance = luminaire_spot_irradiance(spot, point, normal);
+    uint32_t irradiance = luminaire_spot_irradiance(spot, at, normal);
     if (irradiance) {
         light.red = luminaire_light_filtered(irradiance, spot->color[0]);
         light.green = luminaire_light_filtered(irradiance, spot->color[1]);
@@ -682,35 +690,31 @@ static inline luminaire_rgb luminaire_spot_light(
 
 /* Returns the falloff at a point, from 0 to 2^14. */
 static inline int16_t luminaire_spot_falloff(const luminaire_spot *spot, const int32_t point[3]) {
-    luminaire_offset offset;
     if (!spot) { return 0; }
-    offset = luminaire_offset_between(spot->position, point);
+    luminaire_offset offset = luminaire_offset_between(spot->position, point);
     if (luminaire_is_near(&offset, spot->fine_below)) {
-        luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
-        return (int16_t)luminaire_rounded(luminaire_spot_fine_share(spot, &ray));
-    } else {
-        luminaire_coarse_ray ray = luminaire_coarse_ray_of(&offset);
-        return (int16_t)luminaire_spot_coarse_share(spot, &ray);
+        luminaire_fine_ray fine = luminaire_fine_ray_of(&offset);
+        return (int16_t)luminaire_rounded(luminaire_spot_fine_share(spot, &fine));
     }
+    luminaire_coarse_ray ray = luminaire_coarse_ray_of(&offset);
+    return (int16_t)luminaire_spot_coarse_share(spot, &ray);
 }
 
-/* ---- changes: no part of the evaluation, so never inlined into it ---- */
+/* ---- changes of a light ---- */
+static const int32_t luminaire_origin[3] = { 0, 0, 0 };
 
 /* Sets the unit vector from a point to another one. Returns 0, and sets nothing, if they are the same. */
 LUMINAIRE_RARE int luminaire_unit(int32_t unit[3], const int32_t from[3], const int32_t to[3]) {
     luminaire_offset offset = luminaire_offset_between(from, to);
-    luminaire_fine_ray ray;
-    int i;
     if (!(offset.way[0] | offset.way[1] | offset.way[2])) { return 0; }
-    ray = luminaire_fine_ray_of(&offset);
-    for (i = 0; i < 3; ++i) { unit[i] = ray.direction[i]; }
+    luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
+    for (int i = 0; i < 3; ++i) { unit[i] = ray.direction[i]; }
     return 1;
 }
 
 /* Moves the light; its axis stays. */
 static inline void luminaire_spot_move(luminaire_spot *spot, const int32_t position[3]) {
-    int i;
-    for (i = 0; spot && i < 3; ++i) { spot->position[i] = position[i]; }
+    for (int i = 0; spot && i < 3; ++i) { spot->position[i] = position[i]; }
 }
 
 /* Aims the light at a point. Returns 0, and changes nothing, if the point is the light's position. */
@@ -720,230 +724,171 @@ static inline int luminaire_spot_aim(luminaire_spot *spot, const int32_t point[3
 
 /* Aims the light along a vector of any length. Returns 0, and changes nothing, if it is zero. */
 static inline int luminaire_spot_aim_along(luminaire_spot *spot, const int32_t way[3]) {
-    static const int32_t origin[3] = { 0, 0, 0 };
-    return spot && luminaire_unit(spot->axis, origin, way);
+    return spot && luminaire_unit(spot->axis, luminaire_origin, way);
 }
 
 /* Gives the light a linear colour, in steps of 2^-14 from 0 to 2^14. */
 static inline void luminaire_spot_tint(luminaire_spot *spot, const int16_t color[3]) {
-    int i;
-    for (i = 0; spot && i < 3; ++i) { spot->color[i] = color[i]; }
+    for (int i = 0; spot && i < 3; ++i) { spot->color[i] = color[i]; }
 }
 
 /* Dims the light to a part of its intensity, from 0 to 2^14. */
 static inline void luminaire_spot_dim(luminaire_spot *spot, int16_t part) {
     if (!spot || part >= 1 << 14) { return; }
-    spot->intensity = luminaire_gain_by(
-        luminaire_sound_gain(spot->intensity), luminaire_normalised(part > 0 ? (uint32_t)part : 0, 14));
+    luminaire_gain factor = luminaire_normalised(part > 0 ? (uint32_t)part : 0, 14);
+    spot->intensity = luminaire_gain_by(luminaire_spot_gain(spot->intensity), factor);
 }
 
 /* Sets the unit normal along a vector of signed bytes; zero along zero. */
 static inline void luminaire_normal_from_bytes(int16_t normal[3], const int8_t bytes[3]) {
-    static const int32_t origin[3] = { 0, 0, 0 };
     int32_t way[3];
-    int i, has_direction;
-    for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(bytes[i], 23); }
-    has_direction = luminaire_unit(way, origin, way);
-    for (i = 0; i < 3; ++i) {
-        normal[i] = has_direction ? (int16_t)(luminaire_plus(way[i], INT32_C(1) << 15) >> 16) : (int16_t)0;
-    }
+    for (int i = 0; i < 3; ++i) { way[i] = luminaire_shl(bytes[i], 23); }
+    luminaire_unit(way, luminaire_origin, way);
+    for (int i = 0; i < 3; ++i) { normal[i] = (int16_t)(luminaire_plus(way[i], INT32_C(1) << 15) >> 16); }
 }
 
 /* Returns whether the light may reach points within a radius of a point, in steps of 2^-16. */
 LUMINAIRE_RARE int luminaire_spot_can_reach(const luminaire_spot *spot, const int32_t center[3], int32_t radius) {
-    /* The farthest light of which offsets do not wrap. */
-    const uint32_t farthest = UINT32_C(32639) << 16;
-    int32_t tip[3], ends = 0, squared_sine;
-    uint32_t shift, reciprocal, product, size, up;
-    luminaire_offset offset;
-    int i;
-    if (!spot) { return 0; }
-    squared_sine = 16384 - 18 - spot->outside;
-    if (spot->outside <= 0 || squared_sine <= 0) { return 1; }
-    /* A sphere reaches the cone if its centre is in the cone whose tip is moved back along the axis, by the
-     * radius over the sine of the half angle. */
-    shift = (15 - luminaire_bit_length((uint32_t)squared_sine)) & 14;
-    reciprocal = luminaire_inverse_sqrt((uint32_t)squared_sine << (16 + shift));
-    size = radius > 0 ? (uint32_t)radius + 8 : 8;
-    product = luminaire_high_product(size, reciprocal) + (size >> 13) + 1;
-    up = 1 + shift / 2;
+    if (!spot || spot->outside <= 0 || spot->outside >= 16384 - 18) { return spot != 0; }
+    uint32_t sine = (uint32_t)(16384 - 18 - spot->outside); /* squared, of the half angle */
+    /* The light reaches a sphere if its centre is in the cone moved back by the radius over the sine. */
+    uint32_t shift = (15 - luminaire_bit_length(sine)) & 14, up = 1 + shift / 2;
+    uint32_t size = radius > 0 ? (uint32_t)radius + 8 : 8;
+    uint32_t product = luminaire_high_product(size, luminaire_inverse_sqrt(sine << (16 + shift))) + (size >> 13) + 1;
     if (product >> (29 - up)) { return 1; }
-    for (i = 0; i < 3; ++i) { ends |= spot->position[i] ^ luminaire_shl(spot->position[i], 1); }
-    for (i = 0; i < 3; ++i) {
+    int32_t tip[3], ends = 0, is_beyond = 0;
+    for (int i = 0; i < 3; ++i) {
         int32_t from = spot->position[i];
         int32_t back = luminaire_shl(luminaire_signed_high_half(spot->axis[i], (int32_t)(product << up)), 2);
         tip[i] = luminaire_minus(from, back);
-        /* The moved tip can only be too far if the tip has a coordinate of 31 bits. */
-        if (ends < 0 && ((from ^ back) & (from ^ tip[i])) < 0) { return 1; }
-        if (ends < 0 && luminaire_magnitude(tip[i]) > farthest) { return 1; }
+        ends |= from ^ luminaire_shl(from, 1);
+        is_beyond |= ((from ^ back) & (from ^ tip[i])) < 0 || luminaire_magnitude(tip[i]) > UINT32_C(32639) << 16;
     }
-    offset = luminaire_offset_between(tip, center);
+    /* A light with a coordinate of 31 bits may get a tip of which offsets wrap. */
+    if (ends < 0 && is_beyond) { return 1; }
+    luminaire_offset offset = luminaire_offset_between(tip, center);
     return !luminaire_spot_is_outside(spot, &offset);
 }
 
-/* ---- zoom: cones between two cones, by the chords sqrt(v) of their versines v ---- */
+/* ---- zoom: the cones between two cones, by the chords sqrt(v) of their versines v ---- */
 
-/* The chords with 31 fraction bits: up to which the intensity is full, where the edge would end, and from
- * which on the light is dark. */
-typedef struct {
-    uint32_t inner, outer, limit;
-} luminaire_chords;
+#define LUMINAIRE_LARGEST_CHORD UINT32_C(3037000499) /* sqrt(2) with 31 fraction bits, of a versine of 2 */
 
-#define LUMINAIRE_LARGEST_CHORD UINT32_C(3037000499) /* sqrt(2), of a versine of 2 */
-
+/* Differences and sums that saturate, the latter but below 0. */
 static inline uint32_t luminaire_less(uint32_t a, uint32_t b) { return a > b ? a - b : 0; }
 static inline uint32_t luminaire_max(uint32_t a, uint32_t b) { return a > b ? a : b; }
-
-/* Returns a sum; saturates. */
-static inline uint32_t luminaire_increased(uint32_t a, int32_t b) {
-    uint32_t sum = a + (uint32_t)b;
-    if (b < 0) { return sum < a ? sum : 0; }
-    return sum < a ? UINT32_C(0xffffffff) : sum;
+static inline uint32_t luminaire_added(uint32_t a, int32_t b) {
+    return b < 0 ? a + (uint32_t)b : luminaire_light_plus(a, (uint32_t)b);
 }
+static inline uint32_t luminaire_half(uint32_t a) { return (a >> 1) + (a & 1); } /* to the nearest */
 
-/* Returns 2^16 sqrt(n). */
+/* Returns 2^16 sqrt(n), by a step of Newton's method. */
 LUMINAIRE_RARE uint32_t luminaire_sqrt(uint32_t n) {
-    uint32_t shift = (32 - luminaire_bit_length(n)) & 30, seed, root;
-    n <<= shift;
-    seed = luminaire_guess(n);
-    root = luminaire_min(luminaire_high_product(n, seed), LUMINAIRE_FINE_ONE - 1) << 1;
-    n -= luminaire_high_half(root, root);
-    return luminaire_increased(root, luminaire_signed_high_product((int32_t)n, seed)) >> (shift / 2);
+    uint32_t shift = (32 - luminaire_bit_length(n)) & 30, m = n << shift, seed = luminaire_guess(m);
+    uint32_t root = luminaire_min(luminaire_high_product(m, seed), LUMINAIRE_FINE_ONE - 1) << 1;
+    int32_t lack = (int32_t)(m - luminaire_high_half(root, root));
+    return luminaire_added(root, luminaire_signed_high_product(lack, seed)) >> (shift / 2);
 }
 
 /* Returns 2^63 / m for m >= 2^31, rounded down; at most 2^32 - 1. */
 LUMINAIRE_RARE uint32_t luminaire_inverse_of_32(uint32_t m) {
-    uint32_t seed = (uint32_t)luminaire_quick_inverse(m >> 16), inverse, high, low;
+    uint32_t seed = (uint32_t)luminaire_quick_inverse(m >> 16);
     int32_t lack = (int32_t)(LUMINAIRE_FINE_ONE - luminaire_high_product(m, seed)), eighth = lack >> 3;
-    uint64_t rest;
-    int step;
-    lack = luminaire_plus(lack, luminaire_times(eighth, eighth) >> 25);
-    /* At most 3 too much, and then at most 6 too little. */
-    inverse = luminaire_less(
-        luminaire_increased(seed << 16, luminaire_signed_high_product(luminaire_shl(lack, 1), seed)), 3);
-    high = luminaire_high_half(inverse, m);
-    low = inverse * m;
-    rest = (UINT64_C(1) << 63) - (((uint64_t)high << 32) | low);
-    for (step = 0; step < 6; ++step) {
-        if (rest >= m) {
-            rest -= m;
-            inverse = luminaire_increased(inverse, 1);
-        }
+    lack = luminaire_shl(luminaire_plus(lack, luminaire_times(eighth, eighth) >> 25), 1);
+    /* A step of Halley's method gives at most 3 too much, and with 3 less at most 6 too little. */
+    uint32_t inverse = luminaire_less(luminaire_added(seed << 16, luminaire_signed_high_product(lack, seed)), 3);
+    uint64_t rest = (UINT64_C(1) << 63) - ((uint64_t)luminaire_high_half(inverse, m) << 32 | inverse * m);
+    for (int step = 0; step < 6 && rest >= m; ++step) {
+        rest -= m;
+        inverse = luminaire_light_plus(inverse, 1);
     }
     return inverse;
 }
 
-/* Returns the chord of a versine with 29 + 2 zoom fraction bits. */
+/* Returns the chord, with 31 fraction bits, of a versine with 29 + 2 zoom. */
 static inline uint32_t luminaire_chord(uint32_t versine, uint32_t zoom) {
     uint32_t root = luminaire_sqrt(2 * luminaire_min(versine, UINT32_C(1) << 30));
-    return luminaire_min(root, LUMINAIRE_LARGEST_CHORD) >> (zoom & 15);
+    return luminaire_min(root, LUMINAIRE_LARGEST_CHORD) >> zoom;
 }
 
-/* Returns the versine of a chord times 4^zoom, with 29 fraction bits, to the nearest. */
+/* Returns the versine of a chord, with 29 + 2 zoom fraction bits. */
 static inline uint32_t luminaire_versine_of(uint32_t chord, uint32_t zoom) {
-    uint32_t doubled = luminaire_high_half(chord << (zoom & 15), chord << (zoom & 15));
-    return (doubled >> 1) + (doubled & 1);
+    return luminaire_half(luminaire_high_half(chord << zoom, chord << zoom));
 }
 
-/* Returns the largest zoom up to a limit with which a chord's versine is at most 2. */
+/* Returns the largest zoom up to 15 or less with which the versine of a chord is at most 2. */
 static inline uint32_t luminaire_chord_zoom(uint32_t chord, uint32_t most) {
-    uint32_t zoom = luminaire_min(32 - luminaire_bit_length(chord), most) & 15;
-    return chord << zoom > LUMINAIRE_LARGEST_CHORD ? luminaire_less(zoom, 1) : zoom;
+    uint32_t zoom = luminaire_min(32 - luminaire_bit_length(chord), most);
+    return chord << (zoom & 15) > LUMINAIRE_LARGEST_CHORD ? luminaire_less(zoom, 1) : zoom;
 }
 
-/* Returns the chord where the edge ends, of which a ramp has the reciprocal. */
-static inline uint32_t luminaire_outer_chord(const luminaire_ramp *ramp) {
-    uint32_t shift = ramp->fine_shift & 63, zoom = luminaire_zoom(ramp), high, even;
+/* Sets the chords up to which a cone has full intensity, at which its edge ends, and from which on it is dark. */
+LUMINAIRE_RARE void luminaire_set_chords(uint32_t chords[3], const luminaire_ramp *ramp) {
+    uint32_t zoom = luminaire_min(ramp->zoom, 15), width = luminaire_width(ramp), shift = ramp->fine_shift & 63;
+    uint32_t limit = luminaire_chord(luminaire_light_plus(ramp->inner, width), zoom);
+    chords[0] = luminaire_min(luminaire_chord(ramp->inner, zoom), limit);
+    chords[1] = chords[2] = limit;
+    /* Without a cutoff, t is zero at the limit, but for roundings. */
+    if (!width || luminaire_fallen(ramp, width) >= LUMINAIRE_FINE_ONE - 4) { return; }
+    /* A ramp has the outer versine as a reciprocal. Here it gets 62 fraction bits. */
     uint64_t outer = luminaire_inverse_of_32(ramp->fine_mantissa | LUMINAIRE_FINE_ONE);
-    outer = ((shift > 32 ? outer << ((shift - 32) & 31) : outer >> ((32 - shift) & 63)) + ramp->inner);
+    outer = (shift > 32 ? outer << ((shift - 32) & 31) : outer >> ((32 - shift) & 63)) + ramp->inner;
     if (outer >> (30 + 2 * zoom)) { outer = UINT64_C(1) << (30 + 2 * zoom); }
     outer <<= 33 - 2 * zoom;
-    high = (uint32_t)(outer >> 32);
-    if (!high) { return luminaire_sqrt((uint32_t)outer) >> 16; }
-    even = (luminaire_bit_length(high) + 1) & 62;
-    return luminaire_min(luminaire_sqrt((uint32_t)(outer >> even)) >> (16 - even / 2), LUMINAIRE_LARGEST_CHORD);
+    uint32_t high = (uint32_t)(outer >> 32), even = high ? (luminaire_bit_length(high) + 1) & 62 : 0;
+    uint32_t root = luminaire_sqrt((uint32_t)(outer >> even)) >> ((16 - even / 2) & 31);
+    chords[1] = luminaire_max(luminaire_min(root, LUMINAIRE_LARGEST_CHORD), limit);
 }
 
-LUMINAIRE_RARE luminaire_chords luminaire_chords_of(const luminaire_ramp *ramp) {
-    uint32_t zoom = luminaire_zoom(ramp), width = luminaire_width(ramp), end = ramp->inner + width;
-    luminaire_chords chords;
-    chords.limit = luminaire_chord(end < width ? UINT32_C(0xffffffff) : end, zoom);
-    chords.inner = luminaire_min(luminaire_chord(ramp->inner, zoom), chords.limit);
-    chords.outer = chords.limit;
-    /* Without a cutoff, t is zero at the limit, but for roundings. */
-    if (width && luminaire_fallen(ramp, width) < LUMINAIRE_FINE_ONE - 4) {
-        chords.outer = luminaire_max(luminaire_outer_chord(ramp), chords.limit);
-    }
-    return chords;
-}
-
-static inline uint32_t luminaire_between(uint32_t from, uint32_t to, uint32_t part) {
-    return from <= to ? from + luminaire_high_half(to - from, part) : from - luminaire_high_half(from - to, part);
-}
-
-/* Returns the ramp of a cone with these chords. */
-static inline luminaire_ramp luminaire_ramp_of(const luminaire_chords *chords) {
-    luminaire_ramp ramp;
-    uint32_t zoom = luminaire_chord_zoom(chords->limit, 15), wide = zoom, end, span, bits, mantissa;
-    ramp.zoom = zoom;
-    ramp.inner = luminaire_versine_of(chords->inner, zoom);
-    end = luminaire_versine_of(chords->limit, zoom);
-    if (chords->outer > chords->limit) {
-        /* A cutoff may be so narrow that the outer versine is out of range in the scale of the ramp. */
-        wide = luminaire_chord_zoom(chords->outer, zoom);
-        span = luminaire_less(luminaire_versine_of(chords->outer, wide), luminaire_versine_of(chords->inner, wide));
-    } else {
-        span = luminaire_less(end, ramp.inner);
-    }
-    span = luminaire_max(span, 1);
-    bits = luminaire_bit_length(span);
-    ramp.fine_mantissa = luminaire_inverse_of_32(span << ((32 - bits) & 31));
-    ramp.fine_shift = bits + 2 * (zoom - wide);
-    ramp.shift = luminaire_min(luminaire_less(ramp.fine_shift, 16), 31);
-    mantissa = ramp.fine_mantissa >> ((ramp.fine_shift - ramp.shift - 1) & 31);
-    ramp.mantissa = (mantissa >> 1) + (mantissa & 1);
-    ramp.width = luminaire_less(end, ramp.inner);
-    ramp.one = LUMINAIRE_FINE_ONE + LUMINAIRE_COARSE_ONE - (ramp.mantissa - (ramp.mantissa >> ramp.shift)) / 2;
+/* Sets the ramp of a cone with these chords. */
+static inline void luminaire_set_ramp(luminaire_ramp *ramp, const uint32_t chords[3], int is_fine) {
+    uint32_t zoom = luminaire_chord_zoom(chords[2], 15), wide = luminaire_chord_zoom(chords[1], zoom);
+    uint32_t inner = luminaire_versine_of(chords[0], zoom), end = luminaire_versine_of(chords[2], zoom);
+    /* A cutoff may be so narrow that the outer versine is out of range in the scale of the ramp. */
+    uint32_t span = luminaire_less(luminaire_versine_of(chords[1], wide), luminaire_versine_of(chords[0], wide));
+    uint32_t bits = luminaire_bit_length(span), width = luminaire_less(end, inner);
+    ramp->fine_mantissa = luminaire_inverse_of_32(luminaire_max(span, 1) << ((32 - bits) & 31));
+    ramp->fine_shift = bits + 2 * (zoom - wide);
+    ramp->shift = luminaire_min(luminaire_less(ramp->fine_shift, 16), 31);
+    ramp->mantissa = luminaire_half(ramp->fine_mantissa >> ((ramp->fine_shift - ramp->shift - 1) & 31));
+    ramp->one = LUMINAIRE_FINE_ONE + LUMINAIRE_COARSE_ONE - (ramp->mantissa - (ramp->mantissa >> ramp->shift)) / 2;
     /* The last versine before the limit must not give a negative t. */
-    ramp.one = luminaire_max(ramp.one, (luminaire_less(ramp.width, 1) >> ramp.shift) * ramp.mantissa);
-    ramp.inner = luminaire_min(ramp.inner, end);
-    ramp.fine = 0;
-    return ramp;
+    ramp->one = luminaire_max(ramp->one, (luminaire_less(width, 1) >> ramp->shift) * ramp->mantissa);
+    ramp->zoom = zoom;
+    ramp->inner = luminaire_min(inner, end);
+    ramp->width = is_fine ? 0 : width;
+    ramp->fine = is_fine ? width : 0;
 }
 
 /* Gives the light the cone with these chords. */
-static inline void luminaire_spot_set_cone(luminaire_spot *spot, const luminaire_chords *chords, int is_fine) {
-    uint32_t cosine = luminaire_less(UINT32_C(1) << 30, luminaire_high_half(chords->limit, chords->limit)) << 1;
-    spot->ramp = luminaire_ramp_of(chords);
-    if (is_fine) {
-        spot->ramp.fine = spot->ramp.width;
-        spot->ramp.width = 0;
-    }
+static inline void luminaire_spot_set_cone(luminaire_spot *spot, const uint32_t chords[3], int is_fine) {
+    uint32_t cosine = luminaire_less(UINT32_C(1) << 30, luminaire_high_half(chords[2], chords[2])) << 1;
+    luminaire_set_ramp(&spot->ramp, chords, is_fine);
     spot->outside = (int16_t)((int32_t)(luminaire_high_half(cosine, cosine) >> 16) - 17);
 }
 
-/* Gives the light a cone between its own, part 0, and that of another light, part 2^14. The rest of the
- * light stays. The lights may be the same. */
+/* Gives the light a cone between its own, part 0, and that of another light or the same, part 2^14. */
 LUMINAIRE_RARE void luminaire_spot_zoom(luminaire_spot *spot, const luminaire_spot *other, int16_t part) {
     if (!spot || !other || part <= 0) { return; }
     spot->fine_below = luminaire_max(spot->fine_below, other->fine_below);
     if (part >= 1 << 14) {
         spot->ramp = other->ramp;
         spot->outside = other->outside;
-    } else {
-        luminaire_chords from = luminaire_chords_of(&spot->ramp), to = luminaire_chords_of(&other->ramp), chords;
-        uint32_t share = (uint32_t)part << 18;
-        int is_fine = spot->ramp.fine || other->ramp.fine;
-        chords.limit = luminaire_between(from.limit, to.limit, share);
-        chords.inner = luminaire_min(luminaire_between(from.inner, to.inner, share), chords.limit);
-        chords.outer = chords.limit;
-        if (from.limit < from.outer || to.limit < to.outer) {
-            chords.outer = luminaire_max(luminaire_between(from.outer, to.outer, share), chords.limit);
-        }
-        luminaire_spot_set_cone(spot, &chords, is_fine);
+        return;
     }
+    uint32_t from[3], to[3], share = (uint32_t)part << 18;
+    luminaire_set_chords(from, &spot->ramp);
+    luminaire_set_chords(to, &other->ramp);
+    for (int i = 0; i < 3; ++i) {
+        uint32_t way = luminaire_high_half(to[i] < from[i] ? from[i] - to[i] : to[i] - from[i], share);
+        from[i] = to[i] < from[i] ? from[i] - way : from[i] + way;
+    }
+    from[0] = luminaire_min(from[0], from[2]);
+    from[1] = luminaire_max(from[1], from[2]);
+    luminaire_spot_set_cone(spot, from, spot->ramp.fine || other->ramp.fine);
 }
-/* ---- many points: functions that add light to an array. A null array is empty ---- */
+
+/* ---- many points: light is added to an array. A null array is empty ---- */
 
 /* A vertex of a mesh: a point, and a normal of unit length. */
 typedef struct {
@@ -958,106 +903,87 @@ typedef struct {
     int16_t normal[3]; /* the surface's, of unit length */
 } luminaire_row;
 
-/* Adds the light of a spotlight at a point with a unit normal. */
-static inline void luminaire_spot_add(
-    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3], luminaire_rgb *sum
-) {
-    luminaire_rgb light = luminaire_spot_light(spot, point, normal);
+/* Adds the light of a spotlight at a vertex; saturates. */
+static inline void luminaire_spot_add(const luminaire_spot *spot, const luminaire_vertex *at, luminaire_rgb *sum) {
+    luminaire_rgb light = luminaire_spot_light(spot, at->point, at->normal);
     sum->red = luminaire_light_plus(sum->red, light.red);
     sum->green = luminaire_light_plus(sum->green, light.green);
     sum->blue = luminaire_light_plus(sum->blue, light.blue);
 }
 
-/* Sets the normal along a vector of signed bytes of a length of about 127, as normal maps have it. */
-static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int8_t bytes[3]) {
-    int32_t x = bytes[0], y = bytes[1], z = bytes[2], factor;
-    uint32_t square = (uint32_t)(x * x + y * y + z * z);
-    int i;
-    /* A step of Newton's iteration: (3 - |n|^2) / 2 for n in units of 127, in steps of 2^-15. */
-    factor = (int32_t)(((square < 48387 ? 48387 - square : 0) * UINT32_C(33548)) >> 15);
-    for (i = 0; i < 3; ++i) { normal[i] = (int16_t)((bytes[i] * factor + 128) >> 8); }
-}
-
 /* Adds the light of all spotlights at each vertex. */
 static inline void luminaire_vertices_add(
-    const luminaire_spot *spots, uint32_t spot_count, const luminaire_vertex *vertices, luminaire_rgb *lights,
-    uint32_t count
+    const luminaire_spot *spots, uint32_t spot_count, const luminaire_vertex *at, luminaire_rgb *lights, uint32_t count
 ) {
-    uint32_t spot, i;
-    if (!spots || !vertices || !lights) { return; }
-    for (i = 0; i < count; ++i) {
-        for (spot = 0; spot < spot_count; ++spot) {
-            luminaire_spot_add(&spots[spot], vertices[i].point, vertices[i].normal, &lights[i]);
-        }
+    for (uint32_t i = 0; spots && at && lights && i < count; ++i) {
+        for (uint32_t k = 0; k < spot_count; ++k) { luminaire_spot_add(&spots[k], &at[i], &lights[i]); }
     }
 }
 
-static inline void luminaire_row_point(const luminaire_row *row, uint32_t index, int32_t point[3]) {
-    int i;
-    for (i = 0; i < 3; ++i) {
-        point[i] = luminaire_plus(row->first[i], luminaire_times(row->step[i], (int32_t)index));
-    }
+/* Sets the normal along a vector of signed bytes of a length of about 127, as normal maps have it. */
+static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int8_t bytes[3]) {
+    int32_t x = bytes[0], y = bytes[1], z = bytes[2];
+    /* A step of Newton's iteration: (3 - |n|^2) / 2 for n in units of 127, in steps of 2^-15. */
+    uint32_t lack = luminaire_less(48387, (uint32_t)(x * x + y * y + z * z));
+    int32_t factor = (int32_t)((lack * UINT32_C(33548)) >> 15);
+    for (int i = 0; i < 3; ++i) { normal[i] = (int16_t)((bytes[i] * factor + 128) >> 8); }
 }
 
-/* Sets the centre and returns the radius of a sphere around the line between two points of a row. */
-static inline int32_t luminaire_row_sphere(const luminaire_row *row, uint32_t from, uint32_t to, int32_t center[3]) {
-    int32_t end[3];
+static inline void luminaire_row_point(const luminaire_row *row, uint32_t i, int32_t point[3]) {
+    for (int k = 0; k < 3; ++k) { point[k] = luminaire_plus(row->first[k], luminaire_times(row->step[k], (int32_t)i)); }
+}
+
+/* Returns whether a light may reach points of a row, by a sphere around them. */
+LUMINAIRE_RARE int luminaire_row_reached(const luminaire_row *row, const luminaire_spot *spot, uint32_t a, uint32_t b) {
+    int32_t center[3], end[3];
     uint32_t sum = 0, largest = 0;
-    int i;
-    luminaire_row_point(row, from, center);
-    luminaire_row_point(row, to, end);
-    for (i = 0; i < 3; ++i) {
-        int32_t a = center[i] >> 1, b = end[i] >> 1;
-        uint32_t half = luminaire_magnitude(luminaire_minus(a, b)) >> 1;
-        center[i] = luminaire_plus(a, b);
+    luminaire_row_point(row, a, center);
+    luminaire_row_point(row, b, end);
+    for (int i = 0; i < 3; ++i) {
+        int32_t from = center[i] >> 1, to = end[i] >> 1;
+        uint32_t half = luminaire_magnitude(luminaire_minus(from, to)) >> 1;
+        center[i] = luminaire_plus(from, to);
         sum += half;
         largest = luminaire_max(largest, half);
     }
     /* A vector is no longer than half the sum of its largest component and of all three. */
-    return (int32_t)(luminaire_min(sum + largest, UINT32_C(0x7ffffff8)) + 7);
+    return luminaire_spot_can_reach(spot, center, (int32_t)(luminaire_min(sum + largest, UINT32_C(0x7ffffff8)) + 7));
 }
 
-/* Returns how many of the first points, or of the last ones, a light certainly does not reach: it skips
- * blocks of 16 to 64 points by their bounding spheres. */
+/* Returns how many of some points from one on, or backwards, a light does not reach: blocks of 16 to 64. */
 LUMINAIRE_RARE uint32_t luminaire_row_skipped(
-    const luminaire_row *row, const luminaire_spot *spot, uint32_t first, uint32_t count, int is_backwards
+    const luminaire_row *row, const luminaire_spot *spot, uint32_t from, uint32_t count, int is_backwards
 ) {
-    uint32_t start = 0, size = 64, length = count - first;
-    while (start < length) {
-        uint32_t last = luminaire_min(length - 1 - start, size - 1) + start;
-        int32_t center[3];
-        int32_t radius = is_backwards
-            ? luminaire_row_sphere(row, count - 1 - start, count - 1 - last, center)
-            : luminaire_row_sphere(row, start, last, center);
-        if (!luminaire_spot_can_reach(spot, center, radius)) {
+    uint32_t start = 0, size = 64;
+    while (start < count) {
+        uint32_t last = luminaire_min(count - 1 - start, size - 1) + start;
+        uint32_t a = is_backwards ? from - start : from + start, b = is_backwards ? from - last : from + last;
+        if (!luminaire_row_reached(row, spot, a, b)) {
             start = last + 1;
             if (size < 64 && !(start & (2 * size - 1))) { size *= 2; }
-        } else if (size > 16) {
-            size /= 2;
         } else {
-            break;
+            if (size == 16) { break; }
+            size /= 2;
         }
     }
     return start;
 }
 
-/* Adds the light of a spotlight to the pixels of a row, with the normals along three bytes each, or the row's. */
-static inline void luminaire_row_add_any(
+/* Adds the light of a spotlight to each pixel of a row, with its normal along three signed bytes of a length of
+ * about 127: a sprite with a normal map. Without bytes it is the row's normal. */
+static inline void luminaire_row_add_facing(
     const luminaire_row *row, const luminaire_spot *spot, const int8_t *normals, luminaire_rgb *lights, uint32_t count
 ) {
-    uint32_t i, end;
-    int32_t point[3];
-    int16_t normal[3];
-    int k;
     if (!row || !spot || !lights) { return; }
-    i = luminaire_row_skipped(row, spot, 0, count, 0);
-    end = count - luminaire_row_skipped(row, spot, i, count, 1);
-    luminaire_row_point(row, i, point);
-    for (k = 0; k < 3; ++k) { normal[k] = row->normal[k]; }
+    uint32_t i = luminaire_row_skipped(row, spot, 0, count, 0);
+    uint32_t end = luminaire_min(count - luminaire_row_skipped(row, spot, count - 1, count - i, 1), count);
+    luminaire_vertex at;
+    luminaire_row_point(row, i, at.point);
+    for (int k = 0; k < 3; ++k) { at.normal[k] = row->normal[k]; }
     for (; i < end; ++i) {
-        if (normals) { luminaire_normal_from_unit_bytes(normal, &normals[3 * i]); }
-        luminaire_spot_add(spot, point, normal, &lights[i]);
-        for (k = 0; k < 3; ++k) { point[k] = luminaire_plus(point[k], row->step[k]); }
+        if (normals) { luminaire_normal_from_unit_bytes(at.normal, &normals[3 * i]); }
+        luminaire_spot_add(spot, &at, &lights[i]);
+        for (int k = 0; k < 3; ++k) { at.point[k] = luminaire_plus(at.point[k], row->step[k]); }
     }
 }
 
@@ -1065,15 +991,7 @@ static inline void luminaire_row_add_any(
 static inline void luminaire_row_add(
     const luminaire_row *row, const luminaire_spot *spot, luminaire_rgb *lights, uint32_t count
 ) {
-    luminaire_row_add_any(row, spot, 0, lights, count);
-}
-
-/* Adds the light of a spotlight to each pixel of a row whose normals are along three signed bytes each, of a
- * length of about 127: a sprite with a normal map. The row's normal is not read. */
-static inline void luminaire_row_add_facing(
-    const luminaire_row *row, const luminaire_spot *spot, const int8_t *normals, luminaire_rgb *lights, uint32_t count
-) {
-    if (normals) { luminaire_row_add_any(row, spot, normals, lights, count); }
+    luminaire_row_add_facing(row, spot, 0, lights, count);
 }
 
 /* ---- lights from the angles of a data sheet: full angles in steps of 2^-16 degrees ---- */
@@ -1182,7 +1100,7 @@ static inline int luminaire_ratio_is_over(uint32_t near_, uint32_t far_, int32_t
 /* Sets a cone up with its beam and its field angle. The intensity at each is within 0.0001 of that named. */
 static inline int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint32_t beam, uint32_t field) {
     uint32_t chord = luminaire_chord_of(field), near_ = luminaire_chord_of(beam), far_, up, half;
-    int is_cubic;
+    int is_cubic, step;
     if (!cone) { return LUMINAIRE_NULL; }
     if (beam > field) { return LUMINAIRE_ORDER; }
     if (chord == 0 || near_ == 0) { return LUMINAIRE_ANGLE; }
@@ -1204,7 +1122,7 @@ static inline int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint3
     for (is_cubic = far_ > luminaire_high_half(near_ << 2, UINT32_C(2506698000)); is_cubic < 2; ++is_cubic) {
         int32_t least = is_cubic ? -54149 : -16384, most = is_cubic ? 10813 : 16384;
         if (is_cubic && !luminaire_ratio_is_over(near_, far_, 5571, least)) { return LUMINAIRE_RATIO; }
-        while (most - least > 1) {
+        for (step = 0; step < 16 && most - least > 1; ++step) {
             int32_t middle = (least + most) >> 1;
             if (luminaire_ratio_is_over(near_, far_, is_cubic ? 5571 : middle, is_cubic ? middle : 0)) {
                 least = middle;
@@ -1287,17 +1205,16 @@ static inline int luminaire_spot_set_up(
     static const luminaire_spot dark = {
         { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, 0, 0, { 0, 0 }, 0, { 0, 0, 0 }, 0
     };
-    luminaire_chords chords;
-    uint32_t error;
+    uint32_t chords[3], error;
     int i;
     if (!spot) { return LUMINAIRE_NULL; }
     *spot = dark;
     if (!cone || !position || !axis) { return LUMINAIRE_NULL; }
     if (!luminaire_coarse_error(cone, &error)) { return LUMINAIRE_STEEPNESS; }
     if (!luminaire_spot_aim_along(spot, axis)) { return LUMINAIRE_AXIS; }
-    chords.inner = cone->inner;
-    chords.outer = chords.limit = cone->outer;
-    luminaire_spot_set_cone(spot, &chords, error >> 24 != 0);
+    chords[0] = cone->inner;
+    chords[1] = chords[2] = cone->outer;
+    luminaire_spot_set_cone(spot, chords, error >> 24 != 0);
     spot->g = cone->g;
     spot->h = cone->h;
     for (i = 0; i < 3; ++i) {
@@ -1307,7 +1224,7 @@ static inline int luminaire_spot_set_up(
     intensity = intensity > 0 ? intensity : 0;
     spot->intensity.mantissa = (uint32_t)intensity;
     spot->intensity.shift = 16;
-    spot->intensity = luminaire_sound_gain(spot->intensity);
+    spot->intensity = luminaire_restored(spot->intensity);
     spot->fine_below = luminaire_fine_below_of(error, (uint32_t)intensity);
     return LUMINAIRE_OK;
 }

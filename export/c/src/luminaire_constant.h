@@ -1,8 +1,8 @@
 /* luminaire_constant.h: what constant lights need beside luminaire.h, for C99 and C++11.
  *
- * The command luminaire export --to c-fx16 writes a light as constants and functions of its own, which include this file: a
- * spotlight or a point light of any falloff and attenuation of luminaire, with the bits of its format Fx16. Units are
- * those of luminaire.h. The code is defined for all points and normals.
+ * The command luminaire export --to c-fx16 writes a light as constants and functions of its own, which include this
+ * file: a spotlight or a point light of any falloff and attenuation of luminaire, with the bits of its format Fx16.
+ * Units are those of luminaire.h. The code is defined for all points and normals.
  *
  * Licence: MIT OR Apache-2.0, at your choice.
  */

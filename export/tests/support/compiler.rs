@@ -41,6 +41,41 @@ pub(crate) fn compile(compiler: &str, flags: &str, file: &Path, output: &Path) -
     Some(())
 }
 
+/// Compiles a file for the smallest processors that are supported.
+///
+/// # Panics
+/// A warning, or a call of a routine for floats or divisions.
+pub(crate) fn compile_in_integers(file: &Path) {
+    let object = file.with_extension("o");
+    for (compiler, flags) in [
+        ("arm-none-eabi-gcc", "-std=c99 -Os -mcpu=cortex-m0 -mthumb -ffreestanding -c"),
+        ("arm-none-eabi-g++", "-std=c++11 -Os -mcpu=cortex-m0 -mthumb -ffreestanding -c"),
+        ("riscv64-unknown-elf-gcc", "-std=c99 -Os -march=rv32imc -mabi=ilp32 -ffreestanding -c"),
+    ] {
+        if compile(compiler, flags, file, &object).is_none() {
+            continue;
+        }
+        let object = fs::read(&object).expect("an object");
+        // Names of routines for floats and divisions begin so, in both ABIs.
+        for routine in [
+            "__aeabi_f",
+            "__aeabi_d",
+            "__aeabi_ui",
+            "__aeabi_id",
+            "__aeabi_ld",
+            "__aeabi_ul",
+            "__div",
+            "__udiv",
+            "__mod",
+            "__umod",
+            "malloc",
+        ] {
+            let calls = object.windows(routine.len()).any(|name| name == routine.as_bytes());
+            assert!(!calls, "{compiler} calls {routine}..");
+        }
+    }
+}
+
 /// Compiles a program for this machine and runs it on words; `None` without the compiler.
 pub(crate) fn run(compiler: &str, flags: &str, file: &Path, input: &[u32]) -> Option<Vec<u32>> {
     let program = file.with_extension("program");
