@@ -22,20 +22,28 @@ pub(crate) fn write_headers(folder: &Path) {
     fs::write(folder.join("avr/pgmspace.h"), text).expect("a folder");
 }
 
+/// Says that a program is not installed.
+///
+/// # Panics
+/// The environment variable says that it must be.
+pub(crate) fn is_missing<T>(program: &str) -> Option<T> {
+    assert!(std::env::var_os(TOOLS).is_none(), "{program} is not installed, and {TOOLS} is set");
+    println!("not tested: {program} is not installed");
+    None
+}
+
 /// Compiles a file; `None` without the compiler.
 ///
 /// # Panics
 /// The compiler fails, or is not installed and the environment variable says that it must be.
 pub(crate) fn compile(compiler: &str, flags: &str, file: &Path, output: &Path) -> Option<()> {
     let mut compile = Command::new(compiler);
-    compile.args(flags.split(' ')).args("-Wall -Wextra -Werror -pedantic -x".split(' '));
+    compile.args(flags.split_whitespace()).args("-Wall -Wextra -Werror -pedantic -x".split(' '));
     let language = if compiler.ends_with("++") { "c++" } else { "c" };
     let Ok(compiled) =
         compile.arg(language).arg(file).arg("-o").arg(output).args(["-x", "none", "-lm"]).output()
     else {
-        assert!(std::env::var_os(TOOLS).is_none(), "{compiler} is not installed, and {TOOLS} is set");
-        println!("not tested: {compiler} is not installed");
-        return None;
+        return is_missing(compiler);
     };
     assert!(compiled.status.success(), "{compiler} {flags}: {}", String::from_utf8_lossy(&compiled.stderr));
     Some(())

@@ -13,8 +13,8 @@ const int16_t SINE[17] LUMINAIRE_TABLE = { 0, 1606, 3196, 4756, 6270, 7723, 9102
     12665, 13623, 14449, 15137, 15679, 16069, 16305, 16384 };
 const int16_t COLORS[LAMPS][3] = { { 16384, 4000, 0 }, { 0, 16384, 3000 }, { 2000, 0, 16384 },
     { 16384, 0, 9000 } }; // linear red, green and blue: 16384 is 1
-// The supply gives 800 mA. A channel of an LED takes 12 mA when fully on, and a dark LED 1 mA.
-const luminaire_strip STRIP = { 800, 12, 1, LUMINAIRE_LED_GRB };
+// The supply gives 600 mA. A channel of an LED takes 12 mA when fully on, and a dark LED 1 mA.
+const luminaire_strip STRIP = { 600, 12, 1, LUMINAIRE_LED_GRB };
 
 luminaire_spot spot;        // one after the other, because all four have the same cone
 luminaire_rgb lights[LEDS];

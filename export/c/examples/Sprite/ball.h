@@ -1,5 +1,5 @@
-/* The normals of a ball: for each pixel the parts to the right, up and towards us, in 127ths. An image editor writes
- * such a map as bytes from 0 to 255: subtract 128. */
+/* The normals of a ball: for each pixel the parts to the right, up and towards us, in 127ths. An image
+ * editor writes such a map as bytes from 0 to 255: subtract 128. */
 #define BALL_SIZE 16
 static const int8_t ball[BALL_SIZE][3 * BALL_SIZE] LUMINAIRE_TABLE = {
     { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -40, 119, 19, -24, 119, 37, -8, 119, 43, 8, 119, 43, 24, 119, 37, 40, 119, 19, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 },
