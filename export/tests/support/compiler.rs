@@ -49,13 +49,18 @@ pub(crate) fn compile(compiler: &str, flags: &str, file: &Path, output: &Path) -
     Some(())
 }
 
+/// The bytes of words.
+pub(crate) fn bytes(words: &[u32]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
+}
+
 /// Compiles a program for this machine and runs it on words; `None` without the compiler.
 pub(crate) fn run(compiler: &str, flags: &str, file: &Path, input: &[u32]) -> Option<Vec<u32>> {
     let program = file.with_extension("program");
     compile(compiler, flags, file, &program)?;
     let mut process =
         Command::new(&program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("a program");
-    let bytes: Vec<u8> = input.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let bytes = bytes(input);
     let mut stdin = process.stdin.take().expect("a pipe");
     let writer = std::thread::spawn(move || stdin.write_all(&bytes));
     let output = process.wait_with_output().expect("an end");
