@@ -1,5 +1,8 @@
 //! The outputs of C have the bits of the kernel.
 
+#[path = "support/avr.rs"]
+#[allow(dead_code, reason = "this test compares bytes alone")]
+mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;
 
@@ -16,7 +19,7 @@ use luminaire::display::{
 use luminaire::number::Light16;
 use luminaire::{Fx16, Rgb};
 
-use compiler::{compile, run, write_headers};
+use compiler::{bytes, compile, run, write_headers};
 
 /// The warnings that both files do without.
 const WARNINGS: &str = "-Wconversion -Wshadow -Wundef";
@@ -24,9 +27,6 @@ const WARNINGS: &str = "-Wconversion -Wshadow -Wundef";
 /// The colours of electronic paper.
 const COLORS: [Rgb<u8>; 4] =
     [Rgb::new(0, 0, 0), Rgb::new(255, 255, 255), Rgb::new(200, 30, 20), Rgb::new(230, 210, 30)];
-
-/// The rows of each format.
-const ROWS: u32 = 100;
 
 /// The most LEDs of a strip and pixels of a row.
 const MOST: u32 = 64;
@@ -113,11 +113,10 @@ fn colors(rng: &mut Rng) -> Vec<Rgb<u32>> {
 }
 
 /// Writes the words of strips, and returns the bytes that the kernel sends them.
-fn strips(rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
-    const STRIPS: u32 = 400;
+fn strips(count: u32, rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
     let mut expected = Vec::new();
-    input.push(STRIPS);
-    for index in 0..STRIPS {
+    input.push(count);
+    for index in 0..count {
         let leds = rng.u32(0..=MOST);
         let (order, channel) = (index % 4, if index % 16 == 0 { 0 } else { rng.u16(1..) >> rng.u8(..16) });
         let idle = rng.u16(..) >> rng.u8(..16);
@@ -145,9 +144,15 @@ fn strips(rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
 }
 
 /// Writes the words of rows of pixels of a format, and returns the bytes that the kernel packs.
-fn rows<P: Pixel>(format: u32, pixel: fn(u32) -> P, rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
+fn rows<P: Pixel>(
+    rows: u32,
+    format: u32,
+    pixel: fn(u32) -> P,
+    rng: &mut Rng,
+    input: &mut Vec<u32>,
+) -> Vec<u32> {
     let mut expected = Vec::new();
-    for case in 0..ROWS {
+    for case in 0..rows {
         let (size, count) = (rng.usize(0..=3 * MOST as usize), rng.u32(0..=MOST));
         let layout = [Layout::MsbFirst, Layout::LsbFirst][case as usize % 2];
         let words: Vec<_> = (0..count).map(|_| rng.u32(..)).collect();
@@ -166,32 +171,39 @@ fn temporal<const BITS: u32>() -> impl Iterator<Item = u32> {
     (0..16_400).map(move |light| dither.next(Fx16::from_bits(light)).into())
 }
 
-/// Every channel of 16 bits at every place of the dither, and random strips and rows.
-#[test]
-fn outputs_have_the_bits_of_the_kernel() {
-    let mut rng = Rng::with_seed(565);
-    let palette = Palette::new(&COLORS).expect("colours");
-    let colors = colors(&mut rng);
+/// The words of the program for these colours, and for as many strips and rows of each format, and what the
+/// kernel returns.
+fn words(colors: &[Rgb<u32>], cases: u32, palette: &Palette<'_>, rng: &mut Rng) -> (Vec<u32>, Vec<u32>) {
     let mut input = vec![colors.len() as u32];
     input.extend(colors.iter().flat_map(|light| [light.red, light.green, light.blue]));
-    let shown = (0..).zip(&colors).flat_map(|(place, light)| by_the_kernel(*light, place, &palette));
+    let shown = (0..).zip(colors).flat_map(|(place, light)| by_the_kernel(*light, place, palette));
     let mut expected: Vec<_> = shown.collect();
-    let of_a_color = expected.len() / colors.len();
     macro_rules! temporals {
         ($($bits:literal)*) => { $(expected.extend(temporal::<$bits>());)* };
     }
     temporals!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
-    expected.extend(strips(&mut rng, &mut input));
+    expected.extend(strips(4 * cases, rng, &mut input));
     macro_rules! packed {
         ($($pixel:ident $format:literal),*) => {
-            input.push(ROWS * [$($format),*].len() as u32);
-            $(expected.extend(rows($format, |word| $pixel(word as _), &mut rng, &mut input));)*
+            input.push(cases * [$($format),*].len() as u32);
+            $(expected.extend(rows(cases, $format, |word| $pixel(word as _), rng, &mut input));)*
         };
     }
     packed!(
         Gray1 0x010, Gray2 0x020, Gray4 0x040, Gray8 0x080, Rgb332 0x332, Rgb444 0x444, Rgb555 0x555,
         Rgb565 0x565, Rgb666 0x666, Rgb888 0x888
     );
+    (input, expected)
+}
+
+/// Every channel of 16 bits at every place of the dither, and random strips and rows.
+#[test]
+fn outputs_have_the_bits_of_the_kernel() {
+    let mut rng = Rng::with_seed(565);
+    let palette = Palette::new(&COLORS).expect("colours");
+    let colors = colors(&mut rng);
+    let (input, expected) = words(&colors, 100, &palette, &mut rng);
+    let of_a_color = by_the_kernel(colors[0], 0, &palette).len();
     let folder = tempfile::tempdir().expect("a folder");
     let options = program(folder.path(), &palette);
     for (compiler, flags) in [
@@ -210,6 +222,10 @@ fn outputs_have_the_bits_of_the_kernel() {
         }
         assert_eq!(found.len(), expected.len(), "{compiler} {flags}");
     }
+    // An AVR, where an `int` has 16 bits.
+    let some: Vec<_> = colors.iter().step_by(colors.len() / 150).copied().collect();
+    let (input, expected) = words(&some, 2, &palette, &mut rng);
+    avr::writes(&folder.path().join("main.c"), &bytes(&input), &bytes(&expected));
 }
 
 /// A processor without floats and a division needs no library for them.

@@ -1,5 +1,8 @@
 //! A light that C sets up has the words of [`IntegerCone`], and each refusal its code.
 
+#[path = "support/avr.rs"]
+#[allow(dead_code, reason = "this test compares bytes alone")]
+mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;
 
@@ -11,7 +14,7 @@ use luminaire::falloff::{Falloff, SoftOrHard};
 use luminaire::light::{IntegerCone, Refusal};
 use luminaire::{Fx16, Length, Vec3};
 
-use compiler::{run, write_headers};
+use compiler::{bytes, run, write_headers};
 
 const BUILDS: [(&str, &str); 5] = [
     ("cc", "-std=c99 -O0"),
@@ -79,6 +82,8 @@ fn input(rng: &mut Rng) -> Input {
 #[test]
 fn lights_have_the_words_of_the_kernel() {
     const BATCH: usize = 5_000;
+    /// The lights that an AVR sets up, where an `int` has 16 bits.
+    const AVR: usize = 300;
     let batches = if std::env::var_os("LUMINAIRE_FULL").is_some() { 200 } else { 1 };
     let folder = tempfile::tempdir().expect("a folder");
     let main = folder.path().join("main.c");
@@ -99,6 +104,9 @@ fn lights_have_the_words_of_the_kernel() {
             }
         }
     }
+    let inputs: Vec<_> = (0..AVR).map(|_| input(&mut rng)).collect();
+    let answers: Vec<_> = inputs.iter().map(expected).collect();
+    avr::writes(&main, &bytes(&inputs.concat()), &bytes(&answers.concat()));
     println!("{codes:?} lights by their codes");
     assert!(codes.iter().all(|count| *count > 5) && codes[0] > BATCH / 8, "{codes:?}");
     assert_eq!(Refusal::Axis as u32, 5);

@@ -1,9 +1,13 @@
 //! A `luminaire_spot` of C has the bits of the kernel, whatever its words are.
 
+#[path = "support/avr.rs"]
+#[allow(dead_code, reason = "this test compares bytes alone")]
+mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;
 
 use std::fs;
+use std::path::Path;
 
 use fastrand::Rng;
 use luminaire::codegen::{ConeParts, FixedRamp, Gain16};
@@ -12,7 +16,7 @@ use luminaire::light::{CompiledCone, CompiledSpotLight, Row};
 use luminaire::number::{Light16, Weight16};
 use luminaire::{Angle, Cone, Fx16, Fx32, Length, Rgb, Scalar, SpotLight, Vec3};
 
-use compiler::{compile_in_integers, run, write_headers};
+use compiler::{bytes, compile_in_integers, run, write_headers};
 use tempfile::TempDir;
 
 type Light = CompiledSpotLight<Fx16, Cubic>;
@@ -319,6 +323,17 @@ fn small_processors_compile_all_functions_in_integers() {
     compile_in_integers(&folder.path().join("main.c"));
 }
 
+/// Compares an AVR, where an `int` has 16 bits, with this machine at some of the places.
+fn on_avr(main: &Path, places: &[Place]) {
+    let words: Vec<u32> = places.iter().step_by(places.len() / 60).flat_map(input).collect();
+    let flags = format!("-std=c99 -O1 -I{}", avr::LIBRARY);
+    let Some(expected) = run("cc", &flags, main, &words) else { return };
+    // There a structure has no gaps: the one after the normal of a row has two bytes.
+    let input = bytes(&words);
+    let input = input.chunks(240).flat_map(|place| [&place[..230], &place[232..]].concat());
+    avr::writes(main, &input.collect::<Vec<_>>(), &bytes(&expected));
+}
+
 #[test]
 fn a_spot_of_any_words_has_the_bits_of_the_kernel() {
     let full = std::env::var_os("LUMINAIRE_FULL").is_some();
@@ -366,6 +381,9 @@ fn a_spot_of_any_words_has_the_bits_of_the_kernel() {
                 }
             }
             assert!(rest.is_empty());
+        }
+        if done == BATCH {
+            on_avr(&main, &places);
         }
     }
     println!("{done} places, {lit} of them lit and {fine} evaluated finely");

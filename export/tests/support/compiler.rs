@@ -22,20 +22,28 @@ pub(crate) fn write_headers(folder: &Path) {
     fs::write(folder.join("avr/pgmspace.h"), text).expect("a folder");
 }
 
+/// Says that a program is not installed.
+///
+/// # Panics
+/// The environment variable says that it must be.
+pub(crate) fn is_missing<T>(program: &str) -> Option<T> {
+    assert!(std::env::var_os(TOOLS).is_none(), "{program} is not installed, and {TOOLS} is set");
+    println!("not tested: {program} is not installed");
+    None
+}
+
 /// Compiles a file; `None` without the compiler.
 ///
 /// # Panics
 /// The compiler fails, or is not installed and the environment variable says that it must be.
 pub(crate) fn compile(compiler: &str, flags: &str, file: &Path, output: &Path) -> Option<()> {
     let mut compile = Command::new(compiler);
-    compile.args(flags.split(' ')).args("-Wall -Wextra -Werror -pedantic -x".split(' '));
+    compile.args(flags.split_whitespace()).args("-Wall -Wextra -Werror -pedantic -x".split(' '));
     let language = if compiler.ends_with("++") { "c++" } else { "c" };
     let Ok(compiled) =
         compile.arg(language).arg(file).arg("-o").arg(output).args(["-x", "none", "-lm"]).output()
     else {
-        assert!(std::env::var_os(TOOLS).is_none(), "{compiler} is not installed, and {TOOLS} is set");
-        println!("not tested: {compiler} is not installed");
-        return None;
+        return is_missing(compiler);
     };
     assert!(compiled.status.success(), "{compiler} {flags}: {}", String::from_utf8_lossy(&compiled.stderr));
     Some(())
@@ -76,13 +84,18 @@ pub(crate) fn compile_in_integers(file: &Path) {
     }
 }
 
+/// The bytes of words.
+pub(crate) fn bytes(words: &[u32]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
+}
+
 /// Compiles a program for this machine and runs it on words; `None` without the compiler.
 pub(crate) fn run(compiler: &str, flags: &str, file: &Path, input: &[u32]) -> Option<Vec<u32>> {
     let program = file.with_extension("program");
     compile(compiler, flags, file, &program)?;
     let mut process =
         Command::new(&program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("a program");
-    let bytes: Vec<u8> = input.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let bytes = bytes(input);
     let mut stdin = process.stdin.take().expect("a pipe");
     let writer = std::thread::spawn(move || stdin.write_all(&bytes));
     let output = process.wait_with_output().expect("an end");
