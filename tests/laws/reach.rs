@@ -104,6 +104,14 @@ fn row<S: Format, L: LightModel<S>>(
     let line = Row::new(normal, point);
     let single =
         |point| light.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse;
+    // Every block of a row may begin at the first lit point.
+    let is_dark = |&i: &usize| single(point(i)) == S::Irradiance::default();
+    let lit: Vec<usize> = (0..count).filter(|i| !is_dark(i)).collect();
+    for first in 0..count.min(16) {
+        let reach = Row::new(normal, |i| point(first + i)).reach(&light, count - first);
+        let is_reached = |i: &usize| *i < first || reach.contains(&(i - first));
+        assert!(lit.iter().all(is_reached), "{light:?} reaches {reach:?} from {first}, lit {lit:?}");
+    }
     let on_line = |i| single(point(3 + i));
     let along_x = |i| single(Vec3 { x: point(3 + i).x, ..start });
     interpolated::<S, 2>(count, |arrived| line.fill_interpolated::<_, 2>(&light, 3, arrived), on_line);
