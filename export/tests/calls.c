@@ -30,7 +30,7 @@ int main(void) {
     static const int32_t nowhere[3] = { 0, 0, 0 };
     /* Full angles in degrees: one, and two that need a quadratic, a hotspot and a cubic. */
     static const uint8_t angles[5][2] = { { 24, 0 }, { 30, 0 }, { 22, 40 }, { 28, 30 }, { 12, 26 } };
-    luminaire_cone cone = { 0, 0, 0, 0 };
+    luminaire_cone cone = { 0, 0, 0, 0, 0, 0 };
     luminaire_spot spots[5], wide, moved;
     for (int i = 0; i < 5; ++i) {
         uint32_t beam = (uint32_t)angles[i][0] << 16, field = (uint32_t)angles[i][1] << 16;

@@ -1,7 +1,6 @@
 //! The outputs of C have the bits of the kernel.
 
 #[path = "support/avr.rs"]
-#[allow(dead_code, reason = "this test compares bytes alone")]
 mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;

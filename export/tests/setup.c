@@ -8,7 +8,7 @@
 int main(void) {
     uint32_t in[10], out[23];
     while (fread(in, 4, 10, stdin) == 10) {
-        luminaire_cone cone = { 0, 0, 0, 0 };
+        luminaire_cone cone = { 0, 0, 0, 0, 0, 0 };
         luminaire_spot spot;
         int32_t position[3], axis[3];
         int code, is_hard = in[0] & 1 ? 1 : 0;

@@ -1,7 +1,6 @@
 //! A light that C sets up has the words of [`IntegerCone`], and each refusal its code.
 
 #[path = "support/avr.rs"]
-#[allow(dead_code, reason = "this test compares bytes alone")]
 mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;

@@ -3,7 +3,6 @@
 #[path = "support/avr.rs"]
 mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
-#[allow(dead_code, reason = "the programs here read no words")]
 mod compiler;
 
 use std::cmp::Ordering::{Greater, Less};

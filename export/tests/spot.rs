@@ -1,7 +1,6 @@
 //! A `luminaire_spot` of C has the bits of the kernel, whatever its words are.
 
 #[path = "support/avr.rs"]
-#[allow(dead_code, reason = "this test compares bytes alone")]
 mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;
@@ -382,7 +381,7 @@ fn a_spot_of_any_words_has_the_bits_of_the_kernel() {
             }
             assert!(rest.is_empty());
         }
-        if done == BATCH {
+        if done == batch {
             on_avr(&main, &places);
         }
     }

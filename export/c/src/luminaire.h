@@ -429,7 +429,9 @@ static inline uint32_t luminaire_fine_cosine(const luminaire_fine_ray *ray, cons
 /* ---- the ramp of a cone ---- */
 
 /* Returns the versine of the angle between a ray and an axis, in the scale of a ramp. */
-static inline uint32_t luminaire_coarse_versine(const luminaire_coarse_ray *ray, const int32_t axis[3], uint32_t zoom) {
+static inline uint32_t luminaire_coarse_versine(
+    const luminaire_coarse_ray *ray, const int32_t axis[3], uint32_t zoom
+) {
     uint32_t shift = 16 - zoom, versine = 0;
     int32_t difference[3];
     int i;
@@ -497,7 +499,8 @@ static inline uint32_t luminaire_coarse_quadratic(uint32_t x, int32_t g) {
 
 /* Returns x (1 + (1 - x) slope) for a slope with 28 fraction bits. */
 static inline uint32_t luminaire_fine_lifted(uint32_t x, int32_t slope) {
-    uint32_t lift = luminaire_high_half(luminaire_fine_product(x, LUMINAIRE_FINE_ONE - x), luminaire_magnitude(slope));
+    uint32_t bent = luminaire_fine_product(x, LUMINAIRE_FINE_ONE - x);
+    uint32_t lift = luminaire_high_half(bent, luminaire_magnitude(slope));
     uint32_t lifted;
     lift = luminaire_min(lift, (UINT32_C(1) << 28) - 1) << 4;
     lifted = x + lift;
@@ -534,7 +537,8 @@ static inline uint32_t luminaire_fine_inverse_square(
     const luminaire_fine_ray *ray, uint32_t share, luminaire_gain gain
 ) {
     uint32_t nearly = luminaire_high_product(luminaire_high_product(gain.mantissa, ray->estimate), ray->estimate);
-    int32_t excess = luminaire_minus(luminaire_times(2, ray->excess), luminaire_times(ray->excess, ray->excess) >> 26);
+    int32_t square = luminaire_times(ray->excess, ray->excess);
+    int32_t excess = luminaire_minus(luminaire_times(2, ray->excess), square >> 26);
     uint32_t here = nearly - (uint32_t)(luminaire_times((int32_t)(nearly >> 17), excess) >> 9);
     return luminaire_light_of(luminaire_high_half(share, here), gain.shift + 2 * ray->bits - 49);
 }
@@ -1007,10 +1011,11 @@ enum {
     LUMINAIRE_NULL       /* a null pointer */
 };
 
-/* A cone: the chords sqrt(1 - cos) of half its inner and its outer angle, in steps of 2^-31, and its edge. */
+/* A cone. */
 typedef struct {
-    uint32_t inner, outer;
-    int32_t g, h; /* as those of a spotlight */
+    uint32_t inner, outer;     /* the chords sqrt(1 - cos) of half its inner and its outer angle, steps of 2^-31 */
+    int32_t g, h;              /* its edge, as that of a spotlight */
+    uint32_t steepness, slope; /* bounds of the derivatives, with respect to the angle and to t, steps of 2^-14 */
 } luminaire_cone;
 
 /* Returns what a code says, in English. */
@@ -1027,46 +1032,69 @@ static inline const char *luminaire_refusal(int code) {
 }
 
 /* Returns the chord of half an angle; 0 for an angle of 0 or over 180 degrees. The error is at most 6 units. */
-static inline uint32_t luminaire_chord_of(uint32_t angle) {
+LUMINAIRE_RARE uint32_t luminaire_chord_of(uint32_t angle) {
     static const uint32_t parts[4] = {
         UINT32_C(59652324), UINT32_C(102261127), UINT32_C(214748365), UINT32_C(715827883)
     };
-    uint32_t x, squared, series = LUMINAIRE_FINE_ONE;
-    int i;
     if (angle > UINT32_C(180) << 16) { return 0; }
-    /* Radians of a quarter of the angle, and their sine over them: 1 - x^2/6 (1 - x^2/20 (1 - x^2/42 (1 - x^2/72))). */
-    x = luminaire_high_half(angle << 8, UINT32_C(2398762259));
-    squared = luminaire_high_half(x, x) << 1;
-    for (i = 0; i < 4; ++i) {
+    /* A quarter of the angle in radians, and its sine over it: 1 - x^2/6 (1 - x^2/20 (1 - x^2/42 (1 - x^2/72))). */
+    uint32_t x = luminaire_high_half(angle << 8, UINT32_C(2398762259)), series = LUMINAIRE_FINE_ONE;
+    uint32_t squared = luminaire_high_half(x, x) << 1;
+    for (int i = 0; i < 4; ++i) {
         series = LUMINAIRE_FINE_ONE - luminaire_high_half(luminaire_high_half(squared, series) << 1, parts[i]);
     }
     return luminaire_high_half(luminaire_high_half(x << 1, series) << 1, LUMINAIRE_LARGEST_CHORD);
 }
 
-/* Stores a cone, unless half its outer chord is that of more than 180 degrees. */
-static inline int luminaire_cone_of(luminaire_cone *cone, uint32_t inner, uint32_t half, int32_t g, int32_t h) {
-    if (half > LUMINAIRE_FINE_ONE >> 1) { return LUMINAIRE_ANGLE; }
-    cone->inner = inner;
+/* Sets a cone up in which the chord of an angle is 2^31 / wider of the outer one. */
+static inline int luminaire_cone_open(luminaire_cone *cone, int is_hard, uint32_t angle, uint32_t wider) {
+    if (!cone) { return LUMINAIRE_NULL; }
+    uint32_t half = luminaire_high_half(luminaire_chord_of(angle), wider);
+    if (half == 0 || half > LUMINAIRE_FINE_ONE / 2) { return LUMINAIRE_ANGLE; }
+    cone->inner = 0;
     cone->outer = half << 1;
-    cone->g = g;
-    cone->h = h;
+    cone->g = is_hard ? 16384 : -16384;
+    cone->h = 0;
+    cone->steepness = is_hard ? 65544 : 25820;
+    cone->slope = 32772;
     return LUMINAIRE_OK;
 }
 
 /* Sets a cone up with its field angle, at which 10 % of the intensity is left, and a soft or a hard edge. */
 static inline int luminaire_cone_from_field(luminaire_cone *cone, int is_hard, uint32_t field) {
-    uint32_t chord = luminaire_chord_of(field), wider = is_hard ? UINT32_C(2204800193) : UINT32_C(2597013068);
-    if (!cone) { return LUMINAIRE_NULL; }
-    if (chord == 0) { return LUMINAIRE_ANGLE; }
-    return luminaire_cone_of(cone, 0, luminaire_high_half(chord, wider), is_hard ? 16384 : -16384, 0);
+    return luminaire_cone_open(cone, is_hard, field, is_hard ? UINT32_C(2204800193) : UINT32_C(2597013068));
 }
 
 /* Sets a cone up with its beam angle, at which 50 % of the intensity is left, and a soft or a hard edge. */
 static inline int luminaire_cone_from_beam(luminaire_cone *cone, int is_hard, uint32_t beam) {
-    uint32_t chord = luminaire_chord_of(beam), wider = is_hard ? UINT32_C(2553802834) : UINT32_C(3968032378);
-    if (!cone) { return LUMINAIRE_NULL; }
-    if (chord == 0) { return LUMINAIRE_ANGLE; }
-    return luminaire_cone_of(cone, 0, luminaire_high_half(chord, wider), is_hard ? 16384 : -16384, 0);
+    return luminaire_cone_open(cone, is_hard, beam, is_hard ? UINT32_C(2553802834) : UINT32_C(3968032378));
+}
+
+/* Sets a cone up with these chords and this edge. */
+LUMINAIRE_RARE void luminaire_cone_of(luminaire_cone *cone, uint32_t inner, uint32_t outer, int32_t g, int32_t h) {
+    luminaire_cone made = { inner, outer, g, h, 16384, 0 }; /* of a step */
+    uint32_t up = 32 - luminaire_bit_length(outer), above = (luminaire_magnitude(h) >> 12) + 4, steepest = 0;
+    /* The difference of the two versines, in units of the outer one. */
+    uint32_t hotspot = luminaire_high_half(inner << up, luminaire_inverse_of_32(outer << up));
+    uint32_t span = LUMINAIRE_FINE_ONE - (luminaire_high_half(hotspot, hotspot) << 1);
+    int32_t from = 16384 + g;
+    for (int32_t i = 1; i <= 64 && inner != outer; ++i) {
+        /* The derivative of the edge between t = i - 1 and i 64ths: a parabola rises above the larger end by less. */
+        int32_t to = 16384 + g + ((2 * (h - g) * i) >> 6) - ((3 * h * (i * i)) >> 12);
+        int32_t larger = from > to ? from : to;
+        uint32_t slope = (larger > 0 ? (uint32_t)larger : 0) + above;
+        from = to;
+        made.slope = luminaire_max(made.slope, slope);
+        /* The root of the versine is largest at the part's beginning. */
+        slope *= (luminaire_sqrt((LUMINAIRE_FINE_ONE - (span >> 6) * (uint32_t)(i - 1)) >> 1) >> 17) + 1;
+        steepest = luminaire_max(steepest, slope >> 13);
+    }
+    if (inner != outer) {
+        up = 32 - luminaire_bit_length(span);
+        steepest = luminaire_high_half(steepest << up, luminaire_inverse_of_32(span << up)) + 1;
+        made.steepness = span >> 21 ? steepest : 0;
+    }
+    *cone = made;
 }
 
 /* Sets a cone up with full intensity up to the inner angle, and no light from the outer angle on. */
@@ -1077,155 +1105,113 @@ static inline int luminaire_cone_from_inner_and_outer(
     if (!cone) { return LUMINAIRE_NULL; }
     if (inner > outer) { return LUMINAIRE_ORDER; }
     if (chord == 0) { return LUMINAIRE_ANGLE; }
-    luminaire_cone_of(cone, luminaire_chord_of(inner), 0, is_hard ? 16384 : -16384, 0);
-    cone->outer = chord;
+    luminaire_cone_of(cone, luminaire_chord_of(inner), chord, is_hard ? 16384 : -16384, 0);
     return LUMINAIRE_OK;
 }
 
 /* Returns 1 - t where the edge with these weights has an intensity, in steps of 2^-31. */
-static inline uint32_t luminaire_edge_versine(int32_t g, int32_t h, uint32_t intensity) {
-    uint32_t versine = 0, bit;
-    for (bit = UINT32_C(1) << 30; bit; bit >>= 1) {
+LUMINAIRE_RARE uint32_t luminaire_edge_versine(int32_t g, int32_t h, uint32_t intensity) {
+    uint32_t versine = 0;
+    for (uint32_t bit = UINT32_C(1) << 30; bit; bit >>= 1) {
         if (luminaire_fine_cubic(LUMINAIRE_FINE_ONE - (versine | bit), g, h) > intensity) { versine |= bit; }
     }
     return versine;
 }
 
+#define LUMINAIRE_TENTH UINT32_C(214748365) /* in steps of 2^-31 */
+
 /* Returns whether the ratio of the versines at a tenth and at half of the intensity is over far / near. */
-static inline int luminaire_ratio_is_over(uint32_t near_, uint32_t far_, int32_t g, int32_t h) {
-    return luminaire_high_half(luminaire_edge_versine(g, h, UINT32_C(214748365)), near_)
-        > luminaire_high_half(luminaire_edge_versine(g, h, LUMINAIRE_FINE_ONE >> 1), far_);
+static inline int luminaire_ratio_is_over(const uint32_t near_far[2], int32_t g, int32_t h) {
+    return luminaire_high_half(luminaire_edge_versine(g, h, LUMINAIRE_TENTH), near_far[0])
+        > luminaire_high_half(luminaire_edge_versine(g, h, LUMINAIRE_FINE_ONE / 2), near_far[1]);
 }
 
 /* Sets a cone up with its beam and its field angle. The intensity at each is within 0.0001 of that named. */
-static inline int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint32_t beam, uint32_t field) {
-    uint32_t chord = luminaire_chord_of(field), near_ = luminaire_chord_of(beam), far_, up, half;
-    int is_cubic, step;
+LUMINAIRE_RARE int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint32_t beam, uint32_t field) {
+    uint32_t near = luminaire_chord_of(beam), far = luminaire_chord_of(field), up = luminaire_bit_length(far);
     if (!cone) { return LUMINAIRE_NULL; }
     if (beam > field) { return LUMINAIRE_ORDER; }
-    if (chord == 0 || near_ == 0) { return LUMINAIRE_ANGLE; }
+    if (near == 0 || far == 0) { return LUMINAIRE_ANGLE; }
     /* The two versines in the same unit, in which that of the field angle has 29 or 30 bits. */
-    up = luminaire_bit_length(chord);
-    up = up < 31 ? 31 - up : 0;
-    near_ = luminaire_high_half(near_ << up, near_ << up);
-    far_ = luminaire_high_half(chord << up, chord << up);
-    if (far_ <= luminaire_high_half(near_ << 1, UINT32_C(2881151650))) {
+    up = luminaire_less(31, up);
+    uint32_t both[2] = { luminaire_high_half(near << up, near << up), luminaire_high_half(far << up, far << up) };
+    if (both[1] <= luminaire_high_half(both[0] << 1, UINT32_C(2881151650))) {
         /* The hard edge with a hotspot. */
-        uint32_t apart = far_ - near_, less = luminaire_high_half(apart, UINT32_C(3142897062)) << 2, outer;
-        uint32_t inner = luminaire_sqrt(near_ > less ? near_ - less : 0) >> up;
-        outer = luminaire_sqrt(far_ + luminaire_high_half(apart, UINT32_C(912355056))) >> up;
-        if (luminaire_cone_of(cone, inner, outer >> 1, 16384, 0)) { return LUMINAIRE_ANGLE; }
-        cone->outer = outer;
+        uint32_t apart = both[1] - both[0], less = luminaire_high_half(apart, UINT32_C(3142897062)) << 2;
+        uint32_t outer = luminaire_sqrt(both[1] + luminaire_high_half(apart, UINT32_C(912355056))) >> up;
+        if (outer / 2 > LUMINAIRE_FINE_ONE / 2) { return LUMINAIRE_ANGLE; }
+        luminaire_cone_of(cone, luminaire_sqrt(luminaire_less(both[0], less)) >> up, outer, 16384, 0);
         return LUMINAIRE_OK;
     }
     /* A quadratic between hard and soft, or a cubic with an edge slope of 1.34. */
-    for (is_cubic = far_ > luminaire_high_half(near_ << 2, UINT32_C(2506698000)); is_cubic < 2; ++is_cubic) {
-        int32_t least = is_cubic ? -54149 : -16384, most = is_cubic ? 10813 : 16384;
-        if (is_cubic && !luminaire_ratio_is_over(near_, far_, 5571, least)) { return LUMINAIRE_RATIO; }
-        for (step = 0; step < 16 && most - least > 1; ++step) {
+    for (int is_cubic = both[1] > luminaire_high_half(both[0] << 2, UINT32_C(2506698000)); is_cubic < 2; ++is_cubic) {
+        int32_t least = is_cubic ? -54149 : -16384, most = is_cubic ? 10813 : 16384, g = 5571;
+        if (is_cubic && !luminaire_ratio_is_over(both, g, least)) { return LUMINAIRE_RATIO; }
+        for (int step = 0; step < 16 && most - least > 1; ++step) {
             int32_t middle = (least + most) >> 1;
-            if (luminaire_ratio_is_over(near_, far_, is_cubic ? 5571 : middle, is_cubic ? middle : 0)) {
-                least = middle;
-            } else {
-                most = middle;
-            }
+            int is_over = luminaire_ratio_is_over(both, is_cubic ? g : middle, is_cubic ? middle : 0);
+            if (is_over) { least = middle; } else { most = middle; }
         }
-        {
-            int32_t g = is_cubic ? 5571 : least, h = is_cubic ? least : 0;
-            uint32_t root = luminaire_sqrt(luminaire_edge_versine(g, h, UINT32_C(214748365)) << 1);
-            half = luminaire_high_half(chord, luminaire_inverse_of_32(root | LUMINAIRE_FINE_ONE));
-            if (luminaire_cone_of(cone, 0, half, g, h) == LUMINAIRE_OK) { return LUMINAIRE_OK; }
+        if (!is_cubic) { g = least; }
+        int32_t h = is_cubic ? least : 0;
+        uint32_t root = luminaire_sqrt(luminaire_edge_versine(g, h, LUMINAIRE_TENTH) << 1);
+        uint32_t half = luminaire_high_half(far, luminaire_inverse_of_32(root | LUMINAIRE_FINE_ONE));
+        if (half <= LUMINAIRE_FINE_ONE / 2) {
+            luminaire_cone_of(cone, 0, half << 1, g, h);
+            return LUMINAIRE_OK;
         }
     }
     return LUMINAIRE_ANGLE;
 }
 
-/* Stores upper bounds of the derivatives of a cone's intensity with respect to the angle, in units of the outer
- * half angle, and to the edge's argument, in steps of 2^-14. Returns whether the edge is not too steep. */
-static inline int luminaire_slopes(const luminaire_cone *cone, uint32_t *steepness, uint32_t *largest) {
-    int32_t g = cone->g, h = cone->h, i, bend = luminaire_times(3, h), tilt = luminaire_times(2, luminaire_minus(h, g));
-    uint32_t up = 32 - luminaire_bit_length(cone->outer), above = (luminaire_magnitude(h) >> 12) + 4, slope, span;
-    uint32_t hotspot = luminaire_high_half(cone->inner << up, luminaire_inverse_of_32(cone->outer << up));
-    /* The difference of the two versines, in units of the outer one. */
-    span = LUMINAIRE_FINE_ONE - (luminaire_high_half(hotspot, hotspot) << 1);
-    *steepness = *largest = 0;
-    if (span >> 21 == 0 || span > LUMINAIRE_FINE_ONE) { return 0; }
-    for (i = 0; i < 64; ++i) {
-        int32_t here = luminaire_plus(luminaire_plus(16384, g), luminaire_times(tilt, i) >> 6), next;
-        next = luminaire_plus(luminaire_plus(16384, g), luminaire_times(tilt, i + 1) >> 6);
-        here = luminaire_minus(here, luminaire_times(bend, i * i) >> 12);
-        next = luminaire_minus(next, luminaire_times(bend, (i + 1) * (i + 1)) >> 12);
-        if (next > here) { here = next; }
-        slope = (here > 0 ? (uint32_t)here : 0) + above;
-        if (slope > *largest) { *largest = slope; }
-        slope *= (luminaire_sqrt((LUMINAIRE_FINE_ONE - (span >> 6) * (uint32_t)i) >> 1) >> 17) + 1;
-        if (slope >> 13 > *steepness) { *steepness = slope >> 13; }
-    }
-    up = 32 - luminaire_bit_length(span);
-    *steepness = luminaire_high_half(*steepness << up, luminaire_inverse_of_32(span << up)) + 1;
-    return 1;
-}
-
-/* Stores an upper bound of the error of the coarse evaluation, in steps of 2^-24 of half a linear code. Returns
- * whether the cone is not too narrow. */
-static inline int luminaire_coarse_error(const luminaire_cone *cone, uint32_t *error) {
-    uint32_t steepness = 16384, slope = 0, zoom, chord, inverse, direction, squared;
-    if (cone->inner != cone->outer && !luminaire_slopes(cone, &steepness, &slope)) { return 0; }
-    if (steepness > UINT32_C(1) << 22 || cone->outer < steepness * 733) { return 0; }
-    zoom = luminaire_chord_zoom(cone->outer, 15);
-    chord = cone->outer << zoom;
-    inverse = ((luminaire_inverse_of_32(chord >> 31 ? chord : chord << 1) >> (chord >> 31 ? 16 : 15)) + 1) << 15;
-    direction = luminaire_high_half(steepness << 8, ((UINT32_C(4629) << zoom) + 18073) << 8);
-    squared = luminaire_high_half(slope << 14, UINT32_C(52144) << ((2 * zoom) & 31));
+/* Returns an upper bound of the error of the coarse evaluation, in steps of 2^-24 of half a linear code. */
+static inline uint32_t luminaire_coarse_error(const luminaire_cone *cone) {
+    uint32_t zoom = luminaire_chord_zoom(cone->outer, 15), chord = cone->outer << zoom, is_long = chord >> 31;
+    uint32_t inverse = luminaire_inverse_of_32(is_long ? chord : chord << 1) >> (15 + is_long);
+    inverse = (inverse + 1) << 15;
+    uint32_t direction = luminaire_high_half(cone->steepness << 8, ((UINT32_C(4629) << zoom) + 18073) << 8);
+    uint32_t squared = luminaire_high_half(cone->slope << 14, UINT32_C(52144) << ((2 * zoom) & 31));
     squared = luminaire_high_half(luminaire_high_half(squared, inverse), inverse);
-    *error = (luminaire_high_half(direction << 6, inverse) << 1)
-        + (luminaire_high_half(steepness << 8, UINT32_C(885588) << 8) << 2) + (squared >> 2)
-        + (luminaire_high_half(slope << 14, UINT32_C(352513) << 8) >> 4) + 705032 + 256;
-    return 1;
+    return (luminaire_high_half(direction << 6, inverse) << 1)
+        + (luminaire_high_half(cone->steepness << 8, UINT32_C(885588) << 8) << 2) + (squared >> 2)
+        + (luminaire_high_half(cone->slope << 14, UINT32_C(352513) << 8) >> 4) + 705032 + 256;
 }
 
 /* Returns the encoded distance within which points need the fine evaluation. */
 static inline uint32_t luminaire_fine_below_of(uint32_t error, uint32_t intensity) {
-    uint32_t factor = luminaire_high_half(error, UINT32_C(2481735183)) + 1, up, product, length, bits;
     if (error >> 24) { return LUMINAIRE_ALWAYS_FINE; }
-    up = 32 - luminaire_bit_length(intensity);
-    product = luminaire_high_half((factor > 1045869 ? factor : 1045869) << 8, intensity << up);
-    length = luminaire_bit_length(product) + 16;
-    if (intensity == 0 || length <= up) { return 0; }
-    bits = (length - up + 1) >> 1;
-    return bits << 26 | product >> ((2 * bits + up - 42) & 31);
+    uint32_t factor = luminaire_max(luminaire_high_half(error, UINT32_C(2481735183)) + 1, 1045869);
+    uint32_t up = 32 - luminaire_bit_length(intensity), product = luminaire_high_half(factor << 8, intensity << up);
+    uint32_t length = luminaire_less(luminaire_bit_length(product) + 16, up), bits = (length + 1) >> 1;
+    return intensity && length ? bits << 26 | product >> ((2 * bits + up - 42) & 31) : 0;
 }
 
 /* Sets a white spotlight up, with the inverse square of the distance: position and axis in steps of 2^-16, the axis
  * of any length, and an intensity on the axis in steps of 2^-16. If it is refused, it is dark. */
-static inline int luminaire_spot_set_up(
+LUMINAIRE_RARE int luminaire_spot_set_up(
     luminaire_spot *spot, const luminaire_cone *cone, const int32_t position[3], const int32_t axis[3],
     int32_t intensity
 ) {
     static const luminaire_spot dark = {
         { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, 0, 0, { 0, 0 }, 0, { 0, 0, 0 }, 0
     };
-    uint32_t chords[3], error;
-    int i;
+    static const int16_t white[3] = { 16384, 16384, 16384 };
     if (!spot) { return LUMINAIRE_NULL; }
     *spot = dark;
     if (!cone || !position || !axis) { return LUMINAIRE_NULL; }
-    if (!luminaire_coarse_error(cone, &error)) { return LUMINAIRE_STEEPNESS; }
+    /* The narrowest chord is 1.55e-5 * 510 / sqrt(2) times the steepness, which is 0 of an edge too steep to hold. */
+    if (cone->steepness - 1 >= UINT32_C(1) << 22 || cone->outer < cone->steepness * 733) { return LUMINAIRE_STEEPNESS; }
     if (!luminaire_spot_aim_along(spot, axis)) { return LUMINAIRE_AXIS; }
-    chords[0] = cone->inner;
-    chords[1] = chords[2] = cone->outer;
+    uint32_t chords[3] = { cone->inner, cone->outer, cone->outer }, error = luminaire_coarse_error(cone);
     luminaire_spot_set_cone(spot, chords, error >> 24 != 0);
+    luminaire_spot_move(spot, position);
+    luminaire_spot_tint(spot, white);
     spot->g = cone->g;
     spot->h = cone->h;
-    for (i = 0; i < 3; ++i) {
-        spot->position[i] = position[i];
-        spot->color[i] = 16384;
-    }
-    intensity = intensity > 0 ? intensity : 0;
-    spot->intensity.mantissa = (uint32_t)intensity;
+    spot->intensity.mantissa = intensity > 0 ? (uint32_t)intensity : 0;
     spot->intensity.shift = 16;
+    spot->fine_below = luminaire_fine_below_of(error, spot->intensity.mantissa);
     spot->intensity = luminaire_restored(spot->intensity);
-    spot->fine_below = luminaire_fine_below_of(error, (uint32_t)intensity);
     return LUMINAIRE_OK;
 }
 

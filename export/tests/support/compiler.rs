@@ -1,4 +1,5 @@
 //! Compilers of C and C++ on this machine.
+#![allow(dead_code, reason = "each test uses a part")]
 
 use std::fs;
 use std::io::Write;
