@@ -88,7 +88,7 @@ use crate::shader::Syntax;
 /// Returns a light as source of a language.
 ///
 /// `name` begins the names of the functions and constants for users, and `luminaire_` and `name` those
-/// of all others. Lights of different names can be in one file.
+/// of all others. Lights of different names can be in one file, also with lights of `luminaire.h`.
 ///
 /// # Errors
 /// A light that the number format of the language cannot hold, with the error of its `compile`. A

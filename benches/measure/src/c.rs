@@ -27,8 +27,10 @@ const CALLS: &str = "export/tests/calls.c";
 const PRICES: &str = "benches/firmware/src/prices.c";
 const MOVING: &str = "benches/firmware/src/moving.c";
 
-/// The prefix of their names on record.
-pub(crate) const PREFIX: &str = "c.";
+/// The name of their figures on record.
+pub(crate) fn figure(name: &str) -> String {
+    format!("c.{name}")
+}
 
 /// The calls that are counted: name, and what they are; a row counts for each of its pixels.
 pub(crate) const CALLS_COUNTED: [(&str, &str); 16] = [
@@ -173,12 +175,12 @@ fn add_prices(machine: &Machine, group: &mut Group, progress: &Progress) -> Resu
     let sums: Vec<_> = regions.iter().map(|region| region.values().sum::<u64>() as f64).collect();
     for (line, sum) in lines.iter().zip(&sums).skip(1) {
         let count = (sum - sums[0]) / COUNT as f64;
-        group.add(&format!("{PREFIX}{}", line.name), "instructions", (10.0 * count).round() / 10.0);
+        group.add(&figure(&line.name), "instructions", (10.0 * count).round() / 10.0);
     }
     let sized = [&["-Os", "-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"], *options].concat();
     let alone = ["-nostartfiles", "-Wl,-e,main"];
     let program = compiled(compiler, &[&sized[..], &alone].concat(), &[root.join(MOVING)])?;
-    group.add(&format!("{PREFIX}moving"), "bytes", Program::read(&program)?.bytes());
+    group.add(&figure("moving"), "bytes", Program::read(&program)?.bytes());
     Ok(())
 }
 

@@ -19,6 +19,7 @@ use crate::record::{FILE, Record};
 const COMMAND: &str = "cargo xtask measure --bless";
 
 const FIRMWARE: &str = "benches/firmware/README.md";
+const C: &str = "export/c/README.md";
 
 /// Fails if a figure that was measured now differs from the record, or if a document is not the one
 /// that the record gives. Otherwise returns remarks.
@@ -49,7 +50,7 @@ pub(crate) fn write(now: Record, bless: bool, progress: &Progress) -> Result<()>
 }
 
 /// The record and every document, as its path below the project's folder and its content.
-fn files(record: &Record) -> Result<[(&'static str, String); 8]> {
+fn files(record: &Record) -> Result<[(&'static str, String); 9]> {
     Ok([
         ("docs/ACCURACY-VS-COST.md", prices::answer(record)),
         ("docs/PRICES.md", prices::list(record)),
@@ -58,6 +59,7 @@ fn files(record: &Record) -> Result<[(&'static str, String); 8]> {
         ("cli/pick/prices.json", picker::prices(record)?),
         ("README.md", inserted("README.md", "prices", &summary::readme(record))?),
         (FIRMWARE, inserted(FIRMWARE, "frame", &summary::frame(record))?),
+        (C, inserted(C, "prices", &summary::calls(record))?),
         (FILE, record.text()?),
     ])
 }

@@ -23,7 +23,7 @@ const CRATES: [(&str, &[&str]); 5] = [
     ("luminaire-native", &["README.md", "LICENSE-APACHE", "LICENSE-MIT"]),
     ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/scenes.rs"]),
     ("luminaire-fixtures", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "data/README.md"]),
-    ("luminaire-export", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "arduino/library.properties"]),
+    ("luminaire-export", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "c/library.properties"]),
 ];
 
 /// The examples of the kernel.

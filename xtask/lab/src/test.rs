@@ -168,13 +168,14 @@ fn cargo_test(arguments: &[&str], full: bool, progress: &Progress) -> Result<Tal
     tally::cargo_test(test, progress)
 }
 
-/// The tests of C with the compilers of all small processors; a plain `cargo test` takes those that are
-/// installed.
+/// The tests of C with the compilers of all small processors, and the sketches on an emulated AVR; a plain
+/// `cargo test` takes what is installed.
 fn by_all_compilers(progress: &Progress) -> Result<Tally> {
     compilers::find(progress)?;
     let mut test = cargo(["test", "--package", "luminaire-export"]);
     // The tests skip a compiler that is not installed, unless this variable is set.
-    test.args(["fixed", "float", "spot", "setup", "pixels"].map(|test| format!("--test={test}")));
+    let tests = ["fixed", "float", "spot", "setup", "pixels", "sketches", "library"];
+    test.args(tests.map(|test| format!("--test={test}")));
     test.env("LUMINAIRE_TOOLS", "1");
     tally::cargo_test(test, progress)
 }

@@ -1,4 +1,4 @@
-//! Compilers of C and C++ for this machine and for small processors.
+//! Compilers of C and C++ for this machine and for small processors, and what the tests of C need beside them.
 
 use std::path::Path;
 use std::process::Command;
@@ -9,8 +9,8 @@ use crate::progress::Progress;
 use crate::{command, install};
 
 /// The compilers, each with a file of its library of C that is a package of its own, and Debian's
-/// packages.
-const COMPILERS: [(&str, Option<&str>, &[&str]); 6] = [
+/// packages; and other programs and files.
+const COMPILERS: [(&str, Option<&str>, &[&str]); 11] = [
     ("cc", None, &["gcc"]),
     ("c++", None, &["g++"]),
     ("clang", None, &["clang"]),
@@ -21,6 +21,11 @@ const COMPILERS: [(&str, Option<&str>, &[&str]); 6] = [
         Some("picolibc.specs"),
         &["gcc-riscv64-unknown-elf", "picolibc-riscv64-unknown-elf"],
     ),
+    ("avr-gcc", Some("libc.a"), &["gcc-avr", "avr-libc"]),
+    ("avr-size", None, &["binutils-avr"]),
+    ("simavr", None, &["simavr"]),
+    ("/usr/share/arduino/hardware/arduino/avr/boards.txt", None, &["arduino-core-avr"]),
+    ("cmake", None, &["cmake"]),
 ];
 
 /// Finds the compilers and their libraries. As root on Debian, installs those that are missing.

@@ -1,9 +1,10 @@
 //! The parts of other documents with figures: the README's prices, and the picture that firmware draws.
 
 use super::text::{cells, cost, error, table};
+use crate::c;
 use crate::plot;
 use crate::record::Record;
-use crate::target::{BOARDS, Target};
+use crate::target::{BOARDS, Board, Target};
 
 /// The rows of the README, and their titles.
 const ROWS: [(&str, &str); 4] = [
@@ -34,6 +35,28 @@ pub(super) fn readme(record: &Record) -> String {
     let picture = plot::FILE;
     table(&heads, rows)
         + &format!("\n![Error against instructions on a Cortex-M0, both logarithmic]({picture})\n")
+}
+
+/// The part of the page of C: the instructions of each call, and the bytes of a whole program.
+pub(super) fn calls(record: &Record) -> String {
+    let boards = BOARDS
+        .iter()
+        .filter(|board| record.group(board.name).number(&c::figure("light"), "instructions").is_some());
+    let boards: Vec<_> = boards.collect();
+    let mut heads = cells(["instructions"]);
+    heads.extend(boards.iter().map(|board| board.title.to_owned()));
+    let row = |title: &str, name: &str, unit: &str| {
+        let figure =
+            |board: &&Board| record.group(board.name).number(&c::figure(name), unit).unwrap_or(f64::NAN);
+        [title.to_owned()]
+            .into_iter()
+            .chain(boards.iter().map(|board| format!("{:.0}", figure(board))))
+            .collect::<Vec<_>>()
+    };
+    let mut rows: Vec<_> =
+        c::CALLS_COUNTED.iter().map(|(name, title)| row(title, name, "instructions")).collect();
+    rows.push(row("bytes of two coloured lights that move, to RGB565", "moving", "bytes"));
+    table(&heads, rows)
 }
 
 /// The stages of the picture, and their titles.
