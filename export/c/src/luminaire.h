@@ -758,7 +758,7 @@ LUMINAIRE_RARE int luminaire_spot_can_reach(const luminaire_spot *spot, const in
     luminaire_offset offset;
     int i;
     if (!spot) { return 0; }
-    squared_sine = 16384 - 18 - spot->outside;
+    squared_sine = INT32_C(16384) - 18 - spot->outside; /* an int may have 16 bits */
     if (spot->outside <= 0 || squared_sine <= 0) { return 1; }
     /* A sphere reaches the cone if its centre is in the cone whose tip is moved back along the axis, by the
      * radius over the sine of the half angle. */
