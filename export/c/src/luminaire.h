@@ -1182,7 +1182,7 @@ static inline int luminaire_ratio_is_over(uint32_t near_, uint32_t far_, int32_t
 /* Sets a cone up with its beam and its field angle. The intensity at each is within 0.0001 of that named. */
 static inline int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint32_t beam, uint32_t field) {
     uint32_t chord = luminaire_chord_of(field), near_ = luminaire_chord_of(beam), far_, up, half;
-    int is_cubic;
+    int is_cubic, step;
     if (!cone) { return LUMINAIRE_NULL; }
     if (beam > field) { return LUMINAIRE_ORDER; }
     if (chord == 0 || near_ == 0) { return LUMINAIRE_ANGLE; }
@@ -1204,7 +1204,7 @@ static inline int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint3
     for (is_cubic = far_ > luminaire_high_half(near_ << 2, UINT32_C(2506698000)); is_cubic < 2; ++is_cubic) {
         int32_t least = is_cubic ? -54149 : -16384, most = is_cubic ? 10813 : 16384;
         if (is_cubic && !luminaire_ratio_is_over(near_, far_, 5571, least)) { return LUMINAIRE_RATIO; }
-        while (most - least > 1) {
+        for (step = 0; step < 16 && most - least > 1; ++step) {
             int32_t middle = (least + most) >> 1;
             if (luminaire_ratio_is_over(near_, far_, is_cubic ? 5571 : middle, is_cubic ? middle : 0)) {
                 least = middle;
