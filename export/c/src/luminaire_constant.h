@@ -124,7 +124,8 @@ static inline luminaire_gain luminaire_gain_plus(luminaire_gain a, luminaire_gai
 static inline uint32_t luminaire_inverse(uint32_t m) {
     int32_t inverse = luminaire_quick_inverse(m);
     int32_t lack = (int32_t)(LUMINAIRE_FINE_ONE - (uint32_t)inverse * m);
-    return (uint32_t)(inverse + (luminaire_plus(luminaire_times(inverse, lack >> 4), INT32_C(1) << 26) >> 27));
+    return (uint32_t)luminaire_plus(
+        inverse, luminaire_plus(luminaire_times(inverse, lack >> 4), INT32_C(1) << 26) >> 27);
 }
 
 /* Returns the reciprocal of a gain; 1 if that is less. */
@@ -172,10 +173,11 @@ static inline luminaire_knot luminaire_knot_at(const luminaire_knot *knots, uint
 static inline int64_t luminaire_logarithm(uint32_t significand) {
     uint32_t segment = (significand >> 25) & 63;
     uint64_t product = (uint64_t)significand * LUMINAIRE_READ_32(&luminaire_logarithms[segment][0]);
-    int64_t z = (int64_t)(product - (UINT64_C(1) << 62)) >> 30;
+    int32_t z = (int32_t)((int64_t)(product - (UINT64_C(1) << 62)) >> 30);
     int64_t above = INT64_C(3098164009) - ((z * INT64_C(2065442673)) >> 32);
-    above = INT64_C(6196328019) - ((z * above) >> 32);
-    return (int64_t)LUMINAIRE_READ_32(&luminaire_logarithms[segment][1]) + ((z * above) >> 32);
+    above = INT64_C(1901360723) - ((z * above) >> 32);
+    /* The factor is 2^32 + above. */
+    return (int64_t)LUMINAIRE_READ_32(&luminaire_logarithms[segment][1]) + z + ((z * above) >> 32);
 }
 
 /* Returns -log2 x with 32 fraction bits, for x = significand / 2^31 / 2^octaves. */
@@ -272,7 +274,8 @@ static inline uint32_t luminaire_coarse_sample(uint32_t x, const uint16_t *sampl
     uint32_t place = luminaire_coarse_complement(x) * (count - 1), i = place >> 15;
     int32_t here = i < count ? samples[i] : 0, next = i + 1 < count ? samples[i + 1] : here;
     int32_t share = (int32_t)(place & (LUMINAIRE_COARSE_ONE - 1));
-    return luminaire_coarse_value((luminaire_shl(here, 15) + (next - here) * share + (INT32_C(1) << 14)) >> 15);
+    int32_t value = luminaire_plus(luminaire_shl(here, 15), (next - here) * share);
+    return luminaire_coarse_value(luminaire_plus(value, INT32_C(1) << 14) >> 15);
 }
 
 /* Returns a sample of 16 bits, shifted up by 15, as a fine share. */

@@ -17,7 +17,7 @@ use tools::demo::site;
 
 #[allow(dead_code, reason = "the tests of the exporter use more of them")]
 #[path = "../../../export/tests/support/lights.rs"]
-mod lights;
+pub(crate) mod lights;
 
 use lights::Spot;
 

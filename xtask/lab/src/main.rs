@@ -3,6 +3,7 @@
 mod arguments;
 mod browsers;
 mod contributing;
+mod eva;
 mod expected;
 mod features;
 mod msrv;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         Request::Prove => {
             let mut suite = Suite::new(None);
             prove::step(&mut suite);
+            eva::step(&mut suite);
             Ok(suite.finish())
         }
         Request::Pictures => pictures::run().map(done),

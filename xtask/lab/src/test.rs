@@ -14,7 +14,7 @@ use tools::toolchain::Toolchain;
 use tools::{compilers, install, project};
 
 use crate::features::{self, ALL, BARE_METAL, SETS, STD};
-use crate::{browsers, contributing, msrv, package, prove, renderers, scripts, semver};
+use crate::{browsers, contributing, eva, msrv, package, prove, renderers, scripts, semver};
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
 const TOOLS: [&str; 5] = ["lab", "luminaire-counter", "measure", "tools", "xtask"];
@@ -75,6 +75,7 @@ fn host(suite: &mut Suite, full: bool) {
             by_all_compilers,
         );
         prove::step(suite);
+        eva::step(suite);
         bare_metal(suite);
         contributing::run(suite);
         dependencies(suite);

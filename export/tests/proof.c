@@ -1,0 +1,196 @@
+/* Calls the functions of C with all values, for an analysis by Frama-C's Eva: `cargo xtask prove`.
+ *
+ * An array ends where its memory ends, so that an access past the count is an alarm. Assertions are those of the
+ * analysis, which has to prove them. */
+#include <__fc_builtin.h>
+
+#include "lights.h"
+#include "luminaire_display.h"
+
+#define FEW 4
+#define MANY 200 /* of which a row skips blocks */
+#define ANY(object) Frama_C_make_unknown((char *)&(object), sizeof(object))
+#define OR_NULL(pointer) (choice ? (pointer) : 0)
+
+/* Each read is any value. */
+static volatile uint32_t word;
+static volatile int32_t number;
+static volatile int16_t scalar;
+static volatile int choice;
+
+static luminaire_spot spots[FEW];
+static luminaire_vertex vertices[MANY];
+static luminaire_rgb lights[MANY];
+static int8_t bytes[3 * MANY];
+static luminaire_row row;
+static luminaire_cone cone;
+static int32_t point[3];
+static int16_t normal[3];
+
+static luminaire_rgb rgb(void) {
+    luminaire_rgb light;
+    ANY(light);
+    return light;
+}
+
+static void any(void) {
+    ANY(spots);
+    ANY(vertices);
+    ANY(lights);
+    ANY(bytes);
+    ANY(row);
+    ANY(cone);
+    ANY(point);
+    ANY(normal);
+}
+
+static luminaire_spot *any_spot(void) {
+    any();
+    return OR_NULL(&spots[0]);
+}
+
+static void light(void) {
+    luminaire_spot_irradiance(any_spot(), point, normal);
+    luminaire_spot_light(any_spot(), point, normal);
+    luminaire_spot_falloff(any_spot(), point);
+    luminaire_spot_can_reach(any_spot(), point, number);
+}
+
+static void change(void) {
+    luminaire_spot_move(any_spot(), point);
+    luminaire_spot_aim(any_spot(), point);
+    luminaire_spot_aim_along(any_spot(), point);
+    luminaire_spot_tint(any_spot(), normal);
+    luminaire_spot_dim(any_spot(), scalar);
+    luminaire_spot_zoom(any_spot(), OR_NULL(&spots[1]), scalar);
+    luminaire_spot_zoom(&spots[0], &spots[0], scalar);
+    any();
+    luminaire_normal_from_bytes(normal, bytes);
+}
+
+static void set_up(void) {
+    luminaire_refusal(choice);
+    luminaire_cone_from_field(OR_NULL(&cone), choice, word);
+    luminaire_cone_from_beam(OR_NULL(&cone), choice, word);
+    luminaire_cone_from_inner_and_outer(OR_NULL(&cone), choice, word, word);
+    luminaire_cone_from_beam_and_field(OR_NULL(&cone), word, word);
+    luminaire_spot_set_up(any_spot(), OR_NULL(&cone), OR_NULL(point), OR_NULL(point), number);
+}
+
+static void arrays(uint32_t count) {
+    luminaire_rgb *sums = lights + MANY - count;
+    luminaire_vertex *some = vertices + MANY - count;
+    int8_t *normals = bytes + 3 * (MANY - count);
+    luminaire_spot_add(any_spot(), point, normal, sums + count - 1);
+    luminaire_normal_from_unit_bytes(normal, bytes);
+    luminaire_vertices_add(OR_NULL(spots + FEW - count % 5), count % 5, OR_NULL(some), OR_NULL(sums), count);
+    luminaire_row_add(OR_NULL(&row), any_spot(), OR_NULL(sums), count);
+    luminaire_row_add_facing(OR_NULL(&row), any_spot(), OR_NULL(normals), OR_NULL(sums), count);
+}
+
+static void rows(void) {
+    uint32_t count;
+    for (count = 0; count <= FEW; ++count) { arrays(count); }
+    arrays(MANY);
+    luminaire_vertices_add(0, word, vertices, lights, word);
+    luminaire_vertices_add(spots, word, 0, lights, word);
+    luminaire_vertices_add(spots, word, vertices, 0, word);
+    luminaire_row_add(OR_NULL(&row), any_spot(), 0, word);
+    luminaire_row_add_facing(OR_NULL(&row), any_spot(), 0, lights, word);
+    luminaire_row_add_facing(OR_NULL(&row), any_spot(), bytes, 0, word);
+}
+
+static void pixels(void) {
+    uint8_t two[2];
+    luminaire_rgb_plus(rgb(), rgb());
+    luminaire_rgb_filtered(rgb(), normal);
+    luminaire_encode_srgb(word);
+    luminaire_encode_srgb_dithered(word, word, word);
+    luminaire_srgb(rgb());
+    luminaire_srgb_dithered(rgb(), word, word);
+    luminaire_rgb565(rgb());
+    luminaire_rgb565_dithered(rgb(), word, word);
+    luminaire_high_first((uint16_t)word, two);
+    luminaire_low_first((uint16_t)word, two);
+}
+
+/* Widths over 8 are clipped to 8: one of them stands for all. */
+static void formats(void) {
+    uint32_t red, green, blue;
+    for (red = 0; red < 10; ++red) {
+        for (green = 0; green < 10; ++green) {
+            for (blue = 0; blue < 10; ++blue) {
+                luminaire_pixel(word << 12 | red << 8 | green << 4 | blue, rgb());
+                luminaire_pixel_dithered(word << 12 | red << 8 | green << 4 | blue, rgb(), word, word);
+            }
+        }
+    }
+}
+
+/* A packer keeps what is asserted, and the call after any other begins with it. */
+static void packing(void) {
+    uint8_t out[FEW];
+    uint32_t left, width;
+    luminaire_packer packer = luminaire_packer_into(0, 0);
+    luminaire_pack(&packer, word, choice, word);
+    luminaire_pack_end(&packer, choice);
+    for (left = 0; left <= FEW; ++left) {
+        for (width = 0; width < (left ? 8 : 1); ++width) {
+            packer = luminaire_packer_into(out + FEW - left, left);
+            packer.width = width;
+            packer.held = word;
+            luminaire_pack(&packer, word, choice, word);
+            /*@ assert packer.next == &out[0] + (FEW - packer.left); */
+            /*@ assert packer.width < 8 && (packer.width == 0 || packer.left > 0); */
+            packer = luminaire_packer_into(out + FEW - left, left);
+            packer.width = width;
+            packer.held = word;
+            luminaire_pack_end(&packer, choice);
+            /*@ assert packer.next == &out[0] + (FEW - packer.left) && packer.width == 0; */
+        }
+    }
+}
+
+static const uint8_t cells[4096] LUMINAIRE_TABLE = { 0 };
+
+static void outputs(void) {
+    luminaire_palette palette;
+    luminaire_strip strip;
+    uint16_t carries[3 * FEW];
+    uint8_t out[3 * FEW];
+    uint32_t count;
+    ANY(strip);
+    ANY(carries);
+    palette.cells = cells;
+    palette.spacing = (uint8_t)word;
+    luminaire_palette_nearest(&palette, rgb());
+    luminaire_palette_dithered(&palette, rgb(), word, word);
+    luminaire_duty(word, word);
+    luminaire_duty_dithered(word, word, word);
+    luminaire_gamma22(word);
+    luminaire_gamma22_dithered(word, word, word);
+    luminaire_gamma28(word);
+    luminaire_gamma28_dithered(word, word, word);
+    luminaire_phase(word);
+    luminaire_next_duty(carries, word, word);
+    luminaire_next_dimmed(carries, word, word, word);
+    luminaire_strip_write(&strip, 0, 0, 0, 0);
+    for (count = 0; count <= FEW; ++count) {
+        luminaire_strip_write(
+            &strip, lights + MANY - count, carries + 3 * (FEW - count), out + 3 * (FEW - count), count);
+    }
+}
+
+int main(void) {
+    pixels();
+    formats();
+    packing();
+    any();
+    lights_at(point, normal);
+    outputs();
+    light();
+    change();
+    set_up();
+    rows();
+    return 0;
+}

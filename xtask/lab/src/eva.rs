@@ -1,0 +1,124 @@
+//! The headers of C have no undefined behaviour, by Frama-C's Eva: an interpreter of C over sets of values.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+use fastrand::Rng;
+use luminaire::Fx16;
+use luminaire::dynamic::AnyLight;
+use luminaire_export::{C_HEADERS, Language, export};
+
+use tools::install;
+use tools::progress::Progress;
+use tools::suite::Suite;
+
+use crate::expected::lights;
+
+/// What calls the functions with all values.
+const MAIN: &str = include_str!("../../../export/tests/proof.c");
+
+/// The reads of flash that AVR's C library has.
+const FLASH: &str = "#define PROGMEM\n#define pgm_read_byte(at) (*(at))\n\
+                     #define pgm_read_word(at) (*(at))\n#define pgm_read_dword(at) (*(at))\n";
+
+/// Processors, with Frama-C's name of their types and what their compilers define.
+const PROCESSORS: [(&str, &str, &str); 3] = [
+    ("32 bits", "gcc_x86_32", ""),
+    ("Cortex-M0", "gcc_x86_32", "-D__ARM_ARCH_6M__"),
+    ("AVR, whose int has 16 bits", "gcc_x86_16", "-D__AVR__ -U__SIZEOF_INT__"),
+];
+
+/// Lines before which Eva distinguishes the values of a variable. This says where it may not lose
+/// precision, and assumes nothing.
+const SPLITS: [(&str, &str, usize); 3] = [
+    ("    while (light >= LUMINAIRE_READ_", "dynamic_split code", 3),
+    ("    while (start < length) {", "split length", 1),
+    ("    if ((packer->width + size + 7) >> 3 >", "split size", 1),
+];
+
+/// The states that Eva keeps apart, by function; two more are those of `proof.c`.
+const OPTIONS: &str = "-eva -eva-precision 2 -eva-split-limit 300 -eva-split-return auto \
+    -eva-slevel-function luminaire_knot_at:10000,luminaire_pack:1000,luminaire_row_skipped:2000,packing:1000 \
+    -eva-subdivide-non-linear-function luminaire_start:256 \
+    -eva-no-print -eva-no-show-progress -metrics -metrics-eva-cover";
+
+/// Lights of each falloff with each of their variants.
+const VARIANTS: usize = 3;
+
+/// Adds the step. As root on Debian, it installs Frama-C.
+pub(crate) fn step(suite: &mut Suite) {
+    suite.remarked("c: Eva finds no undefined behaviour", prove);
+}
+
+fn prove(progress: &Progress) -> Result<Vec<String>> {
+    let program = install::program(&["frama-c"], &["frama-c-base", "gcc"], progress)?;
+    let folder = tempfile::tempdir().context("no folder")?;
+    let write = |name: &str, text: &str| {
+        fs::write(folder.path().join(name), text).with_context(|| format!("cannot write {name}"))
+    };
+    let mut found = [0; SPLITS.len()];
+    for (name, text) in C_HEADERS {
+        let mut text = text.to_owned();
+        for ((line, split, _), found) in SPLITS.iter().zip(&mut found) {
+            *found += text.matches(line).count();
+            text = text.replace(line, &format!("    /*@ {split}; */\n{line}"));
+        }
+        write(name, &text)?;
+    }
+    for ((line, _, expected), found) in SPLITS.iter().zip(found) {
+        ensure!(found == *expected, "{found} lines `{}`: expected {expected}", line.trim_start());
+    }
+    fs::create_dir(folder.path().join("avr")).context("no folder")?;
+    write("avr/pgmspace.h", FLASH)?;
+    write("lights.h", &constant_lights()?)?;
+    write("proof.c", MAIN)?;
+    let mut remarks = Vec::new();
+    for (name, types, defines) in PROCESSORS {
+        let mut eva = Command::new(&program);
+        eva.current_dir(folder.path()).args(["-machdep", types, &format!("-cpp-extra-args=-I. {defines}")]);
+        eva.arg("proof.c").args(OPTIONS.split_whitespace());
+        let output = progress.output(eva)?;
+        let functions = functions();
+        let reached = |function: &&&str| output.contains(&format!("\n  {function}: "));
+        if let Some(function) = functions.iter().find(|function| !reached(function)) {
+            bail!("{name}: {function} is not analysed: expected a call in export/tests/proof.c");
+        }
+        let is_proved = ["  0 alarms generated", "100% of the logical properties reached have been proven"]
+            .iter()
+            .all(|line| output.contains(line));
+        ensure!(is_proved, "{name}: Eva has alarms");
+        remarks.push(format!("{name}: {} functions analysed, 0 alarms", functions.len()));
+    }
+    Ok(remarks)
+}
+
+/// The functions of the headers.
+fn functions() -> Vec<&'static str> {
+    let lines = C_HEADERS.iter().flat_map(|(_, text)| text.lines());
+    let begins = |line: &&str| {
+        ["static inline ", "LUMINAIRE_PART ", "LUMINAIRE_RARE "].iter().any(|word| line.starts_with(word))
+    };
+    let name = |line: &'static str| line.split_once('(')?.0.rsplit([' ', '*']).next();
+    lines.filter(begins).filter_map(name).collect()
+}
+
+/// Lights of all falloffs and attenuations, and a function that evaluates them at a point.
+fn constant_lights() -> Result<String> {
+    let mut rng = Rng::with_seed(2001);
+    let spots = lights::spots::<Fx16>(&mut rng, VARIANTS).into_iter().map(AnyLight::from);
+    let all: Vec<_> =
+        spots.chain(lights::points_of_light(&mut rng).into_iter().map(AnyLight::from)).collect();
+    let (mut text, mut calls) = (String::new(), String::new());
+    for (index, light) in all.into_iter().enumerate() {
+        text += &export(light, &format!("light{index}"), Language::CFixed)?;
+        let _ = writeln!(calls, "    light{index}_irradiance(point, normal);");
+        if matches!(light, AnyLight::Spot(_)) {
+            let _ = writeln!(calls, "    light{index}_falloff(point);");
+        }
+    }
+    Ok(format!(
+        "{text}\nstatic void lights_at(const int32_t point[3], const int16_t normal[3]) {{\n{calls}}}\n"
+    ))
+}
