@@ -934,7 +934,9 @@ static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int
 }
 
 static inline void luminaire_row_point(const luminaire_row *row, uint32_t i, int32_t point[3]) {
-    for (int k = 0; k < 3; ++k) { point[k] = luminaire_plus(row->first[k], luminaire_times(row->step[k], (int32_t)i)); }
+    for (int k = 0; k < 3; ++k) {
+        point[k] = luminaire_plus(row->first[k], luminaire_times(row->step[k], (int32_t)i));
+    }
 }
 
 /* Returns whether a light may reach points of a row, by a sphere around them. */

@@ -34,7 +34,7 @@ const PROCESSORS: [(&str, &str, &str); 3] = [
 /// precision, and assumes nothing.
 const SPLITS: [(&str, &str, usize); 3] = [
     ("    while (light >= LUMINAIRE_READ_", "dynamic_split code", 3),
-    ("    while (start < length) {", "split length", 1),
+    ("    while (start < count) {", "split count", 1),
     ("    if ((packer->width + size + 7) >> 3 >", "split size", 1),
 ];
 
