@@ -1,6 +1,5 @@
 //! `luminaire export`.
 
-use std::path::Path;
 use std::process::{Command, Output};
 
 fn export(arguments: &str) -> Output {

@@ -3,14 +3,10 @@
 //! A compiled cone is a function of the versine and needs no angles.
 
 mod compiled;
-#[cfg(feature = "fixed")]
-mod integer;
 mod two_angles;
 mod zoom;
 
 pub use self::compiled::CompiledCone;
-#[cfg(feature = "fixed")]
-pub use self::integer::{IntegerCone, Refusal};
 
 use crate::{
     angle::Angle,

@@ -5,6 +5,8 @@
 
 mod ambient;
 mod directional;
+#[cfg(feature = "fixed")]
+mod integer;
 mod point;
 mod spot;
 
@@ -20,7 +22,7 @@ pub use crate::{
 };
 
 #[cfg(feature = "fixed")]
-pub use crate::cone::{IntegerCone, Refusal};
+pub use self::integer::{IntegerCone, Refusal};
 
 #[cfg(feature = "arithmetic")]
 pub use crate::shade::LightModel;

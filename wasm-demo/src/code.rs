@@ -61,6 +61,6 @@ mod tests {
             let refusal = code.write(&job, light, language).unwrap_err().to_string();
             assert!(refusal.contains(words), "{refusal}");
         }
-        assert!(code.write("", 0, HEADER).unwrap().contains("luminaire_inverse_square_roots"));
+        assert!(code.write("", 0, C_HEADERS[0].0).unwrap().contains("luminaire_inverse_square_roots"));
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! [`Cone`](crate::Cone) computes in `f32`, which costs a microcontroller without a floating-point unit
 //! its library of floats. Here angles have steps of 2^-16 degrees, and the only function of an angle is
-//! its chord `sqrt(1 - cos)`, by a polynomial. `export/c/setup.h` has the same operations in C, with the
+//! its chord `sqrt(1 - cos)`, by a polynomial. `export/c/src/luminaire.h` has the same operations in C, with the
 //! same bits.
 
 use core::fmt;
