@@ -12,8 +12,8 @@ use luminaire::dynamic::AnyLight;
 use luminaire::{Angle, Cone, Fx16, Length, SpotLight, Vec3};
 use luminaire_export::{Language, export};
 
-use support::compiler::{compile, compile_in_integers, run, write_headers};
-use support::{points_of_light, spots, vectors};
+use support::compiler::{bytes, compile, compile_in_integers, run, write_headers};
+use support::{avr, points_of_light, spots, vectors};
 
 /// The words of a point and of a normal.
 type Place = [i32; 6];
@@ -156,6 +156,25 @@ fn random_lights_have_the_bits_of_the_kernel() {
     );
     assert!(lit > input.len() / 3 && fine > input.len() / 10);
     compare(&lights, &input, &expected, &BUILDS);
+    on_avr(&lights, &input, &expected);
+}
+
+/// Compares lights at some of their places on an AVR, where an `int` has 16 bits, and tables are in flash.
+fn on_avr(lights: &[AnyLight], places: &[Place], expected: &[Answer]) {
+    const PLACES: usize = 40;
+    /// As many lights as have room.
+    const LIGHTS: usize = 12;
+    let folder = tempfile::tempdir().expect("a folder");
+    let each = places.len() / lights.len();
+    for (index, lights) in lights.chunks(LIGHTS).enumerate() {
+        program(folder.path(), lights, PLACES);
+        let chosen: Vec<_> =
+            (0..lights.len() * PLACES).map(|i| (LIGHTS * index + i / PLACES) * each + i % PLACES).collect();
+        let input: Vec<_> = chosen.iter().flat_map(|at| places[*at]).map(|word| word as u32).collect();
+        let answer = |at: &usize| [expected[*at].0, expected[*at].1.unwrap_or(0)];
+        let expected: Vec<_> = chosen.iter().flat_map(answer).collect();
+        avr::writes(&folder.path().join("main.c"), &bytes(&input), &bytes(&expected));
+    }
 }
 
 /// The conformance vectors are independent of the kernel that runs the test.

@@ -162,11 +162,16 @@ static inline uint32_t luminaire_coarse_rise(
 /* Returns the last knot at or before a place; the first if all are later. */
 static inline luminaire_knot luminaire_knot_at(const luminaire_knot *knots, uint32_t count, uint32_t place) {
     uint32_t begin = 0, end = count;
+    luminaire_knot knot;
     while (begin < end) {
         uint32_t middle = begin + ((end - begin) >> 1);
-        if (knots[middle].place <= place) { begin = middle + 1; } else { end = middle; }
+        if (LUMINAIRE_READ_16(&knots[middle].place) <= place) { begin = middle + 1; } else { end = middle; }
     }
-    return knots[begin > 0 ? begin - 1 : 0];
+    knots += begin > 0 ? begin - 1 : 0;
+    knot.place = LUMINAIRE_READ_16(&knots->place);
+    knot.value = LUMINAIRE_READ_16(&knots->value);
+    knot.slope = (int32_t)LUMINAIRE_READ_32((const uint32_t *)&knots->slope);
+    return knot;
 }
 
 /* Returns log2(significand / 2^31) with 32 fraction bits. */
@@ -272,7 +277,8 @@ static inline uint32_t luminaire_coarse_value(int32_t value) {
 
 static inline uint32_t luminaire_coarse_sample(uint32_t x, const uint16_t *samples, uint32_t count) {
     uint32_t place = luminaire_coarse_complement(x) * (count - 1), i = place >> 15;
-    int32_t here = i < count ? samples[i] : 0, next = i + 1 < count ? samples[i + 1] : here;
+    int32_t here = i < count ? LUMINAIRE_READ_16(&samples[i]) : 0;
+    int32_t next = i + 1 < count ? LUMINAIRE_READ_16(&samples[i + 1]) : here;
     int32_t share = (int32_t)(place & (LUMINAIRE_COARSE_ONE - 1));
     int32_t value = luminaire_plus(luminaire_shl(here, 15), (next - here) * share);
     return luminaire_coarse_value(luminaire_plus(value, INT32_C(1) << 14) >> 15);
@@ -286,7 +292,8 @@ static inline uint32_t luminaire_fine_value(uint32_t value) {
 static inline uint32_t luminaire_fine_sample(uint32_t x, const uint16_t *samples, uint32_t count) {
     uint32_t last = luminaire_min(count, 65536) - 1, place = LUMINAIRE_FINE_ONE - x;
     uint32_t i = luminaire_high_product(place, last) >> 15, share = (place * last) & (LUMINAIRE_FINE_ONE - 1);
-    uint32_t here = i < count ? samples[i] : 0, next = i + 1 < count ? samples[i + 1] : here;
+    uint32_t here = i < count ? LUMINAIRE_READ_16(&samples[i]) : 0;
+    uint32_t next = i + 1 < count ? LUMINAIRE_READ_16(&samples[i + 1]) : here;
     uint32_t step = luminaire_high_product(share, next < here ? here - next : next - here);
     return luminaire_fine_value(next < here ? (here << 15) - step : (here << 15) + step);
 }

@@ -184,7 +184,7 @@ pub(super) fn table(name: &str, trace: &Trace<Fx16>) -> String {
         };
         let values: Vec<String> = values;
         return format!(
-            "static const {kind} {}[{}] = {{\n    {}\n}};\n",
+            "static const {kind} {}[{}] LUMINAIRE_TABLE = {{\n    {}\n}};\n",
             global(name, "table"),
             values.len(),
             rows(values)

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::compiler::{compile, is_missing};
+use super::compiler::{compile, is_missing};
 
 /// The headers of the library, whose tables are in flash: not beside the stand-in of `write_headers`.
 pub(crate) const LIBRARY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/c/src");

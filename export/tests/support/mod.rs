@@ -1,6 +1,7 @@
 //! Lights and points to compare, conformance vectors and compilers.
 #![allow(dead_code, unused_imports, reason = "each test uses a part")]
 
+pub(crate) mod avr;
 pub(crate) mod compiler;
 mod lights;
 pub(crate) mod vectors;
