@@ -1204,7 +1204,7 @@ static inline int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint3
     for (is_cubic = far_ > luminaire_high_half(near_ << 2, UINT32_C(2506698000)); is_cubic < 2; ++is_cubic) {
         int32_t least = is_cubic ? -54149 : -16384, most = is_cubic ? 10813 : 16384;
         if (is_cubic && !luminaire_ratio_is_over(near_, far_, 5571, least)) { return LUMINAIRE_RATIO; }
-        for (step = 0; step < 16 && most - least > 1; ++step) {
+        for (step = 0; step < 16; ++step) {
             int32_t middle = (least + most) >> 1;
             if (luminaire_ratio_is_over(near_, far_, is_cubic ? 5571 : middle, is_cubic ? middle : 0)) {
                 least = middle;
