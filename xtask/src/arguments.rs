@@ -28,7 +28,7 @@ The laboratory, built when it is first called; `cargo xtask COMMAND --help` has 
   test          Run the tests: format, lints, documentation, host, an emulated board, a browser
   full          Run the tests with the long sweeps, on all boards, in all browsers, with all feature
                 sets, and from the packed crates
-  prove         Prove the errors of the fixed-point stages, by Gappa and Coq
+  prove         Prove the errors of the fixed-point stages, by Gappa and Coq, and C, by Frama-C
   board         Build the firmware of a board with a display: rp2040
   conform       Compare the results of every model, bit by bit, with the conformance vectors
   measure       Measure errors, and costs on every target; compare them with the record, or write it

@@ -1149,7 +1149,7 @@ LUMINAIRE_RARE int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint
     for (int is_cubic = both[1] > luminaire_high_half(both[0] << 2, UINT32_C(2506698000)); is_cubic < 2; ++is_cubic) {
         int32_t least = is_cubic ? -54149 : -16384, most = is_cubic ? 10813 : 16384, g = 5571;
         if (is_cubic && !luminaire_ratio_is_over(both, g, least)) { return LUMINAIRE_RATIO; }
-        for (int step = 0; step < 16 && most - least > 1; ++step) {
+        for (int step = 0; step < 16; ++step) {
             int32_t middle = (least + most) >> 1;
             int is_over = luminaire_ratio_is_over(both, is_cubic ? g : middle, is_cubic ? middle : 0);
             if (is_over) { least = middle; } else { most = middle; }

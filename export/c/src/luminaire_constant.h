@@ -180,9 +180,9 @@ static inline int64_t luminaire_logarithm(uint32_t significand) {
     uint64_t product = (uint64_t)significand * LUMINAIRE_READ_32(&luminaire_logarithms[segment][0]);
     int32_t z = (int32_t)((int64_t)(product - (UINT64_C(1) << 62)) >> 30);
     int64_t above = INT64_C(3098164009) - ((z * INT64_C(2065442673)) >> 32);
-    above = INT64_C(1901360723) - ((z * above) >> 32);
-    /* The factor is 2^32 + above. */
-    return (int64_t)LUMINAIRE_READ_32(&luminaire_logarithms[segment][1]) + z + ((z * above) >> 32);
+    above = INT64_C(6196328019) - ((z * above) >> 32);
+    above = (int64_t)((uint64_t)z * (uint64_t)above);
+    return (int64_t)LUMINAIRE_READ_32(&luminaire_logarithms[segment][1]) + (above >> 32);
 }
 
 /* Returns -log2 x with 32 fraction bits, for x = significand / 2^31 / 2^octaves. */

@@ -15,7 +15,7 @@ pub(crate) enum Request {
     /// Run the tests with the long sweeps, on all boards, in all browsers, with all feature sets, and
     /// from the packed crates
     Full(TestOptions),
-    /// Prove the errors of the fixed-point stages, by Gappa and Coq
+    /// Prove the errors of the fixed-point stages, by Gappa and Coq, and that C is defined, by Frama-C
     Prove,
     /// Take the pictures of the demo for the documents again
     Pictures,

@@ -30,15 +30,17 @@ const PROCESSORS: [(&str, &str, &str); 3] = [
     ("AVR, whose int has 16 bits", "gcc_x86_16", "-D__AVR__ -U__SIZEOF_INT__"),
 ];
 
-/// Lines before which Eva distinguishes the values of a variable. This says where it may not lose
-/// precision, and assumes nothing.
+/// Lines before which Eva follows each value of a variable by itself, and their number. That is a choice
+/// of precision; it assumes nothing of the values.
 const SPLITS: [(&str, &str, usize); 3] = [
     ("    while (light >= LUMINAIRE_READ_", "dynamic_split code", 3),
     ("    while (start < count) {", "split count", 1),
     ("    if ((packer->width + size + 7) >> 3 >", "split size", 1),
 ];
 
-/// The states that Eva keeps apart, by function; two more are those of `proof.c`.
+/// How many states Eva follows by themselves, and the values of an expression that has a variable twice.
+/// Only shifts of negative numbers to the right are no alarms: the header rejects compilers that do not
+/// keep the sign. Unsigned numbers wrap.
 const OPTIONS: &str = "-eva -eva-precision 2 -eva-split-limit 300 -eva-split-return auto \
     -eva-slevel-function luminaire_knot_at:10000,luminaire_pack:1000,luminaire_row_skipped:2000,packing:1000 \
     -eva-subdivide-non-linear-function luminaire_start:256 \
@@ -77,8 +79,8 @@ fn prove(progress: &Progress) -> Result<Vec<String>> {
     let mut remarks = Vec::new();
     for (name, types, defines) in PROCESSORS {
         let mut eva = Command::new(&program);
-        eva.current_dir(folder.path()).args(["-machdep", types, &format!("-cpp-extra-args=-I. {defines}")]);
-        eva.arg("proof.c").args(OPTIONS.split_whitespace());
+        eva.args(["-machdep", types]).arg(format!("-cpp-extra-args=-I{} {defines}", folder.path().display()));
+        eva.arg(folder.path().join("proof.c")).args(OPTIONS.split_whitespace());
         let output = progress.output(eva)?;
         let functions = functions();
         let reached = |function: &&&str| output.contains(&format!("\n  {function}: "));
