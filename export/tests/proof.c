@@ -81,7 +81,7 @@ static void arrays(uint32_t count) {
     luminaire_rgb *sums = lights + MANY - count;
     luminaire_vertex *some = vertices + MANY - count;
     int8_t *normals = bytes + 3 * (MANY - count);
-    luminaire_spot_add(any_spot(), point, normal, sums + count - 1);
+    luminaire_spot_add(any_spot(), some + count - 1, sums + count - 1);
     luminaire_normal_from_unit_bytes(normal, bytes);
     luminaire_vertices_add(OR_NULL(spots + FEW - count % 5), count % 5, OR_NULL(some), OR_NULL(sums), count);
     luminaire_row_add(OR_NULL(&row), any_spot(), OR_NULL(sums), count);
@@ -96,7 +96,6 @@ static void rows(void) {
     luminaire_vertices_add(spots, word, 0, lights, word);
     luminaire_vertices_add(spots, word, vertices, 0, word);
     luminaire_row_add(OR_NULL(&row), any_spot(), 0, word);
-    luminaire_row_add_facing(OR_NULL(&row), any_spot(), 0, lights, word);
     luminaire_row_add_facing(OR_NULL(&row), any_spot(), bytes, 0, word);
 }
 
