@@ -258,5 +258,10 @@ fn an_avr_counts_its_cycles() {
     fs::write(&main, include_str!("avr/cycles.c")).expect("a folder");
     let Some(lines) = printed(&format!("-DPRINT -I{EXAMPLES}/Wall"), &main, &[]) else { return };
     println!("cycles of an AVR\n{}", lines.join("\n"));
-    assert!(lines.len() == 12 && lines[11].starts_with("00000000 "), "{lines:?}");
+    let [counts @ .., sums] = &lines[..] else { panic!("{lines:?}") };
+    assert!(counts.len() == 11 && sums.starts_with("00000000 "), "{lines:?}");
+    let readme = include_str!("../c/README.md");
+    for (call, cycles) in counts.iter().filter_map(|line| line.split_once(": ")) {
+        assert!(readme.contains(&format!("| {call} | {cycles} |\n")), "not in the README: {call}, {cycles}");
+    }
 }
