@@ -8,10 +8,11 @@
 int main(void) {
     uint32_t in[10], out[23];
     while (fread(in, 4, 10, stdin) == 10) {
-        luminaire_cone cone = { 0, 0, 0, 0, 0, 0 };
+        luminaire_cone cone; /* a good one, of which nothing may be left after a refusal */
         luminaire_spot spot;
         int32_t position[3], axis[3];
         int code, is_hard = in[0] & 1 ? 1 : 0;
+        luminaire_cone_from_field(&cone, LUMINAIRE_SOFT, 36 * LUMINAIRE_DEGREE);
         memcpy(position, &in[3], sizeof position);
         memcpy(axis, &in[6], sizeof axis);
         switch (in[0] >> 1) {

@@ -110,3 +110,41 @@ fn lights_have_the_words_of_the_kernel() {
     assert!(codes.iter().all(|count| *count > 5) && codes[0] > BATCH / 8, "{codes:?}");
     assert_eq!(Refusal::Axis as u32, 5);
 }
+
+/// The angles that the README says are accepted, in hundredths of a degree.
+#[test]
+fn the_readme_states_the_accepted_angles() {
+    type Made = Result<IntegerCone, Refusal>;
+    let [place, down] = [0, -65_536].map(|y| Vec3::new(0, y, 0).map(Length::from_bits));
+    let is_accepted = |cone: Made| cone.is_ok_and(|cone| cone.light(place, down, Length::ONE).is_ok());
+    let degrees = |hundredths: u32| hundredths * 65_536 / 100;
+    let row = |name: &str, cone: &dyn Fn(SoftOrHard, u32) -> Made| {
+        let range = [SoftOrHard::Soft, SoftOrHard::Hard].map(|edge| {
+            let accepted = (1..=18_000).filter(|angle| is_accepted(cone(edge, degrees(*angle))));
+            let [least, most] =
+                accepted.fold([18_000, 0], |[least, most], angle| [least.min(angle), most.max(angle)]);
+            [least, most].map(|angle| format!("{:.2}", f64::from(angle) / 100.0)).join(" to ")
+        });
+        format!("| {name} | {} |", range.join(" | "))
+    };
+    let readme = include_str!("../c/README.md");
+    for row in [
+        row("field angle", &IntegerCone::from_field),
+        row("beam angle", &IntegerCone::from_beam),
+        row("outer angle, with an inner angle of 0", &|edge, outer| {
+            IntegerCone::from_inner_and_outer(edge, 0, outer)
+        }),
+    ] {
+        assert!(readme.contains(&row), "{row}");
+    }
+    let widest = [SoftOrHard::Soft, SoftOrHard::Hard].map(|edge| {
+        let inner = |inner: &u32| {
+            is_accepted(IntegerCone::from_inner_and_outer(edge, degrees(*inner), degrees(4_000)))
+        };
+        let widest = (0..4_000).rev().find(inner).expect("a cone");
+        assert!(inner(&4_000));
+        format!("to {:.2}, and 40", f64::from(widest) / 100.0)
+    });
+    let row = format!("| inner angle, with an outer angle of 40 | {} |", widest.join(" | "));
+    assert!(readme.contains(&row), "{row}");
+}

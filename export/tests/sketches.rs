@@ -252,6 +252,21 @@ fn an_avr_returns_what_this_machine_does() {
 }
 
 #[test]
+fn the_program_of_the_readme_compiles() {
+    let (_, rest) = include_str!("../c/README.md").split_once("```c\n").expect("a program");
+    let (program, _) = rest.split_once("```").expect("its end");
+    let folder = tempfile::tempdir().expect("a folder");
+    let main = folder.path().join("main.c");
+    fs::write(&main, program).expect("a folder");
+    for (compiler, options) in
+        [("cc", "-std=c99 -O1"), ("c++", "-std=c++11 -O1"), ("avr-gcc", "-std=gnu99 -Os -mmcu=atmega328p")]
+    {
+        let flags = format!("{options} -c -Wconversion -Wshadow -Wundef -I{LIBRARY}");
+        compile(compiler, &flags, &main, &folder.path().join("main.o"));
+    }
+}
+
+#[test]
 fn an_avr_counts_its_cycles() {
     let folder = tempfile::tempdir().expect("a folder");
     let main = folder.path().join("cycles.c");

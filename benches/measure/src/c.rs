@@ -94,7 +94,6 @@ static MACHINES: [Machine; 3] = [
         options: &[
             "-mcpu=cortex-m4",
             "-mthumb",
-            "-mfloat-abi=hard",
             "--specs=rdimon.specs",
             "-Wl,--section-start=.vectors=0",
             "-Wl,--undefined=vectors",

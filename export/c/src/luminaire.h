@@ -4,17 +4,19 @@
  * points, rows of pixels and vertices; light becomes codes of sRGB and pixels of RGB565, and by luminaire_display.h
  * those of other displays and LEDs.
  *
- * | quantity | type | step |
- * |---|---|---|
- * | coordinate of a point or a light, intensity | int32_t | 2^-16 |
- * | full angle | uint32_t | 2^-16 degrees |
- * | component of a normal, colour, part | int16_t | 2^-14 |
- * | component of an axis | int32_t | 2^-30 |
- * | light | uint32_t | 2^-14 of full scale, which it may exceed |
+ * | quantity | type | step | range |
+ * |---|---|---|---|
+ * | coordinate of a point or a light, vector to aim along | int32_t | 2^-16 | all; a light up to 32,639 |
+ * | intensity: 1 is full scale at distance 1 | int32_t | 2^-16 | from 0; below, 0 |
+ * | full angle | uint32_t | 2^-16 degrees | to 180 degrees |
+ * | component of a normal of length 1, linear colour, part of 1 | int16_t | 2^-14 | to 2^14 |
+ * | light | uint32_t | 2^-14 of full scale | may exceed it, and saturates |
  *
- * The code has no floats, no division, no heap and no state. Each function is defined for all values, and a null
- * pointer is a dark light, nothing to change, or an array without elements. The results have the bits of luminaire's
- * format Fx16 in Rust.
+ * The code has no floats, no division, no heap and no state: calls may run side by side if none changes what another
+ * uses. No call fails but a set-up, and all are defined for all values. The bits are those of luminaire's Fx16 in Rust.
+ * A null pointer is a dark light, nothing to change, or an array without elements.
+ *
+ * Each file that includes this one has functions of its own. Include it in one file of a small program.
  *
  * Two evaluations have functions of the same names. The coarse one is usual, in 32-bit products: a fraction has 15
  * fraction bits and a share of the intensity 14. The fine one is for steep cones and for points near bright lights:
@@ -574,6 +576,7 @@ static inline luminaire_rgb luminaire_rgb_plus(luminaire_rgb a, luminaire_rgb b)
 
 /* Returns the light that a surface of a linear colour, in steps of 2^-14, reflects. */
 static inline luminaire_rgb luminaire_rgb_filtered(luminaire_rgb light, const int16_t color[3]) {
+    if (!color) { return light; }
     light.red = luminaire_light_filtered(light.red, color[0]);
     light.green = luminaire_light_filtered(light.green, color[1]);
     light.blue = luminaire_light_filtered(light.blue, color[2]);
@@ -667,7 +670,7 @@ LUMINAIRE_RARE uint32_t luminaire_spot_near(
 static inline uint32_t luminaire_spot_irradiance(
     const luminaire_spot *spot, const int32_t at[3], const int16_t normal[3]
 ) {
-    if (!spot) { return 0; }
+    if (!spot || !at || !normal) { return 0; }
     luminaire_offset offset = luminaire_offset_between(spot->position, at);
     int32_t facing = luminaire_facing(&offset, normal);
     if (luminaire_is_near(&offset, spot->fine_below)) { return luminaire_spot_near(spot, offset, facing, normal); }
@@ -694,7 +697,7 @@ static inline luminaire_rgb luminaire_spot_light(
 
 /* Returns the falloff at a point, from 0 to 2^14. */
 static inline int16_t luminaire_spot_falloff(const luminaire_spot *spot, const int32_t point[3]) {
-    if (!spot) { return 0; }
+    if (!spot || !point) { return 0; }
     luminaire_offset offset = luminaire_offset_between(spot->position, point);
     if (luminaire_is_near(&offset, spot->fine_below)) {
         luminaire_fine_ray fine = luminaire_fine_ray_of(&offset);
@@ -718,25 +721,25 @@ LUMINAIRE_RARE int luminaire_unit(int32_t unit[3], const int32_t from[3], const 
 
 /* Moves the light; its axis stays. */
 static inline void luminaire_spot_move(luminaire_spot *spot, const int32_t position[3]) {
-    for (int i = 0; spot && i < 3; ++i) { spot->position[i] = position[i]; }
+    for (int i = 0; spot && position && i < 3; ++i) { spot->position[i] = position[i]; }
 }
 
 /* Aims the light at a point. Returns 0, and changes nothing, if the point is the light's position. */
 static inline int luminaire_spot_aim(luminaire_spot *spot, const int32_t point[3]) {
-    return spot && luminaire_unit(spot->axis, spot->position, point);
+    return spot && point && luminaire_unit(spot->axis, spot->position, point);
 }
 
 /* Aims the light along a vector of any length. Returns 0, and changes nothing, if it is zero. */
 static inline int luminaire_spot_aim_along(luminaire_spot *spot, const int32_t way[3]) {
-    return spot && luminaire_unit(spot->axis, luminaire_origin, way);
+    return spot && way && luminaire_unit(spot->axis, luminaire_origin, way);
 }
 
 /* Gives the light a linear colour, in steps of 2^-14 from 0 to 2^14. */
 static inline void luminaire_spot_tint(luminaire_spot *spot, const int16_t color[3]) {
-    for (int i = 0; spot && i < 3; ++i) { spot->color[i] = color[i]; }
+    for (int i = 0; spot && color && i < 3; ++i) { spot->color[i] = color[i]; }
 }
 
-/* Dims the light to a part of its intensity, from 0 to 2^14. */
+/* Multiplies the intensity by a part of 1, from 0 to 2^14. A light that fades keeps a copy of its full intensity. */
 static inline void luminaire_spot_dim(luminaire_spot *spot, int16_t part) {
     if (!spot || part >= 1 << 14) { return; }
     luminaire_gain factor = luminaire_normalised(part > 0 ? (uint32_t)part : 0, 14);
@@ -746,6 +749,7 @@ static inline void luminaire_spot_dim(luminaire_spot *spot, int16_t part) {
 /* Sets the unit normal along a vector of signed bytes; zero along zero. */
 static inline void luminaire_normal_from_bytes(int16_t normal[3], const int8_t bytes[3]) {
     int32_t way[3];
+    if (!normal || !bytes) { return; }
     for (int i = 0; i < 3; ++i) { way[i] = luminaire_shl(bytes[i], 23); }
     luminaire_unit(way, luminaire_origin, way);
     for (int i = 0; i < 3; ++i) { normal[i] = (int16_t)(luminaire_plus(way[i], INT32_C(1) << 15) >> 16); }
@@ -753,7 +757,8 @@ static inline void luminaire_normal_from_bytes(int16_t normal[3], const int8_t b
 
 /* Returns whether the light may reach points within a radius of a point, in steps of 2^-16. */
 LUMINAIRE_RARE int luminaire_spot_can_reach(const luminaire_spot *spot, const int32_t center[3], int32_t radius) {
-    if (!spot || spot->outside <= 0 || spot->outside >= 16384 - 18) { return spot != 0; }
+    if (!spot || !center) { return 0; }
+    if (spot->outside <= 0 || spot->outside >= 16384 - 18) { return 1; }
     uint32_t sine = (uint32_t)(16384 - 18 - spot->outside); /* squared, of the half angle */
     /* The light reaches a sphere if its centre is in the cone moved back by the radius over the sine. */
     uint32_t shift = (15 - luminaire_bit_length(sine)) & 14, up = 1 + shift / 2;
@@ -871,7 +876,8 @@ static inline void luminaire_spot_set_cone(luminaire_spot *spot, const uint32_t 
     spot->outside = (int16_t)((int32_t)(luminaire_high_half(cosine, cosine) >> 16) - 17);
 }
 
-/* Gives the light a cone between its own, part 0, and that of another light or the same, part 2^14. */
+/* Gives the light a cone between its own, part 0, and that of another light or the same, part 2^14. The edge stays. A
+ * light that zooms keeps a copy of its own cone: the next call begins with the cone of this one. */
 LUMINAIRE_RARE void luminaire_spot_zoom(luminaire_spot *spot, const luminaire_spot *other, int16_t part) {
     if (!spot || !other || part <= 0) { return; }
     spot->fine_below = luminaire_max(spot->fine_below, other->fine_below);
@@ -909,6 +915,7 @@ typedef struct {
 
 /* Adds the light of a spotlight at a vertex; saturates. */
 static inline void luminaire_spot_add(const luminaire_spot *spot, const luminaire_vertex *at, luminaire_rgb *sum) {
+    if (!at || !sum) { return; }
     luminaire_rgb light = luminaire_spot_light(spot, at->point, at->normal);
     sum->red = luminaire_light_plus(sum->red, light.red);
     sum->green = luminaire_light_plus(sum->green, light.green);
@@ -926,6 +933,7 @@ static inline void luminaire_vertices_add(
 
 /* Sets the normal along a vector of signed bytes of a length of about 127, as normal maps have it. */
 static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int8_t bytes[3]) {
+    if (!normal || !bytes) { return; }
     int32_t x = bytes[0], y = bytes[1], z = bytes[2];
     /* A step of Newton's iteration: (3 - |n|^2) / 2 for n in units of 127, in steps of 2^-15. */
     uint32_t lack = luminaire_less(48387, (uint32_t)(x * x + y * y + z * z));
@@ -1002,10 +1010,19 @@ static inline void luminaire_row_add(
 
 /* ---- lights from the angles of a data sheet: full angles in steps of 2^-16 degrees ---- */
 
+#define LUMINAIRE_ONE INT32_C(65536)     /* 1 as a coordinate or an intensity */
+#define LUMINAIRE_DEGREE UINT32_C(65536) /* a degree as an angle */
+
+/* The edge of a cone: of a lens that scatters, such as a Fresnel's, or of a profile. */
+enum {
+    LUMINAIRE_SOFT, /* 0 */
+    LUMINAIRE_HARD  /* 1, as is all but 0 */
+};
+
 /* What a set-up returns. */
 enum {
     LUMINAIRE_OK,        /* the light is set up */
-    LUMINAIRE_ANGLE,     /* an angle of 0, or an outer angle over 180 degrees */
+    LUMINAIRE_ANGLE,     /* an angle of 0, or one so wide that light would leave the cone beyond 180 degrees */
     LUMINAIRE_ORDER,     /* an inner angle over the outer one, or a beam angle over the field angle */
     LUMINAIRE_RATIO,     /* a field angle too wide for its beam angle: the ratio of the versines is over 5.437 */
     LUMINAIRE_STEEPNESS, /* a cone that is too narrow for 16 bits, or an inner angle too close to the outer one */
@@ -1020,16 +1037,17 @@ typedef struct {
     uint32_t steepness, slope; /* bounds of the derivatives, with respect to the angle and to t, steps of 2^-14 */
 } luminaire_cone;
 
-/* Returns what a code says, in English. */
+/* Returns what a code says, in English. The texts take 400 bytes of an AVR's RAM in a program that calls it. */
 static inline const char *luminaire_refusal(int code) {
     switch (code) {
     case LUMINAIRE_OK: return "the light is set up";
-    case LUMINAIRE_ANGLE: return "angle: expected more than 0, and an outer angle of at most 180 degrees";
+    case LUMINAIRE_ANGLE: return "angle: expected more than 0, and a cone that ends within 180 degrees";
     case LUMINAIRE_ORDER: return "angles: expected inner at most outer, and beam at most field";
-    case LUMINAIRE_RATIO: return "field angle: expected a versine of at most 5.437 times that of the beam angle";
+    case LUMINAIRE_RATIO: return "field angle: expected at most about 2.3 times the beam angle";
     case LUMINAIRE_STEEPNESS: return "cone: expected a wider cone or a smaller inner angle for 16 bits";
     case LUMINAIRE_AXIS: return "axis: expected a vector that is not zero";
-    default: return "pointer: expected one that is not null";
+    case LUMINAIRE_NULL: return "pointer: expected one that is not null";
+    default: return "code: expected one that a set-up returned";
     }
 }
 
@@ -1048,28 +1066,34 @@ LUMINAIRE_RARE uint32_t luminaire_chord_of(uint32_t angle) {
     return luminaire_high_half(luminaire_high_half(x << 1, series) << 1, LUMINAIRE_LARGEST_CHORD);
 }
 
+/* Makes a cone one of which no light is set up. */
+static inline int luminaire_cone_refused(luminaire_cone *cone, int code) {
+    cone->steepness = 0;
+    return code;
+}
+
 /* Sets a cone up in which the chord of an angle is 2^31 / wider of the outer one. */
-static inline int luminaire_cone_open(luminaire_cone *cone, int is_hard, uint32_t angle, uint32_t wider) {
+static inline int luminaire_cone_open(luminaire_cone *cone, int edge, uint32_t angle, uint32_t wider) {
     if (!cone) { return LUMINAIRE_NULL; }
     uint32_t half = luminaire_high_half(luminaire_chord_of(angle), wider);
-    if (half == 0 || half > LUMINAIRE_FINE_ONE / 2) { return LUMINAIRE_ANGLE; }
+    if (half == 0 || half > LUMINAIRE_FINE_ONE / 2) { return luminaire_cone_refused(cone, LUMINAIRE_ANGLE); }
     cone->inner = 0;
     cone->outer = half << 1;
-    cone->g = is_hard ? 16384 : -16384;
+    cone->g = edge ? 16384 : -16384;
     cone->h = 0;
-    cone->steepness = is_hard ? 65544 : 25820;
+    cone->steepness = edge ? 65544 : 25820;
     cone->slope = 32772;
     return LUMINAIRE_OK;
 }
 
 /* Sets a cone up with its field angle, at which 10 % of the intensity is left, and a soft or a hard edge. */
-static inline int luminaire_cone_from_field(luminaire_cone *cone, int is_hard, uint32_t field) {
-    return luminaire_cone_open(cone, is_hard, field, is_hard ? UINT32_C(2204800193) : UINT32_C(2597013068));
+static inline int luminaire_cone_from_field(luminaire_cone *cone, int edge, uint32_t field) {
+    return luminaire_cone_open(cone, edge, field, edge ? UINT32_C(2204800193) : UINT32_C(2597013068));
 }
 
 /* Sets a cone up with its beam angle, at which 50 % of the intensity is left, and a soft or a hard edge. */
-static inline int luminaire_cone_from_beam(luminaire_cone *cone, int is_hard, uint32_t beam) {
-    return luminaire_cone_open(cone, is_hard, beam, is_hard ? UINT32_C(2553802834) : UINT32_C(3968032378));
+static inline int luminaire_cone_from_beam(luminaire_cone *cone, int edge, uint32_t beam) {
+    return luminaire_cone_open(cone, edge, beam, edge ? UINT32_C(2553802834) : UINT32_C(3968032378));
 }
 
 /* Sets a cone up with these chords and this edge. */
@@ -1101,13 +1125,13 @@ LUMINAIRE_RARE void luminaire_cone_of(luminaire_cone *cone, uint32_t inner, uint
 
 /* Sets a cone up with full intensity up to the inner angle, and no light from the outer angle on. */
 static inline int luminaire_cone_from_inner_and_outer(
-    luminaire_cone *cone, int is_hard, uint32_t inner, uint32_t outer
+    luminaire_cone *cone, int edge, uint32_t inner, uint32_t outer
 ) {
     uint32_t chord = luminaire_chord_of(outer);
     if (!cone) { return LUMINAIRE_NULL; }
-    if (inner > outer) { return LUMINAIRE_ORDER; }
-    if (chord == 0) { return LUMINAIRE_ANGLE; }
-    luminaire_cone_of(cone, luminaire_chord_of(inner), chord, is_hard ? 16384 : -16384, 0);
+    if (inner > outer) { return luminaire_cone_refused(cone, LUMINAIRE_ORDER); }
+    if (chord == 0) { return luminaire_cone_refused(cone, LUMINAIRE_ANGLE); }
+    luminaire_cone_of(cone, luminaire_chord_of(inner), chord, edge ? 16384 : -16384, 0);
     return LUMINAIRE_OK;
 }
 
@@ -1132,8 +1156,8 @@ static inline int luminaire_ratio_is_over(const uint32_t near_far[2], int32_t g,
 LUMINAIRE_RARE int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint32_t beam, uint32_t field) {
     uint32_t near = luminaire_chord_of(beam), far = luminaire_chord_of(field), up = luminaire_bit_length(far);
     if (!cone) { return LUMINAIRE_NULL; }
-    if (beam > field) { return LUMINAIRE_ORDER; }
-    if (near == 0 || far == 0) { return LUMINAIRE_ANGLE; }
+    if (beam > field) { return luminaire_cone_refused(cone, LUMINAIRE_ORDER); }
+    if (near == 0 || far == 0) { return luminaire_cone_refused(cone, LUMINAIRE_ANGLE); }
     /* The two versines in the same unit, in which that of the field angle has 29 or 30 bits. */
     up = luminaire_less(31, up);
     uint32_t both[2] = { luminaire_high_half(near << up, near << up), luminaire_high_half(far << up, far << up) };
@@ -1141,14 +1165,14 @@ LUMINAIRE_RARE int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint
         /* The hard edge with a hotspot. */
         uint32_t apart = both[1] - both[0], less = luminaire_high_half(apart, UINT32_C(3142897062)) << 2;
         uint32_t outer = luminaire_sqrt(both[1] + luminaire_high_half(apart, UINT32_C(912355056))) >> up;
-        if (outer / 2 > LUMINAIRE_FINE_ONE / 2) { return LUMINAIRE_ANGLE; }
+        if (outer / 2 > LUMINAIRE_FINE_ONE / 2) { return luminaire_cone_refused(cone, LUMINAIRE_ANGLE); }
         luminaire_cone_of(cone, luminaire_sqrt(luminaire_less(both[0], less)) >> up, outer, 16384, 0);
         return LUMINAIRE_OK;
     }
     /* A quadratic between hard and soft, or a cubic with an edge slope of 1.34. */
     for (int is_cubic = both[1] > luminaire_high_half(both[0] << 2, UINT32_C(2506698000)); is_cubic < 2; ++is_cubic) {
         int32_t least = is_cubic ? -54149 : -16384, most = is_cubic ? 10813 : 16384, g = 5571;
-        if (is_cubic && !luminaire_ratio_is_over(both, g, least)) { return LUMINAIRE_RATIO; }
+        if (is_cubic && !luminaire_ratio_is_over(both, g, least)) { return luminaire_cone_refused(cone, LUMINAIRE_RATIO); }
         for (int step = 0; step < 16; ++step) {
             int32_t middle = (least + most) >> 1;
             int is_over = luminaire_ratio_is_over(both, is_cubic ? g : middle, is_cubic ? middle : 0);
@@ -1163,7 +1187,7 @@ LUMINAIRE_RARE int luminaire_cone_from_beam_and_field(luminaire_cone *cone, uint
             return LUMINAIRE_OK;
         }
     }
-    return LUMINAIRE_ANGLE;
+    return luminaire_cone_refused(cone, LUMINAIRE_ANGLE);
 }
 
 /* Returns an upper bound of the error of the coarse evaluation, in steps of 2^-24 of half a linear code. */
@@ -1415,12 +1439,14 @@ static inline uint16_t luminaire_rgb565_dithered(luminaire_rgb light, uint32_t x
 
 /* Writes a pixel of 16 bits with its upper byte first: the order of most displays on SPI. */
 static inline void luminaire_high_first(uint16_t pixel, uint8_t bytes[2]) {
+    if (!bytes) { return; }
     bytes[0] = (uint8_t)(pixel >> 8);
     bytes[1] = (uint8_t)(pixel & 0xff);
 }
 
 /* Writes a pixel of 16 bits with its lower byte first. */
 static inline void luminaire_low_first(uint16_t pixel, uint8_t bytes[2]) {
+    if (!bytes) { return; }
     bytes[0] = (uint8_t)(pixel & 0xff);
     bytes[1] = (uint8_t)(pixel >> 8);
 }

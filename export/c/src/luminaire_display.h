@@ -3,8 +3,8 @@
  * Light has steps of 2^-14 of full scale, which it may exceed; an output clips it. The outputs are
  * pixels of more formats than luminaire.h has, packed to bytes; palettes; pulse widths, also for
  * drivers that apply a gamma; temporal dither; and strips of LEDs within a limit of their current.
- * The code has no floats, no division and no memory of its own. It is defined for all inputs;
- * pointers may be null where a count is 0.
+ * The code has no floats, no division and no memory of its own. It is defined for all values, for null
+ * pointers too; a packer is one that the functions here have written.
  *
  * Licence: MIT OR Apache-2.0, at your choice.
  */
@@ -317,7 +317,7 @@ typedef struct {
 static inline luminaire_packer luminaire_packer_into(uint8_t *bytes, uint32_t count) {
     luminaire_packer packer;
     packer.next = bytes;
-    packer.left = count;
+    packer.left = bytes ? count : 0;
     packer.held = packer.width = 0;
     return packer;
 }
@@ -325,6 +325,7 @@ static inline luminaire_packer luminaire_packer_into(uint8_t *bytes, uint32_t co
 /* Appends a pixel and returns 1; returns 0 and appends nothing if it does not fit as a whole. 15
  * bits take two bytes; 18 bits take three, with a channel in the upper bits of each. */
 static inline int luminaire_pack(luminaire_packer *packer, uint32_t format, int order, uint32_t pixel) {
+    if (!packer) { return 0; }
     uint32_t two = luminaire_channel_width(format, 8) + luminaire_channel_width(format, 4);
     uint32_t bits = two + luminaire_channel_width(format, 0), size = bits;
     int is_low = order == LUMINAIRE_LSB_FIRST;
@@ -346,6 +347,7 @@ static inline int luminaire_pack(luminaire_packer *packer, uint32_t format, int 
 
 /* Ends a row: writes the byte that is not full. Its unused bits are 0. */
 static inline void luminaire_pack_end(luminaire_packer *packer, int order) {
+    if (!packer) { return; }
     uint32_t held = order == LUMINAIRE_LSB_FIRST ? packer->held : packer->held << (8 - packer->width);
     if (packer->width > 0) {
         *packer->next++ = (uint8_t)(held & 0xff);
@@ -357,7 +359,7 @@ static inline void luminaire_pack_end(luminaire_packer *packer, int order) {
 /* ---- palettes ---- */
 
 /* A palette: the index of its colour for each of the 4,096 pixels of RGB444, in a LUMINAIRE_TABLE,
- * and the range of the dither in sRGB codes. The kernel computes both on the host. */
+ * and the range of the dither in sRGB codes: what display::Palette of luminaire in Rust has. */
 typedef struct {
     const uint8_t *cells;
     uint8_t spacing;
@@ -365,6 +367,7 @@ typedef struct {
 
 /* Returns the index of the palette's colour for a light. */
 static inline uint8_t luminaire_palette_nearest(const luminaire_palette *palette, luminaire_rgb light) {
+    if (!palette || !palette->cells) { return 0; }
     return (uint8_t)(LUMINAIRE_READ_8(&palette->cells[luminaire_pixel(LUMINAIRE_RGB444, light)]));
 }
 
@@ -379,6 +382,7 @@ static inline uint32_t luminaire_moved(uint32_t light, int32_t offset) {
 static inline uint8_t luminaire_palette_dithered(
     const luminaire_palette *palette, luminaire_rgb light, uint32_t x, uint32_t y
 ) {
+    if (!palette || !palette->cells) { return 0; }
     int32_t offset = (64 - (int32_t)luminaire_threshold(x, y)) * palette->spacing / 128;
     uint32_t cell = luminaire_moved(light.red, offset) << 8 | luminaire_moved(light.green, offset) << 4
         | luminaire_moved(light.blue, offset);
@@ -445,6 +449,7 @@ static inline uint16_t luminaire_phase(uint32_t index) {
 
 /* Returns the duty of the next frame for a channel times a factor in steps of 2^-16, at most 1. */
 static inline uint16_t luminaire_next_dimmed(uint16_t *carry, uint32_t light, uint32_t bits, uint32_t factor) {
+    if (!carry) { return 0; }
     uint32_t sum;
     light = luminaire_min(light, UINT32_C(1) << 14);
     light = ((light << luminaire_min(bits, 16)) - light) << 2;
@@ -489,6 +494,7 @@ LUMINAIRE_RARE uint64_t luminaire_quotient(uint64_t n, uint64_t divisor) {
 static inline uint32_t luminaire_strip_factor(
     const luminaire_strip *strip, const luminaire_rgb *lights, uint32_t count
 ) {
+    if (!strip || !lights) { return UINT32_C(1) << 16; }
     const uint32_t one = UINT32_C(1) << 14, full = UINT32_C(1) << 16;
     uint64_t idle = (uint64_t)count * strip->idle, needed = 0, available, dither;
     uint32_t i;
@@ -509,6 +515,7 @@ static inline uint32_t luminaire_strip_factor(
 static inline void luminaire_strip_write(
     const luminaire_strip *strip, const luminaire_rgb *lights, uint16_t *carries, uint8_t *bytes, uint32_t count
 ) {
+    if (!strip || !lights || !carries || !bytes) { return; }
     uint32_t factor = luminaire_strip_factor(strip, lights, count), i;
     uint32_t red = strip->order == LUMINAIRE_LED_RGB ? 0 : strip->order == LUMINAIRE_LED_BGR ? 2 : 1;
     uint32_t green = strip->order == LUMINAIRE_LED_RGB || strip->order == LUMINAIRE_LED_BGR ? 1 : 0;
