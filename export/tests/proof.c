@@ -50,22 +50,22 @@ static luminaire_spot *any_spot(void) {
 }
 
 static void light(void) {
-    luminaire_spot_irradiance(any_spot(), point, normal);
-    luminaire_spot_light(any_spot(), point, normal);
-    luminaire_spot_falloff(any_spot(), point);
-    luminaire_spot_can_reach(any_spot(), point, number);
+    luminaire_spot_irradiance(any_spot(), OR_NULL(point), OR_NULL(normal));
+    luminaire_spot_light(any_spot(), OR_NULL(point), OR_NULL(normal));
+    luminaire_spot_falloff(any_spot(), OR_NULL(point));
+    luminaire_spot_can_reach(any_spot(), OR_NULL(point), number);
 }
 
 static void change(void) {
-    luminaire_spot_move(any_spot(), point);
-    luminaire_spot_aim(any_spot(), point);
-    luminaire_spot_aim_along(any_spot(), point);
-    luminaire_spot_tint(any_spot(), normal);
+    luminaire_spot_move(any_spot(), OR_NULL(point));
+    luminaire_spot_aim(any_spot(), OR_NULL(point));
+    luminaire_spot_aim_along(any_spot(), OR_NULL(point));
+    luminaire_spot_tint(any_spot(), OR_NULL(normal));
     luminaire_spot_dim(any_spot(), scalar);
     luminaire_spot_zoom(any_spot(), OR_NULL(&spots[1]), scalar);
     luminaire_spot_zoom(&spots[0], &spots[0], scalar);
     any();
-    luminaire_normal_from_bytes(normal, bytes);
+    luminaire_normal_from_bytes(OR_NULL(normal), OR_NULL(bytes));
 }
 
 static void set_up(void) {
@@ -81,8 +81,8 @@ static void arrays(uint32_t count) {
     luminaire_rgb *sums = lights + MANY - count;
     luminaire_vertex *some = vertices + MANY - count;
     int8_t *normals = bytes + 3 * (MANY - count);
-    luminaire_spot_add(any_spot(), some + count - 1, sums + count - 1);
-    luminaire_normal_from_unit_bytes(normal, bytes);
+    luminaire_spot_add(any_spot(), OR_NULL(some + count - 1), OR_NULL(sums + count - 1));
+    luminaire_normal_from_unit_bytes(OR_NULL(normal), OR_NULL(bytes));
     luminaire_vertices_add(OR_NULL(spots + FEW - count % 5), count % 5, OR_NULL(some), OR_NULL(sums), count);
     luminaire_row_add(OR_NULL(&row), any_spot(), OR_NULL(sums), count);
     luminaire_row_add_facing(OR_NULL(&row), any_spot(), OR_NULL(normals), OR_NULL(sums), count);
@@ -102,15 +102,15 @@ static void rows(void) {
 static void pixels(void) {
     uint8_t two[2];
     luminaire_rgb_plus(rgb(), rgb());
-    luminaire_rgb_filtered(rgb(), normal);
+    luminaire_rgb_filtered(rgb(), OR_NULL(normal));
     luminaire_encode_srgb(word);
     luminaire_encode_srgb_dithered(word, word, word);
     luminaire_srgb(rgb());
     luminaire_srgb_dithered(rgb(), word, word);
     luminaire_rgb565(rgb());
     luminaire_rgb565_dithered(rgb(), word, word);
-    luminaire_high_first((uint16_t)word, two);
-    luminaire_low_first((uint16_t)word, two);
+    luminaire_high_first((uint16_t)word, OR_NULL(two));
+    luminaire_low_first((uint16_t)word, OR_NULL(two));
 }
 
 /* Widths over 8 are clipped to 8: one of them stands for all. */
@@ -130,7 +130,9 @@ static void formats(void) {
 static void packing(void) {
     uint8_t out[FEW];
     uint32_t left, width;
-    luminaire_packer packer = luminaire_packer_into(0, 0);
+    luminaire_packer packer = luminaire_packer_into(0, word);
+    luminaire_pack(0, word, choice, word);
+    luminaire_pack_end(0, choice);
     luminaire_pack(&packer, word, choice, word);
     luminaire_pack_end(&packer, choice);
     for (left = 0; left <= FEW; ++left) {
@@ -160,10 +162,10 @@ static void outputs(void) {
     uint32_t count;
     ANY(strip);
     ANY(carries);
-    palette.cells = cells;
+    palette.cells = OR_NULL(cells);
     palette.spacing = (uint8_t)word;
-    luminaire_palette_nearest(&palette, rgb());
-    luminaire_palette_dithered(&palette, rgb(), word, word);
+    luminaire_palette_nearest(OR_NULL(&palette), rgb());
+    luminaire_palette_dithered(OR_NULL(&palette), rgb(), word, word);
     luminaire_duty(word, word);
     luminaire_duty_dithered(word, word, word);
     luminaire_gamma22(word);
@@ -171,9 +173,9 @@ static void outputs(void) {
     luminaire_gamma28(word);
     luminaire_gamma28_dithered(word, word, word);
     luminaire_phase(word);
-    luminaire_next_duty(carries, word, word);
-    luminaire_next_dimmed(carries, word, word, word);
-    luminaire_strip_write(&strip, 0, 0, 0, 0);
+    luminaire_next_duty(OR_NULL(carries), word, word);
+    luminaire_next_dimmed(OR_NULL(carries), word, word, word);
+    luminaire_strip_write(OR_NULL(&strip), 0, 0, 0, word);
     for (count = 0; count <= FEW; ++count) {
         luminaire_strip_write(
             &strip, lights + MANY - count, carries + 3 * (FEW - count), out + 3 * (FEW - count), count);
