@@ -1,7 +1,6 @@
 //! The folder `c` is a library for Arduino, PlatformIO, ESP-IDF and CMake: its manifests name what is there.
 
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
-#[allow(dead_code, reason = "the programs here read no words")]
 mod compiler;
 
 use std::collections::BTreeSet;

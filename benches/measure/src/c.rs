@@ -138,10 +138,8 @@ fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     let options = [&["-Os", "-Wl,--gc-sections"], *options].concat();
     let files: Vec<_> = beside.iter().chain([&CALLS]).map(|file| project::root().join(file)).collect();
     let program = compiled(compiler, &options, &files)?;
-    // picolibc writes single letters to the console. Without a device for it, QEMU writes them to its
-    // standard error.
-    let mut qemu = Qemu::find(board, progress)?.command(",chardev=console");
-    let found = command::answer(qemu.args(["-chardev", "stdio,id=console", "-kernel"]).arg(&program))?;
+    let mut qemu = Qemu::find(board, progress)?.with_console().command();
+    let found = command::answer(qemu.arg("-kernel").arg(&program))?;
     ensure!(expected.lines().count() > 1000, "expected many results, found {expected}");
     prints_the_same(board, &found, &expected)
 }
@@ -167,7 +165,7 @@ fn add_prices(machine: &Machine, group: &mut Group, progress: &Progress) -> Resu
     let expected = command::answer(&mut Command::new(compiled("cc", &["-O2"], &[root.join(PRICES)])?))?;
     let files: Vec<_> = beside.iter().chain([&PRICES]).map(|file| root.join(file)).collect();
     let program = compiled(compiler, &[&["-O2"], *options].concat(), &files)?;
-    let (found, regions) = Qemu::find(board, progress)?.count(&program, progress)?;
+    let (found, regions) = Qemu::find(board, progress)?.with_console().count(&program, progress)?;
     prints_the_same(board, &found, &expected)?;
     let lines = Line::all(&found)?;
     ensure!(lines.len() == regions.len(), "{PRICES}: {} lines, {} regions", lines.len(), regions.len());

@@ -129,7 +129,7 @@ fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
     let options = ["--profile", profile, "--bin", "conform", "--features", "conform"];
     let program = counted::build(board, &options, progress)?.artifacts(profile).join("conform");
     // The program reads the vectors from the folder that QEMU is started in.
-    let mut qemu = Qemu::find(board, progress)?.command("");
+    let mut qemu = Qemu::find(board, progress)?.command();
     command::answer(qemu.current_dir(folder()).arg("-kernel").arg(program))
 }
 

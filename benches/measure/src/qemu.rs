@@ -29,6 +29,8 @@ pub(crate) struct Qemu {
     board: &'static Board,
     /// Major and minor.
     version: (u32, u32),
+    /// Whether single letters of the semihosting console are printed as the rest.
+    has_console: bool,
 }
 
 impl Qemu {
@@ -50,7 +52,7 @@ impl Qemu {
         };
         let answer = command::answer(Command::new(&program).arg("--version"))?;
         let version = version(&answer).with_context(|| format!("QEMU has no version: {answer}"))?;
-        Ok(Self { program, board, version })
+        Ok(Self { program, board, version, has_console: false })
     }
 
     /// QEMU's version and the board, as in `QEMU 7.2, -M microbit`.
@@ -59,14 +61,25 @@ impl Qemu {
         format!("QEMU {major}.{minor}, {}", self.board.machine.join(" "))
     }
 
-    /// A call that still lacks the firmware. `settings` are further ones of semihosting.
-    pub(crate) fn command(&self, settings: &str) -> Command {
+    /// The emulator with a device for the console of semihosting. picolibc writes single letters to it, which
+    /// QEMU else writes to its standard error.
+    pub(crate) fn with_console(self) -> Self {
+        Self { has_console: true, ..self }
+    }
+
+    /// A call that still lacks the firmware.
+    pub(crate) fn command(&self) -> Command {
         let mut qemu = if cfg!(unix) { Command::new("timeout") } else { Command::new(&self.program) };
         if cfg!(unix) {
             qemu.arg(PATIENCE).arg(&self.program);
         }
         qemu.args(self.board.machine).args(["-nographic", "-monitor", "none", "-serial", "none"]);
-        qemu.arg("-semihosting-config").arg(format!("enable=on,target=native{settings}"));
+        if self.has_console {
+            qemu.args(["-semihosting-config", "enable=on,target=native,chardev=console"]);
+            qemu.args(["-chardev", "stdio,id=console"]);
+        } else {
+            qemu.args(["-semihosting-config", "enable=on,target=native"]);
+        }
         qemu
     }
 
@@ -78,7 +91,7 @@ impl Qemu {
         fs::write(&counts, "")?;
         // In a list of options QEMU expects each comma of a path doubled.
         let path = |path: &Path| path.display().to_string().replace(',', ",,");
-        let mut qemu = self.command("");
+        let mut qemu = self.command();
         qemu.arg("-plugin").arg(format!("{},out={}", path(&counter), path(&counts)));
         let printed = command::answer(qemu.arg("-kernel").arg(firmware))?;
         Ok((printed, regions(&fs::read_to_string(&counts)?)?))

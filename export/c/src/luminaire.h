@@ -585,12 +585,13 @@ static inline luminaire_rgb luminaire_rgb_filtered(luminaire_rgb light, const in
 
 /* ---- spotlights that move: any words are defined, and a null light is dark ---- */
 
-/* A spotlight with the inverse square of the distance. With all words zero it is dark. */
+/* A spotlight with the inverse square of the distance. With all words zero it is dark. Its edge is a falloff of t, which
+ * is 1 up to the inner angle and falls in proportion to the cosine to 0 at the outer one, and u = 1 - t. */
 typedef struct {
     int32_t position[3];      /* steps of 2^-16 */
     int32_t axis[3];          /* of unit length, steps of 2^-30 */
     luminaire_ramp ramp;      /* the cone */
-    int32_t g, h;             /* the edge t (1 + u (g + h t)), steps of 2^-14: soft -2^14, 0; hard 2^14, 0 */
+    int32_t g, h;             /* t (1 + u (g + h t)), steps of 2^-14: soft -2^14, 0; hard 2^14, 0 */
     luminaire_gain intensity; /* 1 is full scale on the axis at distance 1 */
     uint32_t fine_below;      /* the points that need the fine evaluation: within an encoded distance */
     int16_t color[3];         /* linear, from 0 to 2^14 */
