@@ -122,7 +122,7 @@ fn keywords_are_the_public_names() {
         let (name, kind) = line.split_once('\t').expect("a tab");
         assert!(names.insert(name), "{name} is there twice");
         let is_function = |line: &str| {
-            let is_defined = ["static inline ", "LUMINAIRE_RARE ", "LUMINAIRE_PART "]
+            let is_defined = ["static inline ", "LUMINAIRE_HOT ", "LUMINAIRE_RARE ", "LUMINAIRE_PART "]
                 .iter()
                 .any(|head| line.starts_with(head));
             let head = line.split_once('(').map_or("", |(head, _)| head);

@@ -32,6 +32,9 @@ pub(crate) fn figure(name: &str) -> String {
     format!("c.{name}")
 }
 
+/// How they are optimised, and the units of their figures.
+pub(crate) const LEVELS: [(&str, &str); 2] = [("-O3", "instructions"), ("-Os", "instructions_for_size")];
+
 /// The calls that are counted: name, and what they are; a row counts for each of its pixels.
 pub(crate) const CALLS_COUNTED: [(&str, &str); 16] = [
     ("irradiance", "`luminaire_spot_irradiance`, of a point in the light"),
@@ -158,21 +161,23 @@ pub(crate) fn add(board: &Board, group: &mut Group, progress: &Progress) -> Resu
     Ok(())
 }
 
-/// Counts the instructions of the calls, optimised for speed. The results must be the host's.
+/// Counts the instructions of the calls, optimised for speed and for size. The results must be the host's.
 fn add_prices(machine: &Machine, group: &mut Group, progress: &Progress) -> Result<()> {
     let Machine { board, compiler, options, beside } = machine;
     let root = project::root();
     let expected = command::answer(&mut Command::new(compiled("cc", &["-O2"], &[root.join(PRICES)])?))?;
     let files: Vec<_> = beside.iter().chain([&PRICES]).map(|file| root.join(file)).collect();
-    let program = compiled(compiler, &[&["-O2"], *options].concat(), &files)?;
-    let (found, regions) = Qemu::find(board, progress)?.with_console().count(&program, progress)?;
-    prints_the_same(board, &found, &expected)?;
-    let lines = Line::all(&found)?;
-    ensure!(lines.len() == regions.len(), "{PRICES}: {} lines, {} regions", lines.len(), regions.len());
-    let sums: Vec<_> = regions.iter().map(|region| region.values().sum::<u64>() as f64).collect();
-    for (line, sum) in lines.iter().zip(&sums).skip(1) {
-        let count = (sum - sums[0]) / COUNT as f64;
-        group.add(&figure(&line.name), "instructions", (10.0 * count).round() / 10.0);
+    for (level, unit) in LEVELS {
+        let program = compiled(compiler, &[&[level], *options].concat(), &files)?;
+        let (found, regions) = Qemu::find(board, progress)?.with_console().count(&program, progress)?;
+        prints_the_same(board, &found, &expected)?;
+        let lines = Line::all(&found)?;
+        ensure!(lines.len() == regions.len(), "{PRICES}: {} lines, {} regions", lines.len(), regions.len());
+        let sums: Vec<_> = regions.iter().map(|region| region.values().sum::<u64>() as f64).collect();
+        for (line, sum) in lines.iter().zip(&sums).skip(1) {
+            let count = (sum - sums[0]) / COUNT as f64;
+            group.add(&figure(&line.name), unit, (10.0 * count).round() / 10.0);
+        }
     }
     let sized = [&["-Os", "-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"], *options].concat();
     let alone = ["-nostartfiles", "-Wl,-e,main"];

@@ -84,6 +84,13 @@ static const uint16_t luminaire_inverse_square_roots[129] LUMINAIRE_TABLE = {
 #define LUMINAIRE_RARE static inline
 #endif
 
+/* A step of each lit point. A compiler for speed inlines it wherever a light is evaluated. */
+#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && defined(__GNUC__) && !defined(__FRAMAC__)
+#define LUMINAIRE_HOT __attribute__((always_inline)) static inline
+#else
+#define LUMINAIRE_HOT static inline
+#endif
+
 #define LUMINAIRE_FULL_SCALE (UINT32_C(1) << 14)    /* 1 as a coarse share */
 #define LUMINAIRE_COARSE_ONE (UINT32_C(1) << 15)    /* 1 as a coarse fraction */
 #define LUMINAIRE_FINE_ONE (UINT32_C(1) << 31)      /* 1 as a fine fraction and share */
@@ -144,7 +151,7 @@ static const uint8_t luminaire_log2[128] LUMINAIRE_TABLE = {
 #endif
 
 /* Returns the bit length of n from 1 to 127. */
-static inline uint32_t luminaire_bit_length_of_seven(uint32_t n) {
+LUMINAIRE_HOT uint32_t luminaire_bit_length_of_seven(uint32_t n) {
 #if defined(LUMINAIRE_COUNTS_ZEROS)
     return 32 - (uint32_t)__builtin_clz(n | 1);
 #else
@@ -153,7 +160,7 @@ static inline uint32_t luminaire_bit_length_of_seven(uint32_t n) {
 }
 
 /* Returns the bit length; 1 for 0. */
-static inline uint32_t luminaire_bit_length(uint32_t n) {
+LUMINAIRE_HOT uint32_t luminaire_bit_length(uint32_t n) {
 #if defined(LUMINAIRE_COUNTS_ZEROS)
     return 32 - (uint32_t)__builtin_clz(n | 1);
 #else
@@ -164,7 +171,7 @@ static inline uint32_t luminaire_bit_length(uint32_t n) {
 }
 
 /* Returns a * b / 2^32, rounded down. */
-static inline uint32_t luminaire_high_half(uint32_t a, uint32_t b) {
+LUMINAIRE_HOT uint32_t luminaire_high_half(uint32_t a, uint32_t b) {
 #if defined(LUMINAIRE_BY_PARTS)
     uint32_t ah = a >> 16, al = a & 0xffff, bh = b >> 16, bl = b & 0xffff;
     uint32_t upper = ah * bl;
@@ -176,18 +183,18 @@ static inline uint32_t luminaire_high_half(uint32_t a, uint32_t b) {
 }
 
 /* Returns a * b / 2^16 for b of 16 bits, rounded down. */
-static inline uint32_t luminaire_high_product(uint32_t a, uint32_t b) {
+LUMINAIRE_HOT uint32_t luminaire_high_product(uint32_t a, uint32_t b) {
     return (a >> 16) * b + (((a & 0xffff) * b) >> 16);
 }
 
 /* Returns a * b / 2^16 for b of 16 bits, rounded down. */
-static inline int32_t luminaire_signed_high_product(int32_t a, uint32_t b) {
+LUMINAIRE_HOT int32_t luminaire_signed_high_product(int32_t a, uint32_t b) {
     uint32_t low = (((uint32_t)a & 0xffff) * b) >> 16;
     return luminaire_plus(luminaire_times(a >> 16, (int32_t)b), (int32_t)low);
 }
 
 /* Returns a * b / 2^32 for numbers of 30 bits and a sign, rounded down. */
-static inline int32_t luminaire_signed_high_half(int32_t a, int32_t b) {
+LUMINAIRE_HOT int32_t luminaire_signed_high_half(int32_t a, int32_t b) {
 #if defined(LUMINAIRE_BY_PARTS)
     int32_t ah = a >> 16, bh = b >> 16;
     uint32_t al = (uint32_t)a & 0xffff, bl = (uint32_t)b & 0xffff;
@@ -200,7 +207,7 @@ static inline int32_t luminaire_signed_high_half(int32_t a, int32_t b) {
 }
 
 /* Returns a^2 / 2^32 for a number of 31 bits and a sign, rounded down. */
-static inline uint32_t luminaire_high_square(int32_t a) {
+LUMINAIRE_HOT uint32_t luminaire_high_square(int32_t a) {
 #if defined(LUMINAIRE_BY_PARTS)
     int32_t high = a >> 16, low = (int32_t)((uint32_t)a & 0xffff);
     uint32_t low_squared = ((uint32_t)low * (uint32_t)low) >> 17;
@@ -212,27 +219,27 @@ static inline uint32_t luminaire_high_square(int32_t a) {
 }
 
 /* Returns a number of at least the magnitude's bits, for the bit length of the largest component. */
-static inline uint32_t luminaire_size(const int32_t way[3]) {
+LUMINAIRE_HOT uint32_t luminaire_size(const int32_t way[3]) {
     return (uint32_t)(way[0] ^ (way[0] >> 31)) | (uint32_t)(way[1] ^ (way[1] >> 31))
         | (uint32_t)(way[2] ^ (way[2] >> 31));
 }
 
 /* Returns 2^31 / sqrt(n) for n >= 2^30, by linear interpolation. */
-static inline uint32_t luminaire_guess(uint32_t n) {
+LUMINAIRE_HOT uint32_t luminaire_guess(uint32_t n) {
     uint32_t here = LUMINAIRE_READ_16(&luminaire_inverse_square_roots[n >> 25]);
     uint32_t next = LUMINAIRE_READ_16(&luminaire_inverse_square_roots[(n >> 25) + 1]);
     return here - (((here - next) * ((n << 7) >> 16)) >> 16);
 }
 
 /* Returns 2^30 / sqrt(n) for n >= 2^28; 0 for 0. */
-static inline uint32_t luminaire_inverse_sqrt(uint32_t n) {
+LUMINAIRE_HOT uint32_t luminaire_inverse_sqrt(uint32_t n) {
     return n >> 30 ? (luminaire_guess(n) + 1) >> 1 : luminaire_guess(n << 2);
 }
 
 /* ---- gains ---- */
 
 /* Returns the light product / 2^shift, rounded to nearest; saturates. */
-static inline uint32_t luminaire_light_of(uint32_t product, int32_t shift) {
+LUMINAIRE_HOT uint32_t luminaire_light_of(uint32_t product, int32_t shift) {
     uint32_t but_one = (uint32_t)shift - 1;
     if (but_one < 32) {
         uint32_t doubled = product >> but_one;
@@ -279,7 +286,7 @@ static inline int32_t luminaire_quick_inverse(uint32_t m) {
 
 /* ---- offsets and rays ---- */
 
-static inline luminaire_offset luminaire_offset_of(const int32_t way[3], uint32_t shift, uint32_t bits) {
+LUMINAIRE_HOT luminaire_offset luminaire_offset_of(const int32_t way[3], uint32_t shift, uint32_t bits) {
     luminaire_offset offset;
     offset.way[0] = way[0];
     offset.way[1] = way[1];
@@ -290,7 +297,7 @@ static inline luminaire_offset luminaire_offset_of(const int32_t way[3], uint32_
 }
 
 /* Returns the offset from a light to a point. */
-static inline luminaire_offset luminaire_offset_between(const int32_t light[3], const int32_t point[3]) {
+LUMINAIRE_HOT luminaire_offset luminaire_offset_between(const int32_t light[3], const int32_t point[3]) {
     int32_t way[3];
     uint32_t size, bits, up;
     int i;
@@ -313,12 +320,12 @@ static inline luminaire_offset luminaire_offset_between(const int32_t light[3], 
 }
 
 /* Returns a component of the offset, scaled until the largest has 15 bits. */
-static inline int32_t luminaire_part(const luminaire_offset *offset, int i) {
+LUMINAIRE_HOT int32_t luminaire_part(const luminaire_offset *offset, int i) {
     return offset->way[i] >> (offset->shift + 2);
 }
 
 /* Returns the squared length of the scaled offset. */
-static inline uint32_t luminaire_squared(const luminaire_offset *offset) {
+LUMINAIRE_HOT uint32_t luminaire_squared(const luminaire_offset *offset) {
     uint32_t squared = 0;
     int i;
     for (i = 0; i < 3; ++i) {
@@ -329,7 +336,7 @@ static inline uint32_t luminaire_squared(const luminaire_offset *offset) {
 }
 
 /* Returns the product of the scaled offset and a normal: negative if the surface faces the light. */
-static inline int32_t luminaire_facing(const luminaire_offset *offset, const int16_t normal[3]) {
+LUMINAIRE_HOT int32_t luminaire_facing(const luminaire_offset *offset, const int16_t normal[3]) {
     int32_t sum = 0;
     int i;
     for (i = 0; i < 3; ++i) { sum = luminaire_plus(sum, luminaire_times(normal[i], luminaire_part(offset, i))); }
@@ -337,14 +344,14 @@ static inline int32_t luminaire_facing(const luminaire_offset *offset, const int
 }
 
 /* Returns whether a point is so close to the light that it needs the fine evaluation. */
-static inline int luminaire_is_near(const luminaire_offset *offset, uint32_t fine_below) {
+LUMINAIRE_HOT int luminaire_is_near(const luminaire_offset *offset, uint32_t fine_below) {
     uint32_t fewer = (fine_below >> 26) - offset->bits, down = 2 * fewer + 4;
     if ((int32_t)fewer < 0) { return 0; }
     return (down < 32 ? luminaire_squared(offset) >> down : 0) < (fine_below & ((UINT32_C(1) << 26) - 1));
 }
 
 /* Returns whether a point is certainly outside a cone. */
-static inline int luminaire_is_outside(const luminaire_offset *offset, const int32_t axis[3], uint32_t bound) {
+LUMINAIRE_HOT int luminaire_is_outside(const luminaire_offset *offset, const int32_t axis[3], uint32_t bound) {
     int32_t along = 0;
     int i;
     for (i = 0; i < 3; ++i) {
@@ -354,7 +361,7 @@ static inline int luminaire_is_outside(const luminaire_offset *offset, const int
     return (uint32_t)along * (uint32_t)along < (luminaire_squared(offset) >> 14) * bound;
 }
 
-static inline luminaire_coarse_ray luminaire_coarse_ray_of(const luminaire_offset *offset) {
+LUMINAIRE_HOT luminaire_coarse_ray luminaire_coarse_ray_of(const luminaire_offset *offset) {
     luminaire_coarse_ray ray;
     int i;
     ray.bits = offset->bits;
@@ -413,7 +420,7 @@ static inline uint32_t luminaire_capped(uint32_t product, int32_t shift) {
 }
 
 /* Returns Lambert's cosine as a fraction. */
-static inline uint32_t luminaire_coarse_cosine(const luminaire_coarse_ray *ray, int32_t facing) {
+LUMINAIRE_HOT uint32_t luminaire_coarse_cosine(const luminaire_coarse_ray *ray, int32_t facing) {
     return luminaire_min(((luminaire_below_zero(facing) >> 13) * ray->reciprocal) >> 16, LUMINAIRE_COARSE_ONE);
 }
 
@@ -431,7 +438,7 @@ static inline uint32_t luminaire_fine_cosine(const luminaire_fine_ray *ray, cons
 /* ---- the ramp of a cone ---- */
 
 /* Returns the versine of the angle between a ray and an axis, in the scale of a ramp. */
-static inline uint32_t luminaire_coarse_versine(
+LUMINAIRE_HOT uint32_t luminaire_coarse_versine(
     const luminaire_coarse_ray *ray, const int32_t axis[3], uint32_t zoom
 ) {
     uint32_t shift = 16 - zoom, versine = 0;
@@ -479,18 +486,18 @@ static inline uint32_t luminaire_fine_complement(uint32_t x) { return LUMINAIRE_
 
 static inline uint32_t luminaire_fine_product(uint32_t a, uint32_t b) { return luminaire_high_half(a, b) << 1; }
 
-static inline uint32_t luminaire_coarse_of(uint32_t x, uint32_t share) {
+LUMINAIRE_HOT uint32_t luminaire_coarse_of(uint32_t x, uint32_t share) {
     return ((x * share + (UINT32_C(1) << 14)) >> 15) & (LUMINAIRE_COARSE_ONE - 1);
 }
 
 static inline uint32_t luminaire_fine_of(uint32_t x, uint32_t share) { return luminaire_fine_product(x, share); }
 
 /* Rounds a product with 30 fraction bits to a share, at most 1. */
-static inline uint32_t luminaire_coarse_capped(uint32_t product) {
+LUMINAIRE_HOT uint32_t luminaire_coarse_capped(uint32_t product) {
     return luminaire_min((product + (UINT32_C(1) << 15)) >> 16, LUMINAIRE_FULL_SCALE);
 }
 
-static inline uint32_t luminaire_coarse_quadratic(uint32_t x, int32_t g) {
+LUMINAIRE_HOT uint32_t luminaire_coarse_quadratic(uint32_t x, int32_t g) {
     int32_t product = luminaire_times((int32_t)luminaire_coarse_complement(x), g);
     int32_t lift = luminaire_plus(product, INT32_C(1) << 13) >> 14;
     /* 1 + lift, saturated. */
@@ -510,7 +517,7 @@ static inline uint32_t luminaire_fine_lifted(uint32_t x, int32_t slope) {
     return lifted < x ? LUMINAIRE_FINE_ONE : luminaire_min(lifted, LUMINAIRE_FINE_ONE);
 }
 
-static inline uint32_t luminaire_coarse_cubic(uint32_t x, int32_t g, int32_t h) {
+LUMINAIRE_HOT uint32_t luminaire_coarse_cubic(uint32_t x, int32_t g, int32_t h) {
     int32_t bend = luminaire_plus(luminaire_times((int32_t)x, h), INT32_C(1) << 14) >> 15;
     return luminaire_coarse_quadratic(x, luminaire_plus(g, bend));
 }
@@ -528,7 +535,7 @@ static inline uint32_t luminaire_rounded(uint32_t share) { return (share + (UINT
 /* ---- attenuation ---- */
 
 /* Returns a share of a gain by the inverse-square law. */
-static inline uint32_t luminaire_coarse_inverse_square(
+LUMINAIRE_HOT uint32_t luminaire_coarse_inverse_square(
     const luminaire_coarse_ray *ray, uint32_t share, luminaire_gain gain
 ) {
     uint32_t mantissa = ((gain.mantissa >> 16) * ((ray->reciprocal * ray->reciprocal) >> 16)) >> 14;
@@ -560,7 +567,7 @@ typedef struct {
 static inline uint32_t luminaire_light_plus(uint32_t a, uint32_t b) { return a + luminaire_min(b, ~a); }
 
 /* Returns a channel times a colour in steps of 2^-14, to nearest; saturates; 0 if negative. */
-static inline uint32_t luminaire_light_filtered(uint32_t light, int16_t color) {
+LUMINAIRE_HOT uint32_t luminaire_light_filtered(uint32_t light, int16_t color) {
     uint32_t factor = color < 0 ? 0 : (uint32_t)color;
     uint32_t high = (light >> 16) * factor, low = ((light & 0xffff) * factor + (UINT32_C(1) << 13)) >> 14;
     return luminaire_light_plus(high >> 30 == 0 ? high << 2 : UINT32_C(0xffffffff), low);
@@ -606,7 +613,7 @@ LUMINAIRE_RARE luminaire_gain luminaire_restored(luminaire_gain gain) {
     return gain;
 }
 
-static inline luminaire_gain luminaire_spot_gain(luminaire_gain gain) {
+LUMINAIRE_HOT luminaire_gain luminaire_spot_gain(luminaire_gain gain) {
     uint32_t shift = (uint32_t)gain.shift; /* a copy, of which a proof learns the range */
     if ((int32_t)gain.mantissa > 0 || shift > 127) {
         gain = luminaire_restored(gain);
@@ -626,7 +633,7 @@ LUMINAIRE_RARE uint32_t luminaire_odd_rise(const luminaire_ramp *ramp, uint32_t 
 }
 
 /* Returns the falloff along a ray. */
-static inline uint32_t luminaire_spot_coarse_share(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
+LUMINAIRE_HOT uint32_t luminaire_spot_coarse_share(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
     const luminaire_ramp *ramp = &spot->ramp;
     uint32_t versine = luminaire_coarse_versine(ray, spot->axis, luminaire_min(ramp->zoom, 15));
     uint32_t past = versine - ramp->inner, t = versine < ramp->inner ? LUMINAIRE_COARSE_ONE : 0;
@@ -643,7 +650,7 @@ static inline uint32_t luminaire_spot_fine_share(const luminaire_spot *spot, con
     return luminaire_fine_cubic(luminaire_fine_rise(ray, spot->axis, &spot->ramp), spot->g, spot->h);
 }
 
-static inline int luminaire_spot_is_outside(const luminaire_spot *spot, const luminaire_offset *offset) {
+LUMINAIRE_HOT int luminaire_spot_is_outside(const luminaire_spot *spot, const luminaire_offset *offset) {
     int32_t bound = spot->outside;
     return luminaire_is_outside(offset, spot->axis, bound > 0 ? (uint32_t)bound : 0);
 }

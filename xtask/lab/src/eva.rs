@@ -100,7 +100,9 @@ fn prove(progress: &Progress) -> Result<Vec<String>> {
 fn functions() -> Vec<&'static str> {
     let lines = C_HEADERS.iter().flat_map(|(_, text)| text.lines());
     let begins = |line: &&str| {
-        ["static inline ", "LUMINAIRE_PART ", "LUMINAIRE_RARE "].iter().any(|word| line.starts_with(word))
+        ["static inline ", "LUMINAIRE_HOT ", "LUMINAIRE_PART ", "LUMINAIRE_RARE "]
+            .iter()
+            .any(|word| line.starts_with(word))
     };
     let name = |line: &'static str| line.split_once('(')?.0.rsplit([' ', '*']).next();
     lines.filter(begins).filter_map(name).collect()

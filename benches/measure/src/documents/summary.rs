@@ -39,23 +39,29 @@ pub(super) fn readme(record: &Record) -> String {
 
 /// The part of the page of C: the instructions of each call, and the bytes of a whole program.
 pub(super) fn calls(record: &Record) -> String {
-    let boards = BOARDS
-        .iter()
-        .filter(|board| record.group(board.name).number(&c::figure("light"), "instructions").is_some());
-    let boards: Vec<_> = boards.collect();
-    let mut heads = cells(["instructions"]);
-    heads.extend(boards.iter().map(|board| board.title.to_owned()));
-    let row = |title: &str, name: &str, unit: &str| {
-        let figure =
-            |board: &&Board| record.group(board.name).number(&c::figure(name), unit).unwrap_or(f64::NAN);
-        [title.to_owned()]
-            .into_iter()
-            .chain(boards.iter().map(|board| format!("{:.0}", figure(board))))
-            .collect::<Vec<_>>()
+    let is_counted = |board: &&Board| record.group(board.name).figures.contains_key(&c::figure("light"));
+    let columns = BOARDS.iter().filter(is_counted).flat_map(|board| c::LEVELS.map(|level| (board, level)));
+    let columns: Vec<_> = columns.collect();
+    let figure = |board: &Board, name: &str, unit: &str| {
+        record
+            .group(board.name)
+            .number(&c::figure(name), unit)
+            .map_or_else(String::new, |figure| format!("{figure:.0}"))
     };
-    let mut rows: Vec<_> =
-        c::CALLS_COUNTED.iter().map(|(name, title)| row(title, name, "instructions")).collect();
-    rows.push(row("bytes of two coloured lights that move, to RGB565", "moving", "bytes"));
+    let heads = columns.iter().map(|(board, (level, _))| format!("{}, `{level}`", board.title));
+    let heads: Vec<_> = cells(["instructions"]).into_iter().chain(heads).collect();
+    let call = |(name, title): &(&str, &str)| {
+        let figures = columns.iter().map(|(board, (_, unit))| figure(board, name, unit));
+        [(*title).to_owned()].into_iter().chain(figures).collect::<Vec<_>>()
+    };
+    let mut rows: Vec<_> = c::CALLS_COUNTED.iter().map(call).collect();
+    let bytes = columns.iter().map(|(board, (level, _))| match *level {
+        "-Os" => figure(board, "moving", "bytes"),
+        _ => String::new(),
+    });
+    rows.push(
+        cells(["bytes of two coloured lights that move, to RGB565"]).into_iter().chain(bytes).collect(),
+    );
     table(&heads, rows)
 }
 
