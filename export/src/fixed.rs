@@ -7,7 +7,8 @@ use std::fmt::Write;
 use luminaire::attenuation::AnyAttenuation;
 use luminaire::codegen::Parts;
 use luminaire::dynamic::AnyLight;
-use luminaire::{Fx16, Rgb};
+use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Formula};
+use luminaire::{Fx16, Rgb, SpotLight};
 
 use self::formula::{Precision, gain_of};
 use crate::error::ExportError;
@@ -80,11 +81,47 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     }
     text += &functions;
     let _ = write!(text, "\n{}", near.replace(NAME, name));
+    if let AnyLight::Spot(spot) = light {
+        text += &moving(spot, name, &parts).unwrap_or_default();
+    }
     let head = head(light, name).join("\n * ");
     let guard = format!("{}_LIGHT_H", name.to_ascii_uppercase());
     Ok(format!(
         "/* {head}\n * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14. */\n\
          #ifndef {guard}\n#define {guard}\n\n#include \"luminaire_constant.h\"\n\n{text}\n#endif\n"
+    ))
+}
+
+/// Returns a function that returns the light as a `luminaire_spot`, if its falloff and attenuation are those
+/// of one.
+fn moving(
+    spot: &SpotLight<AnyFalloff, AnyAttenuation>,
+    name: &str,
+    parts: &Parts<Fx16, AnyAttenuation>,
+) -> Option<String> {
+    let falloff = spot.cone().falloff();
+    let (AnyAttenuation::InverseSquare(_), Formula::Polynomial([a, b, c])) =
+        (spot.attenuation(), falloff.formula())
+    else {
+        return None;
+    };
+    let (g, h) = Cubic::new(a, b, c).ok()?.compile::<Fx16>().weights();
+    let of = |part| global(name, part);
+    let three = |of: &str| format!("{{ {of}[0], {of}[1], {of}[2] }}");
+    let ramp = parts.cone?.ramp.to_bits().map(|bits| format!("UINT32_C({bits})")).join(", ");
+    Some(format!(
+        "\n/* Returns the light as one that moves. */\n\
+         static inline luminaire_spot {}(void) {{\n    luminaire_spot spot = {{\n        {}, {}, {{ {ramp} }},\n        \
+         {}, {}, {}, {}, {}, {}\n    }};\n    return spot;\n}}\n",
+        of("spot"),
+        three(&of("position")),
+        three(&of("axis")),
+        g.to_bits(),
+        h.to_bits(),
+        gain_of(parts.intensity),
+        of("fine_below"),
+        three(&of("color")),
+        of("outside"),
     ))
 }
 

@@ -42,7 +42,8 @@
 //! `luminaire_spot`, a spotlight that is set up and moves at run time. For any words of it the results
 //! have the bits of [`CompiledSpotLight`](luminaire::light::CompiledSpotLight) in [`Fx16`] with a
 //! [`Cubic`](luminaire::falloff::Cubic) and the inverse square, and its set-up those of
-//! [`IntegerCone`](luminaire::light::IntegerCone).
+//! [`IntegerCone`](luminaire::light::IntegerCone). A spotlight of a cubic falloff with the inverse square that is
+//! exported has a function `key_spot`, which returns it as one that moves.
 //!
 //! # JSON
 //!

@@ -38,7 +38,7 @@ pub(crate) fn check_identifier(name: &str) -> Result<(), ExportError> {
 /// The part is one word in capitals and small letters, which neither the name of a light nor a name of
 /// the library has: so no two lights clash, and none clashes with the library.
 pub(crate) fn global(light: &str, part: &str) -> String {
-    if ["irradiance", "falloff", "color"].contains(&part) {
+    if ["irradiance", "falloff", "color", "spot"].contains(&part) {
         return format!("{light}_{part}");
     }
     let capital = |word: &str| word[..1].to_ascii_uppercase() + &word[1..];

@@ -9,6 +9,7 @@ use std::path::Path;
 use fastrand::Rng;
 use luminaire::attenuation::SmoothRange;
 use luminaire::dynamic::AnyLight;
+use luminaire::falloff::{Cubic, Falloff, Formula};
 use luminaire::{Angle, Cone, Fx16, Length, SpotLight, Vec3};
 use luminaire_export::{Language, export};
 
@@ -194,13 +195,14 @@ fn conformance_vectors_have_their_bits() {
 /// floats.
 #[test]
 fn lights_of_any_names_share_a_file() {
-    const NAMES: [&str; 12] = [
+    const NAMES: [&str; 13] = [
         "key",
         "key_near",
         "key_fine",
         "key_squared",
         "key_color",
         "key_irradiance",
+        "key_spot",
         "key_is",
         "is",
         "coarse",
@@ -224,6 +226,47 @@ fn lights_of_any_names_share_a_file() {
         for (compiler, standard) in [("cc", "c99"), ("c++", "c++11")] {
             let flags = format!("-std={standard} -Wno-unused-variable -c");
             compile(compiler, &flags, &file, &folder.path().join("all.o"));
+        }
+    }
+}
+
+/// A light of a cubic with the inverse square is also one that moves, with the bits of the cubic.
+#[test]
+fn constant_lights_move() {
+    let cone = Cone::from_beam_and_field(Angle::degrees(20.0), Angle::degrees(33.0)).expect("a cone");
+    let falloff = cone.falloff();
+    let Formula::Polynomial([a, b, c]) = falloff.formula() else { panic!("{falloff:?}") };
+    let cone = cone.with_falloff(Cubic::new(a, b, c).expect("a cubic"));
+    let light = SpotLight::new([1.0, 3.0, 0.5], [0.1, -1.0, 0.0], cone).expect("a light");
+    let light = light.with_intensity(5.0).expect("a light");
+    let folder = tempfile::tempdir().expect("a folder");
+    write_headers(folder.path());
+    let text = export(light, "key", Language::CFixed).expect("a light");
+    let main = folder.path().join("main.c");
+    let program = "#include <stdio.h>\nint main(void) {
+    uint32_t words[3], out;
+    luminaire_spot spot = key_spot();
+    luminaire_spot_dim(&spot, 16384);
+    while (fread(words, 4, 3, stdin) == 3) {
+        int32_t point[3] = { (int32_t)words[0], (int32_t)words[1], (int32_t)words[2] };
+        int16_t up[3] = { 0, 16384, 0 };
+        out = luminaire_spot_irradiance(&spot, point, up);
+        if (fwrite(&out, 4, 1, stdout) != 1) { return 1; }
+    }
+    return 0;
+}\n";
+    fs::write(&main, text + program).expect("a folder");
+    let kernel = light.compile::<Fx16>().expect("a light");
+    let points: Vec<_> = (0..400).map(|i| [i * 600 - 60_000, 0, i * 300 - 20_000]).collect();
+    let up = Fx16::normal([0.0, 1.0, 0.0]);
+    let expected =
+        points.iter().map(|point| kernel.irradiance(Vec3::from(*point).map(Length::from_bits), up).to_bits());
+    let expected: Vec<_> = expected.collect();
+    assert!(expected.iter().filter(|light| **light > 0).count() > 100);
+    let words: Vec<_> = points.iter().flatten().map(|word| *word as u32).collect();
+    for (compiler, flags) in [("cc", "-std=c99 -O1"), ("c++", "-std=c++11 -O1")] {
+        if let Some(found) = run(compiler, flags, &main, &words) {
+            assert_eq!(found, expected, "{compiler}");
         }
     }
 }

@@ -96,4 +96,13 @@ static inline uint32_t key_irradiance(const int32_t point[3], const int16_t norm
     return luminaire_key_CoarseAttenuated(&ray, luminaire_key_CoarseShare(&ray, luminaire_coarse_cosine(&ray, facing)));
 }
 
+/* Returns the light as one that moves. */
+static inline luminaire_spot key_spot(void) {
+    luminaire_spot spot = {
+        { luminaire_key_Position[0], luminaire_key_Position[1], luminaire_key_Position[2] }, { luminaire_key_Axis[0], luminaire_key_Axis[1], luminaire_key_Axis[2] }, { UINT32_C(2), UINT32_C(0), UINT32_C(757615552), UINT32_C(14), UINT32_C(46441), UINT32_C(2147493197), UINT32_C(0), UINT32_C(30), UINT32_C(3043552898) },
+        -16384, 0, { UINT32_C(0x90000000), 28 }, luminaire_key_FineBelow, { key_color[0], key_color[1], key_color[2] }, luminaire_key_Outside
+    };
+    return spot;
+}
+
 #endif
