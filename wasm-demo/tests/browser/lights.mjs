@@ -288,12 +288,12 @@ quick("the code of a light follows its settings", async () => {
 });
 
 more("the code of a light is what the exporter writes, in every language", async () => {
-  const { lights, header } = EXPECT.code;
+  const { lights, headers } = EXPECT.code;
   for (const { scene, light, texts } of lights) {
     await openCode(`#stage?play=none&scene=${scene}`);
     await press(`light-${light}`);
-    assert.deepEqual(new Set(await options("code-language")), new Set([...Object.keys(texts), "c-header"]));
-    for (const [language, text] of Object.entries({ ...texts, "c-header": header })) {
+    assert.deepEqual(new Set(await options("code-language")), new Set(Object.keys({ ...texts, ...headers })));
+    for (const [language, text] of Object.entries({ ...texts, ...headers })) {
       await enter("code-language", language);
       assert.equal(await code(), text, `${scene}, light ${light}, ${language}`);
     }
