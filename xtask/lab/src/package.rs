@@ -44,8 +44,11 @@ const QUICK: [(&str, &str, &str); 2] = [
 ];
 
 /// Where the manifests of folders have the crates.
-const IN_FOLDERS: [(&str, &str); 2] =
-    [("path = \"../../core\"", "luminaire"), ("path = \"../../../core\"", "luminaire")];
+const IN_FOLDERS: [(&str, &str); 3] = [
+    ("path = \"../../core\"", "luminaire"),
+    ("path = \"../../../core\"", "luminaire"),
+    ("path = \"../../export\"", "luminaire-export"),
+];
 
 /// The target of the template: the smallest supported processor.
 const TARGET: &str = "thumbv6m-none-eabi";

@@ -2,15 +2,19 @@
 
 use std::path::Path;
 use std::process::Command;
-use std::env;
+use std::{env, fs};
 
+use luminaire_export::C_HEADERS;
 use scene::Picture;
 
 fn draw() -> Picture {
     let folder = tempfile::tempdir().expect("a folder");
     let (root, program) = (Path::new(env!("CARGO_MANIFEST_DIR")), folder.path().join("rasteriser"));
+    for (name, text) in C_HEADERS {
+        fs::write(folder.path().join(name), text).expect("a folder");
+    }
     let mut compile = Command::new(env::var_os("CC").unwrap_or_else(|| "cc".into()));
-    compile.args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-I"]).arg(root.join("../../../export/c/src"));
+    compile.args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-I"]).arg(folder.path());
     compile.arg(root.join("rasteriser.c")).args(["-lm", "-o"]).arg(&program);
     assert!(compile.status().expect("a compiler of C").success(), "the C was not compiled");
     let printed = Command::new(program).output().expect("a program").stdout;
