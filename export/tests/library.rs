@@ -2,6 +2,8 @@
 
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;
+#[path = "support/functions.rs"]
+mod functions;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -12,6 +14,7 @@ use luminaire_export::C_HEADERS;
 use serde_json::Value;
 
 use compiler::is_missing;
+use functions::functions;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/c");
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -121,13 +124,6 @@ fn keywords_are_the_public_names() {
     for line in keywords.lines().filter(|line| !line.starts_with('#')) {
         let (name, kind) = line.split_once('\t').expect("a tab");
         assert!(names.insert(name), "{name} is there twice");
-        let is_function = |line: &str| {
-            let is_defined = ["static inline ", "LUMINAIRE_HOT ", "LUMINAIRE_RARE ", "LUMINAIRE_PART "]
-                .iter()
-                .any(|head| line.starts_with(head));
-            let head = line.split_once('(').map_or("", |(head, _)| head);
-            is_defined && head.rsplit([' ', '*']).next() == Some(name)
-        };
         let is_constant = |line: &str| {
             let line = line.strip_prefix("#define ").unwrap_or(line).trim_start();
             line.split([' ', ',']).next() == Some(name)
@@ -135,7 +131,7 @@ fn keywords_are_the_public_names() {
         let is_defined = match kind {
             "KEYWORD1" => headers.contains(&format!("}} {name};")),
             "KEYWORD2" if name.starts_with("LUMINAIRE_") => headers.contains(&format!("#define {name}(")),
-            "KEYWORD2" => headers.lines().any(is_function),
+            "KEYWORD2" => functions().any(|function| function == name),
             "LITERAL1" => headers.lines().any(is_constant),
             _ => false,
         };

@@ -4,16 +4,18 @@
 mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;
+#[path = "support/words.rs"]
+mod words;
 
 use std::fs;
 
 use fastrand::Rng;
-use luminaire::codegen::ConeParts;
-use luminaire::falloff::{Falloff, SoftOrHard};
+use luminaire::falloff::SoftOrHard;
 use luminaire::light::{IntegerCone, Refusal};
-use luminaire::{Fx16, Length, Vec3};
+use luminaire::{Length, Vec3};
 
 use compiler::{bytes, run, write_headers};
+use words::words;
 
 const BUILDS: [(&str, &str); 5] = [
     ("cc", "-std=c99 -O0"),
@@ -45,18 +47,8 @@ fn expected(input: &Input) -> [u32; 23] {
         Ok(light) => light,
         Err(refusal) => return std::array::from_fn(|i| if i == 0 { refusal as u32 } else { 0 }),
     };
-    let parts = light.parts();
-    let ConeParts { axis, ramp, outside } = parts.cone.expect("a cone");
-    let curve = light.falloff().compile::<Fx16>();
-    let (g, h) = curve.weights();
-    let position = <[_; 3]>::from(parts.position.map(|c| c.to_bits() as u32));
-    let axis = <[_; 3]>::from(axis.map(|c| c.to_bits() as u32));
-    let gain = parts.intensity.to_bits().map(|bits| bits as u32);
-    let color = [1 << 14 | 1 << 30, 1 << 14 | u32::from(outside.to_bits() as u16) << 16];
-    let weights = [g, h].map(|weight| weight.to_bits() as u32);
-    let words =
-        [&[0], &position[..], &axis, &ramp.to_bits(), &weights, &gain, &[parts.fine_below], &color].concat();
-    words.try_into().expect("all words")
+    let words = words(&light);
+    std::array::from_fn(|i| if i == 0 { 0 } else { words[i - 1] })
 }
 
 fn input(rng: &mut Rng) -> Input {

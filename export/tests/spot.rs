@@ -4,12 +4,14 @@
 mod avr;
 #[path = "support/compiler.rs"] // alone, because the rest of `support` is not packed
 mod compiler;
+#[path = "support/words.rs"]
+mod words;
 
 use std::fs;
 use std::path::Path;
 
 use fastrand::Rng;
-use luminaire::codegen::{ConeParts, FixedRamp, Gain16};
+use luminaire::codegen::{FixedRamp, Gain16};
 use luminaire::falloff::{CompiledCubic, Cubic};
 use luminaire::light::{CompiledCone, CompiledSpotLight, Row};
 use luminaire::number::{Light16, Weight16};
@@ -17,10 +19,9 @@ use luminaire::{Angle, Cone, Fx16, Fx32, Length, Rgb, Scalar, SpotLight, Vec3};
 
 use compiler::{bytes, compile_in_integers, run, write_headers};
 use tempfile::TempDir;
+use words::{Words, of_scalars, words};
 
 type Light = CompiledSpotLight<Fx16, Cubic>;
-/// The words of a `luminaire_spot`.
-type Words = [u32; 22];
 
 /// The compilers and their options. Two builds end at undefined behaviour; one of these computes the upper
 /// halves of products from parts, and takes its tables from flash.
@@ -55,10 +56,6 @@ fn scalars(words: [u32; 2]) -> [i16; 4] {
     [a, b, c, d]
 }
 
-fn of_scalars([a, b, c, d]: [i16; 4]) -> [u32; 2] {
-    [[a, b], [c, d]].map(|[low, high]| u32::from(low as u16) | u32::from(high as u16) << 16)
-}
-
 fn lengths(words: [i32; 3]) -> Vec3<Length> {
     Vec3::from(words).map(Length::from_bits)
 }
@@ -85,23 +82,6 @@ fn light(words: &Words) -> Light {
         near,
         [Rgb::new(red, green, blue); 2],
     )
-}
-
-/// The words of a light with the cubic that was compiled of it.
-fn words(light: &Light) -> Words {
-    let parts = light.parts();
-    let ConeParts { axis, ramp, outside } = parts.cone.expect("a cone");
-    let Rgb { red, green, blue } = light.color();
-    let [a, b, c] = light.falloff().coefficients();
-    let edge =
-        [a - 1.0, -c].map(|weight| (weight.clamp(-4.0, 4.0) * 16_384.0).round_ties_even() as i32 as u32);
-    debug_assert!((a + b + c - 1.0).abs() < 1e-3);
-    let color = of_scalars([red, green, blue, outside].map(Fx16::to_bits));
-    let position = <[Length; 3]>::from(parts.position).map(|c| c.to_bits() as u32);
-    let axis = <[Fx32; 3]>::from(axis).map(|c| c.to_bits() as u32);
-    let gain = parts.intensity.to_bits().map(|bits| bits as u32);
-    let all = [&position[..], &axis, &ramp.to_bits(), &edge, &gain, &[parts.fine_below], &color].concat();
-    all.try_into().expect("all words")
 }
 
 /// Returns two lights that zoom into each other, and the reach of the first.

@@ -16,6 +16,10 @@ use tools::suite::Suite;
 
 use crate::expected::lights;
 
+#[path = "../../../export/tests/support/functions.rs"]
+mod functions;
+use functions::functions;
+
 /// What calls the functions with all values.
 const MAIN: &str = include_str!("../../../export/tests/proof.c");
 
@@ -82,7 +86,7 @@ fn prove(progress: &Progress) -> Result<Vec<String>> {
         eva.args(["-machdep", types]).arg(format!("-cpp-extra-args=-I{} {defines}", folder.path().display()));
         eva.arg(folder.path().join("proof.c")).args(OPTIONS.split_whitespace());
         let output = progress.output(eva)?;
-        let functions = functions();
+        let functions: Vec<_> = functions().collect();
         let reached = |function: &&&str| output.contains(&format!("\n  {function}: "));
         if let Some(function) = functions.iter().find(|function| !reached(function)) {
             bail!("{name}: {function} is not analysed: expected a call in export/tests/proof.c");
@@ -94,18 +98,6 @@ fn prove(progress: &Progress) -> Result<Vec<String>> {
         remarks.push(format!("{name}: {} functions analysed, 0 alarms", functions.len()));
     }
     Ok(remarks)
-}
-
-/// The functions of the headers.
-fn functions() -> Vec<&'static str> {
-    let lines = C_HEADERS.iter().flat_map(|(_, text)| text.lines());
-    let begins = |line: &&str| {
-        ["static inline ", "LUMINAIRE_HOT ", "LUMINAIRE_PART ", "LUMINAIRE_RARE "]
-            .iter()
-            .any(|word| line.starts_with(word))
-    };
-    let name = |line: &'static str| line.split_once('(')?.0.rsplit([' ', '*']).next();
-    lines.filter(begins).filter_map(name).collect()
 }
 
 /// Lights of all falloffs and attenuations, and a function that evaluates them at a point.
