@@ -23,8 +23,8 @@ impl Code {
     }
 
     /// Writes a light of a job of the stage, as it is where its movement begins, at an exposure of 0
-    /// stops and switched on. `language` is the name of a [`Language`], or of one of [`C_HEADERS`]. Throws a string if the language or its number format cannot
-    /// express the light.
+    /// stops and switched on. `language` is the name of a [`Language`], or of one of [`C_HEADERS`]. Throws
+    /// a string if the language or its number format cannot express the light.
     pub fn write(&mut self, job: &str, light: usize, language: &str) -> Result<String, Refusal> {
         if let Some((_, text)) = C_HEADERS.iter().find(|(name, _)| *name == language) {
             return Ok((*text).to_owned());

@@ -12,7 +12,7 @@ static void draw(luminaire_spot spots[2], int32_t target) {
     }
     for (int32_t y = 0; y < 240; ++y) {
         for (int32_t x = 0; x < 240; ++x) {
-            int32_t point[3] = { (x - 120) << 10, (120 - y) << 10, 0 };
+            int32_t point[3] = { (x - 120) * 1024, (120 - y) * 1024, 0 };
             luminaire_rgb light = luminaire_spot_light(&spots[0], point, toward);
             pixels[x] = luminaire_rgb565(luminaire_rgb_plus(light, luminaire_spot_light(&spots[1], point, toward)));
         }
@@ -25,7 +25,7 @@ int main(void) {
     luminaire_spot spots[2];
     for (int i = 0; i < 2; ++i) {
         luminaire_cone cone;
-        luminaire_cone_from_field(&cone, 0, UINT32_C(36) << 16);
+        luminaire_cone_from_field(&cone, LUMINAIRE_SOFT, 36 * LUMINAIRE_DEGREE);
         luminaire_spot_set_up(&spots[i], &cone, places[i], into, INT32_C(16) << 16);
         luminaire_spot_tint(&spots[i], colors[i]);
     }

@@ -1,7 +1,6 @@
 /* What the calls of luminaire.h cost: each over 256 inputs between two markers, after an empty loop over the same
  * inputs. Prints a name, the bits of the results and a unit for each, as the firmware does. */
 #include <stdio.h>
-#include <string.h>
 
 #include "luminaire_display.h"
 
@@ -71,10 +70,10 @@ int main(void) {
     static const int32_t above[3] = { 0, 4 << 16, 0 }, axis[3] = { 1, -8, 2 };
     static const int16_t warm[3] = { 16384, 12000, 8000 };
     static const int32_t far[3] = { 40 << 16, 0, 0 };
-    luminaire_cone_from_field(&cone, 0, UINT32_C(36) << 16);
+    luminaire_cone_from_field(&cone, LUMINAIRE_SOFT, 36 * LUMINAIRE_DEGREE);
     luminaire_spot_set_up(&spot, &cone, above, axis, INT32_C(16) << 16);
     luminaire_spot_tint(&spot, warm);
-    luminaire_cone_from_field(&cone, 0, UINT32_C(60) << 16);
+    luminaire_cone_from_field(&cone, LUMINAIRE_SOFT, 60 * LUMINAIRE_DEGREE);
     luminaire_spot_set_up(&wide, &cone, above, axis, INT32_C(16) << 16);
     moved = spot;
     for (int i = 0; i < COUNT; ++i) {

@@ -2,8 +2,8 @@
 //!
 //! [`Cone`](crate::Cone) computes in `f32`, which costs a microcontroller without a floating-point unit
 //! its library of floats. Here angles have steps of 2^-16 degrees, and the only function of an angle is
-//! its chord `sqrt(1 - cos)`, by a polynomial. `export/c/src/luminaire.h` has the same operations in C, with the
-//! same bits.
+//! its chord `sqrt(1 - cos)`, by a polynomial. `export/c/src/luminaire.h` has the same operations in C,
+//! with the same bits.
 
 use core::fmt;
 
@@ -70,9 +70,9 @@ pub enum Refusal {
 impl fmt::Display for Refusal {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(match self {
-            Self::Angle => "angle: expected more than 0, and an outer angle of at most 180 degrees",
+            Self::Angle => "angle: expected more than 0, and a cone that ends within 180 degrees",
             Self::Order => "angles: expected inner at most outer, and beam at most field",
-            Self::Ratio => "field angle: expected a versine of at most 5.437 times that of the beam angle",
+            Self::Ratio => "field angle: expected at most about 2.3 times the beam angle",
             Self::Steepness => "cone: expected a wider cone or a smaller inner angle for 16 bits",
             Self::Axis => "axis: expected a vector that is not zero",
         })
@@ -143,7 +143,7 @@ impl IntegerCone {
     /// [`Cone::from_beam_and_field`](crate::Cone::from_beam_and_field).
     ///
     /// The weights of the falloff are rounded to their steps, which moves the intensities at the two
-    /// angles by at most 0.0001 (`tests/suite/integer_cones.rs`).
+    /// angles by less than 0.0001 (derived from a step of a weight; a test of this module).
     ///
     /// # Errors
     /// A beam angle of 0 or over the field angle; a ratio of the versines over 5.437; an outer angle over

@@ -104,9 +104,9 @@ fn code() -> Result<Value> {
     let mut fixtures = setup.fixtures.iter();
     let sun = fixtures.position(|fixture| matches!(fixture.light(), AnyLight::Directional(_)));
     let sun = sun.context("no sun")?;
-    Ok(
-        json!({ "lights": lights, "headers": Map::from_iter(C_HEADERS.map(|(name, text)| (name.to_owned(), text.into()))), "sun": sun }),
-    )
+    let headers: Map<String, Value> =
+        C_HEADERS.map(|(name, text)| (name.to_owned(), text.into())).into_iter().collect();
+    Ok(json!({ "lights": lights, "headers": headers, "sun": sun }))
 }
 
 /// Spotlights of all falloffs and attenuations as shaders, with places and what the kernel computes there.
