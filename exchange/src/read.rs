@@ -1,0 +1,13 @@
+//! Readers of files: each finds the lights, in the words of its system.
+
+use crate::record::Record;
+use crate::refusal::Refusal;
+
+/// What a reader of scenes finds. A light that cannot be read does not hide the others.
+#[derive(Debug, Default)]
+pub(crate) struct Found {
+    pub(crate) records: Vec<Record>,
+    pub(crate) refused: Vec<Refusal>,
+    /// What holds for the whole file: what was left out.
+    pub(crate) notes: Vec<String>,
+}

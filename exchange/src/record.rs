@@ -1,0 +1,146 @@
+//! A light in the words of its system: what a reader of files finds, and what a command is given.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use crate::refusal::Refusal;
+
+/// The kind of a light.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Kind {
+    Spot,
+    Point,
+    Directional,
+}
+
+/// A value of a record.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) enum Value {
+    Numbers(Vec<f64>),
+    Word(String),
+}
+
+/// A light as its system describes it: named values, and where the light is in the world.
+///
+/// The values have the names, the units and the defaults of the system. A reader of a file sets the
+/// position and the axis from the transforms of the nodes.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Record {
+    pub(crate) name: String,
+    pub(crate) kind: Kind,
+    /// The line or the element, for messages.
+    pub(crate) place: String,
+    pub(crate) position: DVec3,
+    /// The direction in which the light shines, of any length.
+    pub(crate) axis: DVec3,
+    values: Vec<(String, Value)>,
+    /// Which of the values have been read.
+    used: Vec<bool>,
+    pub(crate) notes: Vec<String>,
+}
+
+impl Record {
+    /// Creates a record without values, at the origin and along -z.
+    pub(crate) fn new(name: impl Into<String>, kind: Kind, place: impl fmt::Display) -> Self {
+        Self {
+            name: name.into(),
+            kind,
+            place: place.to_string(),
+            position: DVec3::ZERO,
+            axis: DVec3::NEG_Z,
+            values: Vec::new(),
+            used: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// Sets a value. The last one of a name counts.
+    pub(crate) fn set(&mut self, key: impl Into<String>, value: Value) {
+        self.values.push((key.into(), value));
+        self.used.push(false);
+    }
+
+    /// Sets a number.
+    pub(crate) fn number(&mut self, key: impl Into<String>, number: f64) {
+        self.set(key, Value::Numbers(vec![number]));
+    }
+
+    /// Adds a note for the user: what was assumed or left out.
+    pub(crate) fn note(&mut self, note: impl Into<String>) {
+        self.notes.push(note.into());
+    }
+
+    /// Returns whether a value was given.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.values.iter().any(|(own, _)| own == key)
+    }
+
+    fn value(&mut self, key: &str) -> Option<Value> {
+        let mut found = None;
+        for ((own, value), used) in self.values.iter().zip(&mut self.used) {
+            if own == key {
+                *used = true;
+                found = Some(value.clone());
+            }
+        }
+        found
+    }
+
+    /// Returns a number, or `None` if it was not given.
+    pub(crate) fn optional(&mut self, key: &str) -> Result<Option<f64>, Refusal> {
+        match self.value(key) {
+            None => Ok(None),
+            Some(Value::Numbers(numbers)) if numbers.len() == 1 => Ok(Some(numbers[0])),
+            Some(other) => Err(Refusal::new(key, shown(&other), "a number")),
+        }
+    }
+
+    /// Returns a number, or its default.
+    pub(crate) fn get(&mut self, key: &str, default: f64) -> Result<f64, Refusal> {
+        Ok(self.optional(key)?.unwrap_or(default))
+    }
+
+    /// Returns a number within limits, or its default.
+    pub(crate) fn within(&mut self, key: &str, default: f64, least: f64, most: f64) -> Result<f64, Refusal> {
+        let value = self.get(key, default)?;
+        if (least..=most).contains(&value) {
+            return Ok(value);
+        }
+        Err(Refusal::new(key, value, format_args!("a number from {least} to {most}")))
+    }
+
+    /// Returns three numbers, or their default.
+    pub(crate) fn triple(&mut self, key: &str, default: [f64; 3]) -> Result<[f64; 3], Refusal> {
+        match self.value(key) {
+            None => Ok(default),
+            Some(Value::Numbers(numbers)) if numbers.len() >= 3 => Ok([numbers[0], numbers[1], numbers[2]]),
+            Some(other) => Err(Refusal::new(key, shown(&other), "three numbers")),
+        }
+    }
+
+    /// Returns a word, or its default. A number is a word, too.
+    pub(crate) fn word(&mut self, key: &str, default: &str) -> String {
+        self.value(key).map_or_else(|| default.to_owned(), |value| shown(&value))
+    }
+
+    /// Returns the first value that was never read.
+    pub(crate) fn unused(&self) -> Option<&str> {
+        self.values.iter().zip(&self.used).find(|(_, used)| !**used).map(|((key, _), _)| key.as_str())
+    }
+}
+
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Word(word) => word.clone(),
+        Value::Numbers(numbers) => {
+            let numbers: Vec<_> = numbers.iter().take(5).map(f64::to_string).collect();
+            numbers.join(",")
+        }
+    }
+}
+
+/// Returns a linear component of a colour that is stored in sRGB.
+pub(crate) fn linear(component: f64) -> f64 {
+    if component <= 0.040_45 { component / 12.92 } else { ((component + 0.055) / 1.055).powf(2.4) }
+}
