@@ -1,19 +1,32 @@
 //! The command line.
 
 use luminaire::falloff::AnyFalloff;
-use luminaire_export::Language;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
-use crate::words::{self, Law};
+use crate::source::Source;
+use crate::words::{self, Law, Target};
 
-/// Spotlights from the angles of a data sheet: their cheapest evaluation on a chip, and their source in
-/// other languages.
+/// What `luminaire --help` ends with.
+const EXAMPLES: &str = "\
+A data sheet to a header for C:   luminaire export --beam 15 --field 26 --lumens 8700 --to c-fx16 --name key
+A photometric file to Blender:    luminaire export --from spot.ies --to blender
+A light of Godot to a shader:     luminaire export --from godot spot_angle=25 spot_attenuation=1.4 --to glsl
+What the files of a folder say:   luminaire import lights/*
+
+The exit code is 0, or 1 if something was refused, or 2 for a wrong option.";
+
+/// Spotlights from the angles of a data sheet, and lights from the files and numbers of other tools: their
+/// cheapest evaluation on a chip, their source in other languages, their parameters in other tools.
 #[derive(Debug, clap::Parser)]
-#[command(name = "luminaire", version, disable_help_subcommand = true, arg_required_else_help = true)]
+#[command(name = "luminaire", version, disable_help_subcommand = true, arg_required_else_help = true, after_help = EXAMPLES)]
 pub(crate) enum Command {
+    /// Show the lights of files, or of the numbers of another tool or a data sheet
+    Import(Box<Import>),
+    /// Draw a white wall that a light shines on, as a PNG
+    Still(Box<Still>),
     /// Pick the cheapest evaluation of a spotlight whose error is small enough for a display
     Pick(Box<Pick>),
-    /// Write a spotlight as source of another language
+    /// Write lights as source of another language, or as the parameters of another tool
     Export(Box<Export>),
 }
 
@@ -68,13 +81,15 @@ pub(crate) struct Pick {
     attenuation: Option<Attenuation>,
     /// The nearest surface [default: 1, or the farthest if that is nearer]
     #[arg(long)]
-    near: Option<f32>,
+    pub(crate) near: Option<f32>,
     /// The farthest surface [default: 7, or the nearest if that is farther]
     #[arg(long)]
-    far: Option<f32>,
+    pub(crate) far: Option<f32>,
     #[command(flatten)]
-    spot: Spot,
-    /// The lights of a JSON file, or of the example scene `show`, in place of one light
+    pub(crate) spot: Spot,
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// The lights of a file of any kind, or of the example scene `show`, with one error for all
     #[arg(long, value_name = "FILE", conflicts_with_all = [
         "edge", "beam", "field", "outer", "inner", "attenuation", "intensity", "near", "far", "position", "axis",
     ])]
@@ -87,22 +102,55 @@ pub(crate) struct Pick {
     pub(crate) json: bool,
 }
 
+/// The options of `import`.
+///
+/// With --from and a tool, KEY=VALUE are its numbers; other words are files, which --from says the kind of
+/// if their extension does not.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Import {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    #[command(flatten)]
+    pub(crate) spot: Spot,
+    /// Write the lights as JSON, which every command reads, with what is known of them
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Write charts of the intensities over the angle, measured against fitted
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<String>,
+}
+
+/// The options of `still`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Still {
+    /// The PNG to write
+    #[arg(long, value_name = "FILE")]
+    pub(crate) output: String,
+    #[command(flatten)]
+    pub(crate) source: Source,
+    #[command(flatten)]
+    pub(crate) spot: Spot,
+}
+
 /// The options of `export`. Angles are full angles in degrees.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Export {
-    /// json, glsl, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16
-    #[arg(long, value_name = "LANGUAGE")]
-    pub(crate) to: Language,
-    /// The name that begins all names in the source
-    #[arg(long, default_value = "light")]
-    pub(crate) name: String,
+    /// json, glsl, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16; the parameters of
+    /// blender, three, godot, unreal, unity, bevy, gltf, usd, opengl or direct3d; or ies
+    #[arg(long, value_name = "LANGUAGE|TOOL")]
+    pub(crate) to: Target,
+    /// The name that begins all names in the source [default: light, or with several lights their own]
+    #[arg(long)]
+    pub(crate) name: Option<String>,
     /// soft, hard, linear, smooth, step, quadratic=A, cubic=A,D, power=N, inverted-power=N,
     /// real-power=P, inverted-real-power=P or
-    /// table=SAMPLES from 65535 on the axis [default: soft]
+    /// table=SAMPLES from 65535 on the axis, evenly spaced over the versine [default: soft]
     #[arg(long, value_parser = words::falloff)]
     pub(crate) falloff: Option<AnyFalloff>,
     #[command(flatten)]
     pub(crate) spot: Spot,
+    #[command(flatten)]
+    pub(crate) source: Source,
     /// An angle that ends the light before its falloff does
     #[arg(long)]
     pub(crate) cutoff: Option<f32>,

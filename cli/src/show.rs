@@ -1,8 +1,7 @@
 //! The lights of the example scene `show`.
 
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::AnyFalloff;
-use luminaire_pick::{Edge, Light, Refusal, Scene};
+use luminaire_pick::{Light, Refusal, Scene};
 use luminaire_render::scenes::Example;
 
 /// The distance of the nearest surface from a moving head on the truss, in metres. The nearest
@@ -24,31 +23,7 @@ pub(crate) fn lights() -> Result<Scene, Refusal> {
 }
 
 fn light(name: &str, light: &AnyLight) -> Result<Light, Refusal> {
-    let refused = |expected: &str| Refusal {
-        parameter: "light".to_owned(),
-        value: name.to_owned(),
-        expected: expected.to_owned(),
-    };
-    let AnyLight::Spot(spot) = light else { return Err(refused("a spotlight")) };
-    let cone = spot.cone();
-    let edge = match cone.falloff() {
-        AnyFalloff::Soft(_) => Edge::Soft,
-        AnyFalloff::Hard(_) => Edge::Hard,
-        _ => return Err(refused("a soft or a hard edge")),
-    };
-    let [position, axis] = [spot.position(), spot.axis()].map(|v| [v.x, v.y, v.z]);
-    let color = spot.color();
-    let near = if spot.position().z < 0.0 { FROM_TRUSS } else { FROM_FRONT };
-    Ok(Light {
-        name: name.to_owned(),
-        position,
-        axis,
-        color: [color.red, color.green, color.blue],
-        edge,
-        outer: Some(cone.outer().to_degrees()),
-        intensity: spot.intensity(),
-        near,
-        far: FARTHEST,
-        ..Light::default()
-    })
+    let light = Light::of(name, light)?;
+    let near = if light.position[2] < 0.0 { FROM_TRUSS } else { FROM_FRONT };
+    Ok(Light { near, far: FARTHEST, ..light })
 }

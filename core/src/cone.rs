@@ -10,7 +10,7 @@ pub use self::compiled::CompiledCone;
 
 use crate::{
     angle::Angle,
-    error::{Error, Expected, Parameter},
+    error::{Error, Expected, Parameter, check_between},
     falloff::{Falloff, Formula, Hard, Power, Soft, SoftOrHard},
     number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
     search::bisect,
@@ -51,7 +51,7 @@ pub struct Cone<P = SoftOrHard> {
     limit: f32,
 }
 
-stored!([P: Falloff] Cone<P> { falloff: P, inner: f32, outer: f32, limit: f32 } by Self::checked(falloff, [inner, outer, limit]));
+stored!([P: Falloff] Cone<P> { falloff: P, inner: f32, outer: f32, limit: f32 } by Self::from_versines(falloff, [inner, outer, limit]));
 
 impl<P: Falloff> Cone<P> {
     /// Creates the cone with this field angle, at which the intensity is 10 %.
@@ -94,10 +94,12 @@ impl<P: Falloff> Cone<P> {
     }
 
     /// Creates a cone from the versines of half its inner angle, half the angle at which the falloff
-    /// ends, and half its outer angle.
-    #[cfg(feature = "serde")]
-    fn checked(falloff: P, [inner, outer, limit]: [f32; 3]) -> Result<Self, Error> {
-        use crate::error::check_between;
+    /// ends, and half its outer angle: the inverse of [`versines`](Self::versines).
+    ///
+    /// # Errors
+    /// An inner or a last versine larger than the second, or a versine outside (0, 1]; the first may
+    /// be 0.
+    pub fn from_versines(falloff: P, [inner, outer, limit]: [f32; 3]) -> Result<Self, Error> {
         check_between(Parameter::Versine, outer, f32::MIN_POSITIVE, 1.0)?;
         check_between(Parameter::Versine, inner, 0.0, outer)?;
         check_between(Parameter::Versine, limit, f32::MIN_POSITIVE, outer)?;

@@ -5,7 +5,7 @@
 ///
 /// ```text
 /// stored!(Decay { exponent: f32, most: f32 } by Self::new(exponent, most));
-/// stored!([P: Falloff] Cone<P> { falloff: P, outer: f32 } by Self::checked(falloff, outer));
+/// stored!([P: Falloff] Cone<P> { falloff: P, outer: f32 } by Self::from_versines(falloff, outer));
 /// ```
 #[cfg(feature = "serde")]
 macro_rules! stored {

@@ -1,9 +1,17 @@
 //! A light that was read.
 
+use luminaire::attenuation::Attenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::import::Difference;
+use luminaire::{DirectionalLight, PointLight, Rgb, SpotLight};
+use luminaire_export::json::NamedLight;
+use serde_json::json;
 
-use crate::curve::Curve;
+use crate::curve::{Curve, Definition};
+use crate::fit::{Fit, Residual, share};
+use crate::parameters::Use;
+use crate::refusal::Refusal;
+use crate::system::System;
 
 /// A light of a file or of a command, as a light of [`luminaire`].
 #[derive(Clone, PartialEq, Debug)]
@@ -16,6 +24,9 @@ pub struct Lamp {
     pub difference: Difference,
     /// The measured intensities, of a photometric file or of the numbers of a data sheet.
     pub measured: Option<Curve>,
+    /// The cones that were tried for the measured intensities, the cheapest first; the last one is that
+    /// of the light.
+    pub fits: Vec<Fit>,
     /// The light of the widest zoom, of a fixture with one. `light` is that of the narrowest.
     pub widest: Option<AnyLight>,
     /// The nearest and the farthest surface, where the source says so.
@@ -24,13 +35,141 @@ pub struct Lamp {
     pub notes: Vec<String>,
 }
 
+impl Lamp {
+    /// Creates an exact light without further knowledge of it.
+    pub fn new(name: impl Into<String>, light: impl Into<AnyLight>) -> Self {
+        Self {
+            name: name.into(),
+            light: light.into(),
+            difference: Difference::default(),
+            measured: None,
+            fits: Vec::new(),
+            widest: None,
+            surfaces: None,
+            notes: Vec::new(),
+        }
+    }
+
+    /// Returns the irradiance on the axis at a distance.
+    pub fn at(&self, distance: f64) -> f64 {
+        let intensity = f64::from(self.light.intensity());
+        match &self.light {
+            AnyLight::Spot(spot) => intensity * spot.attenuation().exact(distance),
+            AnyLight::Point(point) => intensity * point.attenuation().exact(distance),
+            AnyLight::Directional(_) => intensity,
+        }
+    }
+
+    /// Returns the intensities over the angle: those that were measured, or those of a spotlight at 256
+    /// angles; `None` for a light of another kind.
+    pub fn curve(&self) -> Option<Curve> {
+        if self.measured.is_some() {
+            return self.measured.clone();
+        }
+        let AnyLight::Spot(spot) = &self.light else { return None };
+        let (cone, candela) = (spot.cone(), f64::from(spot.intensity()));
+        let end = f64::from(cone.outer().to_degrees()) / 2.0;
+        let angles = (0..=256).map(|i| end * f64::from(i) / 256.0);
+        Curve::new(angles.map(|angle| (angle, candela * share(&cone, angle))).collect())
+    }
+
+    /// Returns the light in the unit of full scale, with what is known of it as JSON has it: the
+    /// differences, the notes, and of a measured light its photometry.
+    ///
+    /// # Errors
+    /// An intensity outside [0, 1e9] in that unit.
+    pub fn named(&self, usage: Use) -> Result<NamedLight, Refusal> {
+        let intensity = (f64::from(self.light.intensity()) / usage.full_scale) as f32;
+        let light = placed(self.light, Place { intensity: Some(intensity), ..Place::default() })?;
+        let Difference { angle, place, distance } = self.difference;
+        let mut about = json!({
+            "difference": { "angle": angle, "place": place, "distance": distance },
+            "full_scale": usage.full_scale,
+        });
+        if let Some(curve) = &self.measured {
+            let angle = |share, definition| curve.angle(share, definition);
+            about["photometry"] = json!({
+                "peak_candela": curve.peak().0,
+                "lumens": curve.lumens(),
+                "ies_degrees": [angle(0.5, Definition::Ies), angle(0.1, Definition::Ies)],
+                "cie_degrees": [angle(0.5, Definition::Cie), angle(0.1, Definition::Cie)],
+            });
+        }
+        let fit = |fit: &Fit| {
+            let Residual { found, bound, degrees, .. } = fit.residual;
+            json!({ "name": fit.name, "found_codes": found, "bound_codes": bound, "half_degrees": degrees })
+        };
+        if !self.fits.is_empty() {
+            about["fits"] = self.fits.iter().map(fit).collect();
+        }
+        if !self.notes.is_empty() {
+            about["notes"] = self.notes.clone().into();
+        }
+        Ok(NamedLight { name: self.name.clone(), light, surfaces: self.surfaces, about: Some(about) })
+    }
+}
+
+/// A place, an intensity and a colour in place of those of a light.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Place {
+    /// The position.
+    pub position: Option<[f32; 3]>,
+    /// The axis of a spotlight, or the direction of a directional light.
+    pub axis: Option<[f32; 3]>,
+    /// The intensity.
+    pub intensity: Option<f32>,
+    /// The linear colour, also that of highlights.
+    pub color: Option<[f32; 3]>,
+}
+
+/// Returns a light at another place.
+///
+/// # Errors
+/// A value that the constructors of the light reject.
+pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
+    let intensity = place.intensity.unwrap_or(light.intensity());
+    let colors = match place.color {
+        Some([red, green, blue]) => [Rgb::new(red, green, blue); 2],
+        None => [light.color(), light.specular_color()],
+    };
+    macro_rules! lit {
+        ($light:expr) => {
+            $light.with_color(colors[0])?.with_specular_color(colors[1])?.with_intensity(intensity)?
+        };
+    }
+    Ok(match light {
+        AnyLight::Spot(spot) => {
+            let position = place.position.map_or(spot.position(), Into::into);
+            let moved = SpotLight::new(position, place.axis.map_or(spot.axis(), Into::into), spot.cone())?;
+            lit!(moved).with_attenuation(spot.attenuation()).into()
+        }
+        AnyLight::Point(point) => {
+            let moved = PointLight::new(place.position.map_or(point.position(), Into::into))?;
+            lit!(moved).with_attenuation(point.attenuation()).into()
+        }
+        AnyLight::Directional(sun) => {
+            let axis = place.axis.map_or(sun.direction(), Into::into);
+            lit!(DirectionalLight::new(axis)?).into()
+        }
+    })
+}
+
 /// The lights of one input.
-#[derive(Clone, PartialEq, Debug, Default)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Lamps {
+    /// The system of the input.
+    pub system: System,
     /// The lights, in the order of the file.
     pub lamps: Vec<Lamp>,
     /// The lights of the file that could not be read.
-    pub refused: Vec<crate::Refusal>,
+    pub refused: Vec<Refusal>,
     /// What holds for the whole file, a sentence each.
     pub notes: Vec<String>,
+}
+
+impl Lamps {
+    /// Creates a list without lights.
+    pub fn new(system: System) -> Self {
+        Self { system, lamps: Vec::new(), refused: Vec::new(), notes: Vec::new() }
+    }
 }

@@ -1,13 +1,28 @@
 //! Lights from the files and the numbers of other tools, and parameters of a light for other tools.
 #![forbid(unsafe_code)]
 
+mod convert;
 mod curve;
+mod fit;
+mod input;
 mod lamp;
+mod measured;
+mod parameters;
 mod read;
 mod record;
 mod refusal;
+mod search;
+mod sheet;
+mod system;
+mod tabulate;
 mod text;
+pub mod write;
 
 pub use crate::curve::{Curve, Definition};
-pub use crate::lamp::{Lamp, Lamps};
+pub use crate::fit::{Fit, Residual, fits, share};
+pub use crate::input::{numbers, read};
+pub use crate::lamp::{Lamp, Lamps, Place, placed};
+pub use crate::parameters::{Parameters, TOOLS, Use, parameters};
 pub use crate::refusal::Refusal;
+pub use crate::sheet::{Edge, Sheet, fixture};
+pub use crate::system::System;

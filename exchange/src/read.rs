@@ -1,5 +1,20 @@
 //! Readers of files: each finds the lights, in the words of its system.
 
+pub(crate) mod babylon;
+pub(crate) mod eulumdat;
+pub(crate) mod gdtf;
+pub(crate) mod gltf;
+pub(crate) mod godot;
+pub(crate) mod ies;
+pub(crate) mod ofl;
+pub(crate) mod pbrt;
+pub(crate) mod photometry;
+pub(crate) mod three;
+pub(crate) mod unity;
+pub(crate) mod unreal;
+pub(crate) mod usd;
+pub(crate) mod x3d;
+
 use crate::record::Record;
 use crate::refusal::Refusal;
 

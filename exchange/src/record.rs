@@ -37,6 +37,8 @@ pub(crate) struct Record {
     values: Vec<(String, Value)>,
     /// Which of the values have been read.
     used: Vec<bool>,
+    /// The names that were asked for.
+    asked: Vec<String>,
     pub(crate) notes: Vec<String>,
 }
 
@@ -51,6 +53,7 @@ impl Record {
             axis: DVec3::NEG_Z,
             values: Vec::new(),
             used: Vec::new(),
+            asked: Vec::new(),
             notes: Vec::new(),
         }
     }
@@ -78,6 +81,9 @@ impl Record {
 
     fn value(&mut self, key: &str) -> Option<Value> {
         let mut found = None;
+        if !self.asked.iter().any(|own| own == key) {
+            self.asked.push(key.to_owned());
+        }
         for ((own, value), used) in self.values.iter().zip(&mut self.used) {
             if own == key {
                 *used = true;
@@ -122,6 +128,11 @@ impl Record {
     /// Returns a word, or its default. A number is a word, too.
     pub(crate) fn word(&mut self, key: &str, default: &str) -> String {
         self.value(key).map_or_else(|| default.to_owned(), |value| shown(&value))
+    }
+
+    /// Returns the names that the system has, in the order in which it asked for them.
+    pub(crate) fn asked(&self) -> &[String] {
+        &self.asked
     }
 
     /// Returns the first value that was never read.

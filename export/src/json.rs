@@ -1,100 +1,146 @@
-//! The parameters of a light.
+//! Lights as JSON: the one format that every command reads and writes.
 
 use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{AnyFalloff, Falloff, Formula};
-use luminaire::{Cone, Rgb, Vec3};
-use serde::Serialize;
+use luminaire::falloff::{AnyFalloff, Falloff, Formula, Soft};
+use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::error::ExportError;
+use crate::words;
+
+/// The format of the documents.
+const FORMAT: &str = "luminaire-lights-1";
+
+/// A light of a document.
+#[derive(Clone, PartialEq, Debug)]
+pub struct NamedLight {
+    /// The name: any text.
+    pub name: String,
+    /// The light.
+    pub light: AnyLight,
+    /// The distances of the nearest and of the farthest surface, where they are known.
+    pub surfaces: Option<[f32; 2]>,
+    /// What is known of the light beside it: any JSON, which a reader skips.
+    pub about: Option<Value>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Document {
+    format: String,
+    lights: Vec<Light>,
+    /// What could not be written, for people: any JSON.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    refused: Option<Value>,
+}
 
 /// A light as JSON has it: the crate's documentation lists the members.
-#[derive(Debug, Serialize)]
-struct Light<'a> {
-    format: &'static str,
-    name: &'a str,
-    kind: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Light {
+    #[serde(default = "unnamed")]
+    name: String,
+    #[serde(default = "spot")]
+    kind: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     position: Option<[f32; 3]>,
     /// The axis of a spotlight, or the direction of a directional light.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     axis: Option<[f32; 3]>,
+    #[serde(default = "white")]
     color: [f32; 3],
-    specular_color: [f32; 3],
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    specular_color: Option<[f32; 3]>,
+    #[serde(default = "one")]
     intensity: f32,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     cone: Option<Shape>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    attenuation: Option<Description>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    attenuation: Option<Map<String, Value>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    near: Option<f32>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    far: Option<f32>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    about: Option<Value>,
 }
 
-#[derive(Debug, Serialize)]
+fn unnamed() -> String {
+    "light".to_owned()
+}
+
+fn spot() -> String {
+    "spot".to_owned()
+}
+
+fn white() -> [f32; 3] {
+    [1.0; 3]
+}
+
+fn one() -> f32 {
+    1.0
+}
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 struct Shape {
-    beam_degrees: f32,
-    field_degrees: f32,
-    outer_degrees: f32,
-    inner_degrees: f32,
-    inner_versine: f32,
-    outer_versine: f32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    beam_degrees: Option<f32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    field_degrees: Option<f32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    outer_degrees: Option<f32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inner_degrees: Option<f32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cutoff_degrees: Option<f32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inner_versine: Option<f32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    outer_versine: Option<f32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     cutoff_versine: Option<f32>,
-    falloff: Profile,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    falloff: Option<Profile>,
 }
 
-#[derive(Debug, Serialize)]
+/// A falloff: its name and the parameters of its constructor, and for readers its formula.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 struct Profile {
-    name: &'static str,
-    #[serde(flatten)]
-    parameters: Parameters,
-}
-
-/// The parameters of a formula; the formulas are those of [`Formula`].
-#[derive(Debug, Serialize)]
-#[serde(tag = "formula", rename_all = "kebab-case")]
-enum Parameters {
-    Step,
-    Polynomial {
-        coefficients: [f32; 3],
-    },
-    Power {
-        exponent: f32,
-    },
-    InvertedPower {
-        exponent: f32,
-        floor: f32,
-    },
-    Samples {
-        samples: Vec<u16>,
-    },
-    Knots {
-        knots: Vec<(u16, u16, i32)>,
-    },
-    /// A function without parameters: its name says which.
-    Named,
-}
-
-/// An attenuation as JSON has it.
-#[derive(Clone, Debug, Default, Serialize)]
-struct Description {
-    /// The law without a window.
-    law: String,
-    /// The parameters of the law by name: a number, or an array.
-    #[serde(flatten)]
-    parameters: Map<String, Value>,
-    /// The window that ends the law at the range.
+    name: String,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    parameters: Vec<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    window: Option<String>,
-    /// The range of the window.
+    formula: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    range: Option<f32>,
+    coefficients: Option<[f32; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exponent: Option<f32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    floor: Option<f32>,
 }
 
-impl Description {
-    fn of(attenuation: AnyAttenuation) -> Self {
-        let mut description = Self::default();
-        attenuation.describe(&mut description);
-        description
+/// An attenuation as JSON has it: `law`, its parameters by name, and `window` and `range`.
+struct Description(Map<String, Value>);
+
+impl Describe for Description {
+    fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
+        self.0.insert("law".to_owned(), law.into());
+        for &(name, values) in arguments {
+            let mut values: Vec<_> = values.iter().map(|&value| shortest(value)).collect();
+            let value = if values.len() == 1 { values.remove(0) } else { values.into() };
+            self.0.insert(name.to_owned(), value);
+        }
+    }
+
+    fn window(&mut self, _: &str, window: &str, range: Option<f32>) {
+        if let Some(range) = range {
+            self.0.insert("window".to_owned(), window.into());
+            self.0.insert("range".to_owned(), shortest(range));
+        }
     }
 }
 
@@ -103,84 +149,291 @@ fn shortest(value: f32) -> Value {
     format!("{value:?}").parse::<f64>().unwrap_or(value.into()).into()
 }
 
-impl Describe for Description {
-    fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
-        law.clone_into(&mut self.law);
-        for &(name, values) in arguments {
-            let mut values: Vec<_> = values.iter().map(|&value| shortest(value)).collect();
-            let value = if values.len() == 1 { values.remove(0) } else { values.into() };
-            self.parameters.insert(name.to_owned(), value);
-        }
-    }
-
-    fn window(&mut self, _: &str, window: &str, range: Option<f32>) {
-        if range.is_some() {
-            (self.window, self.range) = (Some(window.to_owned()), range);
-        }
-    }
+/// Returns lights as a document.
+///
+/// # Errors
+/// A number that JSON does not have; no light of this crate has one.
+pub fn write(lights: &[NamedLight]) -> Result<String, ExportError> {
+    write_with(lights, None)
 }
 
-/// Returns a light as JSON.
-pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError> {
+/// Returns lights as a document, with what was refused.
+///
+/// # Errors
+/// As those of [`write`].
+pub fn write_with(lights: &[NamedLight], refused: Option<Value>) -> Result<String, ExportError> {
+    let lights = lights.iter().map(described).collect();
+    let document = Document { format: FORMAT.to_owned(), lights, refused };
+    let json = serde_json::to_string_pretty(&document);
+    json.map(|text| text + "\n").map_err(|error| ExportError::new("lights", FORMAT, error.to_string()))
+}
+
+fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light {
     let triple = |color: Rgb<f32>| [color.red, color.green, color.blue];
-    let xyz = |vector: Vec3<f32>| -> Option<[f32; 3]> { Some(vector.into()) };
+    let attenuation = |attenuation: AnyAttenuation| {
+        let mut description = Description(Map::new());
+        attenuation.describe(&mut description);
+        Some(description.0)
+    };
+    let kind = match light {
+        AnyLight::Spot(_) => "spot",
+        AnyLight::Point(_) => "point",
+        AnyLight::Directional(_) => "directional",
+    };
     let mut described = Light {
-        format: "luminaire-light-1",
-        name,
-        kind: "spot",
+        name: name.clone(),
+        kind: kind.to_owned(),
         position: None,
         axis: None,
         color: triple(light.color()),
-        specular_color: triple(light.specular_color()),
+        specular_color: Some(triple(light.specular_color())),
         intensity: light.intensity(),
         cone: None,
         attenuation: None,
+        near: surfaces.map(|[near, _]| near),
+        far: surfaces.map(|[_, far]| far),
+        about: about.clone(),
     };
     match light {
         AnyLight::Spot(spot) => {
-            described.position = xyz(spot.position());
-            described.axis = xyz(spot.axis());
+            described.position = Some(spot.position().into());
+            described.axis = Some(spot.axis().into());
             described.cone = Some(shape(&spot.cone()));
-            described.attenuation = Some(Description::of(spot.attenuation()));
+            described.attenuation = attenuation(spot.attenuation());
         }
         AnyLight::Point(point) => {
-            described.kind = "point";
-            described.position = xyz(point.position());
-            described.attenuation = Some(Description::of(point.attenuation()));
+            described.position = Some(point.position().into());
+            described.attenuation = attenuation(point.attenuation());
         }
-        AnyLight::Directional(directional) => {
-            described.kind = "directional";
-            described.axis = xyz(directional.direction());
-        }
+        AnyLight::Directional(directional) => described.axis = Some(directional.direction().into()),
     }
-    let json = serde_json::to_string_pretty(&described);
-    json.map(|text| text + "\n").map_err(|error| ExportError::new("light", name, error.to_string()))
+    described
 }
 
 fn shape(cone: &Cone<AnyFalloff>) -> Shape {
     let [inner_versine, outer_versine, limit] = cone.versines();
     Shape {
-        beam_degrees: cone.beam().to_degrees(),
-        field_degrees: cone.field().to_degrees(),
-        outer_degrees: cone.outer().to_degrees(),
-        inner_degrees: cone.inner().to_degrees(),
-        inner_versine,
-        outer_versine,
+        beam_degrees: Some(cone.beam().to_degrees()),
+        field_degrees: Some(cone.field().to_degrees()),
+        outer_degrees: Some(Angle::from_versine(outer_versine).to_degrees()),
+        inner_degrees: Some(cone.inner().to_degrees()),
+        cutoff_degrees: cone.has_cutoff().then(|| cone.outer().to_degrees()),
+        inner_versine: Some(inner_versine),
+        outer_versine: Some(outer_versine),
         cutoff_versine: cone.has_cutoff().then_some(limit),
-        falloff: Profile { name: cone.falloff().effect().name(), parameters: parameters(cone.falloff()) },
+        falloff: Some(profile(cone.falloff())),
     }
 }
 
-fn parameters(falloff: AnyFalloff) -> Parameters {
-    match falloff.formula() {
-        Formula::Step => Parameters::Step,
-        Formula::Polynomial(coefficients) => Parameters::Polynomial { coefficients },
-        Formula::Power(exponent) => Parameters::Power { exponent },
-        Formula::InvertedPower(exponent, floor) => Parameters::InvertedPower { exponent, floor },
-        Formula::Samples(samples) => Parameters::Samples { samples: samples.to_vec() },
-        Formula::Knots(knots) => {
-            Parameters::Knots { knots: knots.iter().map(|knot| knot.to_bits()).collect() }
+fn profile(falloff: AnyFalloff) -> Profile {
+    let (name, parameters) = words::described(&falloff);
+    let parameters = parameters.into_iter().map(|number| shortest(number as f32)).collect();
+    let mut profile = Profile { name: name.to_owned(), parameters, ..Profile::default() };
+    let formula = match falloff.formula() {
+        Formula::Step => "step",
+        Formula::Polynomial(coefficients) => {
+            profile.coefficients = Some(coefficients);
+            "polynomial"
         }
-        _ => Parameters::Named,
+        Formula::Power(exponent) => {
+            profile.exponent = Some(exponent);
+            "power"
+        }
+        Formula::InvertedPower(exponent, floor) => {
+            (profile.exponent, profile.floor) = (Some(exponent), Some(floor));
+            "inverted-power"
+        }
+        Formula::Samples(_) => "samples",
+        Formula::Knots(_) => "knots",
+        _ => "named",
+    };
+    profile.formula = Some(formula.to_owned());
+    profile
+}
+
+/// Returns the lights of a document.
+///
+/// A cone is read from its versines, which are exact, and without them from its angles. Angles beside
+/// versines must agree with these. A table lives as long as the program.
+///
+/// # Errors
+/// Text that is not a document of this format, with its line, or a value that the constructors of
+/// [`luminaire`] reject, with the number of its light.
+pub fn read(text: &str) -> Result<Vec<NamedLight>, ExportError> {
+    let document: Document = serde_json::from_str(text)
+        .map_err(|error| ExportError::new("JSON", error, format!("a document of {FORMAT}")))?;
+    if document.format != FORMAT {
+        return Err(ExportError::new("format", document.format, FORMAT));
     }
+    let read = |(number, light): (usize, &Light)| {
+        named(light).map_err(|error| ExportError {
+            parameter: format!("lights[{number}]: {}", error.parameter),
+            ..error
+        })
+    };
+    document.lights.iter().enumerate().map(read).collect()
+}
+
+fn named(described: &Light) -> Result<NamedLight, ExportError> {
+    let surfaces = match (described.near, described.far) {
+        (None, None) => None,
+        (Some(near), Some(far)) => Some([near, far]),
+        (one, _) => {
+            let missing = if one.is_some() { "far" } else { "near" };
+            return Err(ExportError::new(missing, "none", "both near and far, or neither"));
+        }
+    };
+    let color = |[red, green, blue]: [f32; 3]| Rgb::new(red, green, blue);
+    let position: Vec3<f32> = described.position.unwrap_or_default().into();
+    let axis: Vec3<f32> = described.axis.unwrap_or([0.0, -1.0, 0.0]).into();
+    let specular = color(described.specular_color.unwrap_or(described.color));
+    let color = color(described.color);
+    let attenuation = described
+        .attenuation
+        .as_ref()
+        .map_or_else(|| words::attenuation("inverse-square", &[], "cut", None), attenuation);
+    macro_rules! lit {
+        ($light:expr) => {
+            $light.with_color(color)?.with_specular_color(specular)?.with_intensity(described.intensity)?
+        };
+    }
+    let light: AnyLight = match described.kind.as_str() {
+        "spot" => {
+            let shape = described
+                .cone
+                .as_ref()
+                .ok_or_else(|| ExportError::new("cone", "none", "the cone of a spotlight"))?;
+            lit!(SpotLight::new(position, axis, cone(shape)?)?).with_attenuation(attenuation?).into()
+        }
+        "point" => lit!(PointLight::new(position)?).with_attenuation(attenuation?).into(),
+        "directional" => lit!(DirectionalLight::new(axis)?).into(),
+        kind => return Err(ExportError::new("kind", kind, "spot, point or directional")),
+    };
+    Ok(NamedLight { name: described.name.clone(), light, surfaces, about: described.about.clone() })
+}
+
+fn cone(shape: &Shape) -> Result<Cone<AnyFalloff>, ExportError> {
+    let falloff = match &shape.falloff {
+        None => None,
+        Some(profile) => {
+            let number = |value: &Value| {
+                value.as_f64().ok_or_else(|| ExportError::new("parameters", value, "numbers"))
+            };
+            let numbers: Result<Vec<_>, _> = profile.parameters.iter().map(number).collect();
+            Some(words::falloff(&profile.name, &numbers?)?)
+        }
+    };
+    let any = falloff.unwrap_or(Soft.into());
+    if let Some(outer) = shape.outer_versine {
+        let [inner, limit] = [shape.inner_versine.unwrap_or_default(), shape.cutoff_versine.unwrap_or(outer)];
+        let cone = Cone::from_versines(any, [inner, outer, limit])?;
+        let own = shape_of(&cone);
+        let told = [
+            shape.beam_degrees,
+            shape.field_degrees,
+            shape.outer_degrees,
+            shape.inner_degrees,
+            shape.cutoff_degrees,
+        ];
+        for ((name, own), told) in own.into_iter().zip(told) {
+            if told.is_some_and(|told| (told - own).abs() > 1e-3 * own.abs().max(0.01)) {
+                let told = told.unwrap_or_default();
+                let expected = format!("{own}, as the versines say; remove the versines to give angles");
+                return Err(ExportError::new(name, told, expected));
+            }
+        }
+        return Ok(cone);
+    }
+    let [beam, field, outer] =
+        [shape.beam_degrees, shape.field_degrees, shape.outer_degrees].map(|a| a.map(Angle::degrees));
+    from_angles(falloff, [beam, field, outer], shape.inner_degrees, shape.cutoff_degrees)
+}
+
+fn shape_of(cone: &Cone<AnyFalloff>) -> [(&'static str, f32); 5] {
+    let outer = Angle::from_versine(cone.versines()[1]);
+    [
+        ("beam_degrees", cone.beam().to_degrees()),
+        ("field_degrees", cone.field().to_degrees()),
+        ("outer_degrees", outer.to_degrees()),
+        ("inner_degrees", cone.inner().to_degrees()),
+        ("cutoff_degrees", cone.outer().to_degrees()),
+    ]
+}
+
+/// Returns the cone of one of beam, field and outer angle, or of beam and field angle together, which
+/// determine the falloff; with a hotspot and a cutoff in degrees. Angles are full angles.
+///
+/// # Errors
+/// Other combinations of angles, a falloff beside both beam and field angle, or an angle that the cone
+/// does not accept.
+pub fn from_angles(
+    falloff: Option<AnyFalloff>,
+    angles: [Option<Angle>; 3],
+    inner: Option<f32>,
+    cutoff: Option<f32>,
+) -> Result<Cone<AnyFalloff>, ExportError> {
+    let any = falloff.unwrap_or(Soft.into());
+    let mut cone = match angles {
+        [None, None, None] => {
+            return Err(ExportError::new("cone", "no angle", "a beam, a field or an outer angle"));
+        }
+        [Some(beam), None, None] => Cone::from_beam(any, beam)?,
+        [None, Some(field), None] => Cone::from_field(any, field)?,
+        [None, None, Some(outer)] => Cone::from_outer(any, outer)?,
+        [Some(_), Some(_), None] if falloff.is_some() => {
+            let expected = "no falloff beside both a beam and a field angle, which determine it";
+            return Err(ExportError::new("falloff", "given", expected));
+        }
+        [Some(beam), Some(field), None] => {
+            let cone = Cone::from_beam_and_field(beam, field)?;
+            cone.with_falloff(cone.falloff().into())
+        }
+        [.., Some(outer)] => {
+            return Err(ExportError::new(
+                "outer angle",
+                outer.to_degrees(),
+                "no beam or field angle beside it",
+            ));
+        }
+    };
+    if let Some(inner) = inner {
+        cone = cone.with_inner(Angle::degrees(inner))?;
+    }
+    if let Some(cutoff) = cutoff {
+        cone = cone.with_cutoff(Angle::degrees(cutoff))?;
+    }
+    Ok(cone)
+}
+
+fn attenuation(described: &Map<String, Value>) -> Result<AnyAttenuation, ExportError> {
+    let text = |name: &str, default: &str| match described.get(name) {
+        None => Ok(default.to_owned()),
+        Some(Value::String(text)) => Ok(text.clone()),
+        Some(other) => Err(ExportError::new(name, other, "a text")),
+    };
+    let (law, window) = (text("law", "inverse-square")?, text("window", "cut")?);
+    let parameters = words::parameters(&law).unwrap_or_default();
+    let mut numbers = Vec::new();
+    for (name, _) in &parameters {
+        let value = described.get(name).cloned().unwrap_or_default();
+        let own: Option<Vec<f64>> = match &value {
+            Value::Array(own) => own.iter().map(Value::as_f64).collect(),
+            own => own.as_f64().map(|number| vec![number]),
+        };
+        let own =
+            own.ok_or_else(|| ExportError::new(name, &value, format!("the numbers of the law {law}")))?;
+        numbers.extend(own.into_iter().map(|number| number as f32));
+    }
+    let known =
+        |name: &str| ["law", "window", "range"].contains(&name) || parameters.iter().any(|own| own.0 == name);
+    if let Some(other) = described.keys().find(|name| !known(name)) {
+        return Err(ExportError::new("attenuation", other, "law, window, range and the numbers of the law"));
+    }
+    let range = match described.get("range") {
+        None => None,
+        Some(range) => {
+            Some(range.as_f64().ok_or_else(|| ExportError::new("range", range, "a number"))? as f32)
+        }
+    };
+    words::attenuation(&law, &numbers, &window, range)
 }

@@ -47,35 +47,44 @@
 //!
 //! # JSON
 //!
+//! [`json`] writes and reads one format, `luminaire-lights-1`, for any number of lights:
+//!
 //! | member | meaning |
 //! |---|---|
-//! | `format` | `luminaire-light-1` |
-//! | `name`, `kind` | the name; `spot`, `point` or `directional` |
-//! | `position`, `axis` | three numbers; the axis is a unit vector along the light |
-//! | `color`, `specular_color` | linear red, green and blue |
+//! | `format` | `luminaire-lights-1` |
+//! | `lights` | an array of lights, each with the members below |
+//! | `name`, `kind` | any text; `spot` (the default), `point` or `directional` |
+//! | `position`, `axis` | three numbers; the axis points along the light and has any length |
+//! | `color`, `specular_color` | linear red, green and blue, each up to 1; white, and the colour, by default |
 //! | `intensity` | 1 is full scale on the axis at distance 1 |
-//! | `cone.beam_degrees`, `field_degrees`, `outer_degrees`, `inner_degrees` | full angles, for readers: 50 % and 10 % of the intensity, no light, full intensity |
-//! | `cone.inner_versine`, `outer_versine` | `1 - cos` of half the angles between which the falloff goes from 1 to 0 |
-//! | `cone.cutoff_versine` | where the cone ends before its falloff does; absent without a cutoff |
-//! | `cone.falloff` | `name`, and the parameters of [`formula`](luminaire::falloff::Formula) at `t = (outer - v) / (outer - inner)` with the versine `v` |
-//! | `attenuation.law` | `constant`, `inverse-square`, `polynomial` with `coefficients`, `decay` with `exponent` and its cap `most`, or `smoothstep` to `range` |
+//! | `about` | anything: what `luminaire import` knows of the light, such as its differences; readers skip it |
+//! | `near`, `far` | the distances of the nearest and of the farthest surface, for `luminaire pick`; both or neither |
+//! | `cone.beam_degrees`, `field_degrees`, `outer_degrees`, `inner_degrees`, `cutoff_degrees` | full angles: 50 % and 10 % of the intensity, the end of the falloff, full intensity, the end of the light before that of its falloff |
+//! | `cone.inner_versine`, `outer_versine`, `cutoff_versine` | `1 - cos` of half of three of these angles, which are exact: with them the angles are for readers |
+//! | `cone.falloff` | `name` and `parameters`, those of `luminaire export --falloff`; and for readers its [`formula`](luminaire::falloff::Formula) at `t = (outer - v) / (outer - inner)` with the versine `v`: `coefficients`, or `exponent` and `floor` |
+//! | `attenuation.law` | `constant`, `inverse-square` (the default), `polynomial` with `coefficients`, `decay` with `exponent` and its cap `most`, or `smoothstep` to `range` |
 //! | `attenuation.window`, `range` | `cut`, `gltf` or `square`, at the range; absent without a range |
 //!
-//! [`falloff`](luminaire::falloff) and [`attenuation`](luminaire::attenuation) have the formulas.
-//! `samples` are evenly spaced over `u = 1 - t`, and 65,535 is 1. `knots` are `[place, value,
-//! slope]`: a line starts at `u = place / 65536` and rises by `slope / 32768` per unit of `place`.
+//! A light that is written by hand needs a cone alone: one of beam, field and outer angle, or beam and
+//! field angle without a falloff. A light that was written is read with the same bits.
+//!
+//! [`falloff`](luminaire::falloff) and [`attenuation`](luminaire::attenuation) have the formulas. The
+//! parameters of `table` are evenly spaced over `u = 1 - t`, and 65,535 is 1. Those of `knots` are three
+//! numbers for each line, `place, value, slope`: it starts at `u = place / 65536` and rises by
+//! `slope / 32768` per unit of `place`.
 #![forbid(unsafe_code)]
 
 mod error;
 mod fixed;
 mod head;
-mod json;
+pub mod json;
 mod language;
 mod name;
 mod rust;
 mod script;
 mod shader;
 mod trace;
+pub mod words;
 
 use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Fx32};
@@ -99,7 +108,9 @@ pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Res
     name::check_identifier(name)?;
     let light = light.into();
     match language {
-        Language::Json => json::export(&light, name),
+        Language::Json => {
+            json::write(&[json::NamedLight { name: name.to_owned(), light, surfaces: None, about: None }])
+        }
         Language::Glsl => shader::export(&light, name, Syntax::Glsl),
         Language::Wgsl => shader::export(&light, name, Syntax::Wgsl),
         Language::CFloat => shader::export(&light, name, Syntax::C),

@@ -1,10 +1,12 @@
 //! The description of a spotlight: its cone, and the distances of the surfaces that it lights.
 
-use luminaire::falloff::{Cubic, Falloff, FittedFalloff, Formula, Hard, Quadratic, Soft};
+use luminaire::attenuation::AnyAttenuation;
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::{AnyFalloff, Cubic, Falloff, FittedFalloff, Formula, Hard, Quadratic, Soft};
 use luminaire::{Angle, Cone, Error, Rgb, SpotLight};
 use luminaire_export::check_text;
 use luminaire_oracle as oracle;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::refusal::Refusal;
 use crate::target::named;
@@ -34,8 +36,7 @@ named! {
 /// Angles are full angles in degrees. One of beam, field and outer angle determines the cone. If
 /// both beam and field angle are given, the falloff is fitted to both angles, and `edge` has no
 /// effect. Without any of these angles, the field angle is 36 degrees.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Light {
     /// The name in texts and in the comment of the code: what [`check_text`] accepts.
     pub name: String,
@@ -48,6 +49,9 @@ pub struct Light {
     pub color: [f32; 3],
     /// The edge of the cone: soft or hard.
     pub edge: Edge,
+    /// The derivatives of the falloff with respect to `t` at the edge and at full intensity, in place of
+    /// `edge`: a cubic, or a quadratic if their sum is 2.
+    pub slopes: Option<[f32; 2]>,
     /// The beam angle, at which the intensity is 50 % of the maximum.
     pub beam: Option<f32>,
     /// The field angle, at which the intensity is 10 % of the maximum.
@@ -77,6 +81,7 @@ impl Default for Light {
             axis: [0.0, -1.0, 0.0],
             color: [1.0; 3],
             edge: Edge::Soft,
+            slopes: None,
             beam: None,
             field: None,
             outer: None,
@@ -129,6 +134,62 @@ impl Shaped {
 }
 
 impl Light {
+    /// Returns a light of any kind, with surfaces at distances from 1 to 7.
+    ///
+    /// Smoothstep is a cubic, and a line a quadratic.
+    ///
+    /// # Errors
+    /// A light whose instructions are not on record: another kind than a spotlight, a falloff that is no
+    /// polynomial up to the third degree, a cutoff, another attenuation than the inverse square, or a range.
+    pub fn of(name: &str, light: &AnyLight) -> Result<Self, Refusal> {
+        let refused = |parameter: &str, value: &str, priced: &str| {
+            let expected =
+                format!("{priced}, of which instructions are on record; `luminaire export` takes any light");
+            Refusal::parameter(&format!("{name}: {parameter}"), value.to_owned(), expected)
+        };
+        let AnyLight::Spot(spot) = light else {
+            return Err(refused("kind", "no spotlight", "a spotlight"));
+        };
+        let cone = spot.cone();
+        let (edge, slopes) = match cone.falloff() {
+            AnyFalloff::Soft(_) => (Edge::Soft, None),
+            AnyFalloff::Hard(_) => (Edge::Hard, None),
+            AnyFalloff::Linear(_) => (Edge::Soft, Some([1.0, 1.0])),
+            AnyFalloff::Smooth(_) => (Edge::Soft, Some([0.0, 0.0])),
+            AnyFalloff::Quadratic(own) => (Edge::Soft, Some([own.edge_slope(), 2.0 - own.edge_slope()])),
+            AnyFalloff::Cubic(own) => (Edge::Soft, Some([own.edge_slope(), own.middle_slope()])),
+            other => {
+                return Err(refused("falloff", other.effect().name(), "a polynomial up to the third degree"));
+            }
+        };
+        if cone.has_cutoff() {
+            return Err(refused("cutoff", &cone.outer().to_degrees().to_string(), "no cutoff"));
+        }
+        let attenuation = match spot.attenuation() {
+            AnyAttenuation::Constant(law) if law.range().is_none() => Attenuation::None,
+            AnyAttenuation::InverseSquare(law) if law.range().is_none() => Attenuation::InverseSquare,
+            law => {
+                let range = law.range().map_or_else(|| "none".to_owned(), |range| range.to_string());
+                let value = format!("{}, range {range}", luminaire::attenuation::Attenuation::effects(&law));
+                return Err(refused("attenuation", &value, "the inverse square or none, without a range"));
+            }
+        };
+        let color = spot.color();
+        Ok(Self {
+            name: name.to_owned(),
+            position: spot.position().into(),
+            axis: spot.axis().into(),
+            color: [color.red, color.green, color.blue],
+            edge,
+            slopes,
+            outer: Some(cone.outer().to_degrees()),
+            inner: cone.has_hotspot().then(|| cone.inner().to_degrees()),
+            attenuation,
+            intensity: spot.intensity(),
+            ..Self::default()
+        })
+    }
+
     /// Returns the cone.
     pub(crate) fn cone(&self) -> Result<Shaped, Refusal> {
         let cone = match (self.beam, self.field, self.outer) {
@@ -139,9 +200,13 @@ impl Light {
                     FittedFalloff::Cubic(fitted) => Shaped::Cubic(cone.with_falloff(fitted)),
                 }
             }
-            _ => match self.edge {
-                Edge::Soft => Shaped::Soft(self.one_angle(Soft)?),
-                Edge::Hard => Shaped::Hard(self.one_angle(Hard)?),
+            _ => match (self.slopes, self.edge) {
+                (Some([edge, full]), _) if edge + full == 2.0 => {
+                    Shaped::Quadratic(self.one_angle(Quadratic::new(edge)?)?)
+                }
+                (Some([edge, full]), _) => Shaped::Cubic(self.one_angle(Cubic::with_slopes(edge, full)?)?),
+                (None, Edge::Soft) => Shaped::Soft(self.one_angle(Soft)?),
+                (None, Edge::Hard) => Shaped::Hard(self.one_angle(Hard)?),
             },
         };
         let cone = match (self.inner.map(Angle::degrees), cone) {

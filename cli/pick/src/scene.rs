@@ -1,6 +1,6 @@
 //! Several lights that share a tolerance.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::evaluation::Evaluation;
 use crate::light::Light;
@@ -9,8 +9,7 @@ use crate::request::{Answer, Offer, Request, rounded_up};
 use crate::target::Tolerance;
 
 /// The lights of a scene. Any of these lights may light the same point.
-#[derive(Clone, PartialEq, Default, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, PartialEq, Default, Debug)]
 pub struct Scene {
     /// The lights.
     pub lights: Vec<Light>,

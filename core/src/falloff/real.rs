@@ -6,7 +6,7 @@ use super::{
     polynomial::clamped_bits,
 };
 use crate::{
-    error::{Error, Parameter, check_up_to},
+    error::{Error, Expected, Parameter, check_up_to},
     number::{Fraction, RealExponent, Scalar},
     source::written_by_bits,
     stored::stored,
@@ -39,7 +39,7 @@ pub struct InvertedRealPower {
     floor: f32,
 }
 
-stored!(InvertedRealPower { exponent: f32, floor: f32 } by Self::floored(exponent, floor));
+stored!(InvertedRealPower { exponent: f32, floor: f32 } by Self::with_floor(exponent, floor));
 
 /// Width of the strip next to an infinite derivative that [`Falloff::steepness`] ignores, in outer
 /// half angles. Within this strip a format bounds the error of the position, and not of the
@@ -100,20 +100,18 @@ impl InvertedRealPower {
         Ok(Self { exponent: checked(exponent)?, floor: 0.0 })
     }
 
-    /// Creates the inverted power with an exponent and a floor, if the powers above the floor span
-    /// at least 1/16.
-    #[cfg(feature = "serde")]
-    fn floored(exponent: f32, floor: f32) -> Result<Self, Error> {
+    /// Creates the inverted power with an exponent and a floor, the `u` up to which the intensity is 1.
+    ///
+    /// # Errors
+    /// An exponent outside (0, 1024]; a floor outside [0, 1), or above which the powers span less than
+    /// 1/16.
+    pub fn with_floor(exponent: f32, floor: f32) -> Result<Self, Error> {
         let power = Self { floor, ..Self::new(exponent)? };
         if (0.0..1.0).contains(&floor) && power.height() >= 1.0 / 16.0 {
             return Ok(power);
         }
         let most = real_power(15.0 / 16.0, 1.0 / f64::from(exponent)) as f32;
-        Err(Error {
-            parameter: Parameter::Versine,
-            value: floor,
-            accepted: crate::error::Expected::Between(0.0, most),
-        })
+        Err(Error { parameter: Parameter::Versine, value: floor, accepted: Expected::Between(0.0, most) })
     }
 
     /// Creates the inverted power with an exponent and a floor that are already validated:

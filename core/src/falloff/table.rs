@@ -80,6 +80,16 @@ impl<'a> Table<'a> {
         Self { samples: Samples::Knots(knots) }
     }
 
+    /// Creates a table of knots. If the positions of the knots are not ascending, the intensity is
+    /// unspecified, but still in [0, 1].
+    ///
+    /// # Errors
+    /// No knot, or more than 65,536.
+    pub fn from_knots(knots: &'a [Knot]) -> Result<Self, Error> {
+        check_count(knots.len(), 1)?;
+        Ok(Self { samples: Samples::Knots(knots) })
+    }
+
     /// Creates a table from intensities that are evenly spaced in the angle, from the axis to the
     /// outer angle.
     ///

@@ -24,7 +24,7 @@ impl Knot {
     /// are in units of 1/65,536 of `u`.
     ///
     /// The slope is rounded towards zero, so that a table with monotone values is monotone.
-    pub(crate) fn line([place, end]: [u32; 2], [value, next]: [u16; 2]) -> Self {
+    pub fn line([place, end]: [u32; 2], [value, next]: [u16; 2]) -> Self {
         let rise = i32::from(next) - i32::from(value);
         let width = end.saturating_sub(place).max(1) as i32;
         Self { place: place as u16, value, slope: (rise << SLOPE_BITS) / width }

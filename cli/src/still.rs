@@ -1,0 +1,68 @@
+//! `luminaire still`: a wall that a light shines on.
+
+use luminaire::dynamic::AnyLight;
+use luminaire::{Rgb, Vec3};
+use luminaire_exchange::Refusal;
+
+/// The side of the picture in pixels.
+pub(crate) const SIDE: u32 = 512;
+
+/// Returns the pixels, in sRGB with three bytes each, of a white wall across the axis of a light at the
+/// throw. The picture shows a quarter more than the pool of light, and at most 90 degrees.
+pub(crate) fn wall(light: &AnyLight, throw: f64) -> Result<Vec<u8>, Refusal> {
+    let (position, axis) = match light {
+        AnyLight::Spot(spot) => (spot.position(), spot.axis()),
+        AnyLight::Point(point) => (point.position(), Vec3::new(0.0, -1.0, 0.0)),
+        AnyLight::Directional(_) => {
+            return Err(Refusal::new(
+                "light",
+                "directional",
+                "a spotlight or a point light: a wall in the sun is one colour",
+            ));
+        }
+    };
+    let half = match light {
+        AnyLight::Spot(spot) => (0.5 * spot.cone().outer().to_degrees() * 1.25).min(45.0),
+        _ => 45.0,
+    };
+    let lit = light.compile::<f32>()?;
+    let [x, y, z] = <[f32; 3]>::from(axis);
+    // Any two directions across the axis.
+    let across = if y.abs() < 0.9 { [z, 0.0, -x] } else { [0.0, -z, y] };
+    let length = across.iter().map(|c| c * c).sum::<f32>().sqrt();
+    let across = across.map(|c| c / length);
+    let up = [y * across[2] - z * across[1], z * across[0] - x * across[2], x * across[1] - y * across[0]];
+    let (throw, reach) = (throw as f32, throw as f32 * half.to_radians().tan());
+    let normal = Vec3::new(-x, -y, -z);
+    let color: Rgb<f32> = light.color();
+    let mut pixels = Vec::new();
+    for row in 0..SIDE {
+        for column in 0..SIDE {
+            let place = |pixel: u32| (2.0 * (pixel as f32 + 0.5) / SIDE as f32 - 1.0) * reach;
+            let (u, v) = (place(column), -place(row));
+            let origin = <[f32; 3]>::from(position);
+            let point: [f32; 3] =
+                std::array::from_fn(|i| origin[i] + throw * [x, y, z][i] + u * across[i] + v * up[i]);
+            let irradiance = lit.irradiance(point.into(), normal);
+            pixels.extend([color.red, color.green, color.blue].map(|channel| srgb(irradiance * channel)));
+        }
+    }
+    Ok(pixels)
+}
+
+/// Returns the code of a linear value in sRGB.
+fn srgb(linear: f32) -> u8 {
+    let x = linear.clamp(0.0, 1.0);
+    let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * encoded).round() as u8
+}
+
+/// Returns the pixels as a PNG.
+pub(crate) fn png(pixels: &[u8]) -> Result<Vec<u8>, Refusal> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, SIDE, SIDE);
+    encoder.set_color(png::ColorType::Rgb);
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(pixels));
+    written.map_err(|error| Refusal::new("picture", "wall", error))?;
+    Ok(bytes)
+}

@@ -1,0 +1,223 @@
+//! From measured intensities to the cheapest cone.
+
+use std::f64::consts::FRAC_PI_2;
+
+use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Hard, Quadratic, Soft};
+use luminaire::{Angle, Cone};
+
+use crate::curve::{Curve, Definition};
+use crate::refusal::Refusal;
+use crate::search;
+use crate::tabulate::Shape;
+
+/// A cone in place of measured intensities, and its difference from them.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Fit {
+    /// The falloff and its hotspot, such as `soft` or `cubic with a hotspot`.
+    pub name: &'static str,
+    /// The cone; the intensity on its axis is the largest one that was measured.
+    pub cone: Cone<AnyFalloff>,
+    /// The difference from the measured intensities.
+    pub residual: Residual,
+}
+
+/// The largest difference between two intensities over the angle, in linear codes: 1/255 of the largest
+/// measured intensity, which is full scale.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Residual {
+    /// The largest difference that was found.
+    pub found: f64,
+    /// An upper bound of the difference at every angle.
+    pub bound: f64,
+    /// The half angle in degrees of the difference that was found.
+    pub degrees: f64,
+    /// The measured intensity there, as a share of the largest.
+    pub measured: f64,
+    /// The intensity of the cone there, as a share of the largest.
+    pub fitted: f64,
+}
+
+/// Returns the intensity of a cone at a half angle in degrees, relative to the intensity of its light,
+/// in f64.
+pub fn share(cone: &Cone<AnyFalloff>, half_degrees: f64) -> f64 {
+    let [inner, outer, limit] = cone.versines().map(f64::from);
+    let versine = versine(half_degrees.to_radians());
+    if versine >= limit {
+        return 0.0;
+    }
+    let t = if versine <= inner { 1.0 } else { (outer - versine) / (outer - inner) };
+    cone.falloff().formula().exact(t)
+}
+
+pub(crate) fn versine(half: f64) -> f64 {
+    2.0 * (half / 2.0).sin().powi(2)
+}
+
+/// The polynomials, the cheapest first: the order of their counts of instructions in the records of
+/// `luminaire pick`.
+const NAMES: [&str; 8] = [
+    "soft",
+    "hard",
+    "quadratic",
+    "cubic",
+    "soft with a hotspot",
+    "hard with a hotspot",
+    "quadratic with a hotspot",
+    "cubic with a hotspot",
+];
+
+/// Outer and inner half angle in radians, and the slopes of the polynomial at the edge and at full
+/// intensity.
+type Parameters = [f64; 4];
+
+/// Returns the cones of the polynomials, the cheapest first, up to the first one within the tolerance in
+/// linear codes, and, if none is, the table of the curve as the last one.
+///
+/// The differences of a polynomial are searched at the measured angles and between them; the last number
+/// is a bound for every angle, because a polynomial of this crate is monotone and the intensities are
+/// lines.
+///
+/// # Errors
+/// A curve without light up to 90 degrees off the axis.
+pub fn fits(curve: &Curve, tolerance: f64) -> Result<Vec<Fit>, Refusal> {
+    let (peak, _) = curve.peak();
+    if peak <= 0.0 {
+        return Err(Refusal::new("largest intensity", peak, "light up to 90 degrees off the axis"));
+    }
+    let points = curve.points();
+    let middles = points.windows(2).map(|pair| (pair[0].0 + pair[1].0) / 2.0);
+    let grid: Vec<_> =
+        points.iter().map(|point| point.0).chain(middles).filter(|&degrees| degrees <= 90.0).collect();
+    let grid: Vec<_> =
+        grid.iter().map(|&degrees| (versine(degrees.to_radians()), curve.at(degrees) / peak)).collect();
+    let angle =
+        |share| curve.angle(share, Definition::Ies).map_or(FRAC_PI_2, |full| (full / 2.0).to_radians());
+    let (beam, field) = (angle(0.5), angle(0.1));
+    let end = curve.end().to_radians();
+    let mut found = Vec::new();
+    for (kind, name) in NAMES.iter().enumerate() {
+        let cost = |free: Parameters| {
+            let parameters = constrained(kind, free);
+            let [outer, inner, ..] = parameters;
+            let Some(coefficients) = coefficients(parameters) else { return f64::INFINITY };
+            if !(outer > 1e-6 && outer <= FRAC_PI_2 && (0.0..0.999 * outer).contains(&inner)) {
+                return f64::INFINITY;
+            }
+            let (inner, outer) = (versine(inner), versine(outer));
+            let difference = |&(v, share): &(f64, f64)| {
+                let t = ((outer - v) / (outer - inner)).clamp(0.0, 1.0);
+                let [a, b, c] = coefficients;
+                (t * (a + t * (b + t * c)) - share).abs()
+            };
+            grid.iter().map(difference).fold(0.0, f64::max)
+        };
+        let starts =
+            [field * 1.2, end, beam * 1.1].map(|outer| [outer.clamp(1e-5, FRAC_PI_2), beam / 2.0, 1.0, 1.0]);
+        let steps = |start: Parameters| match kind % 4 {
+            0 | 1 if kind < 4 => [start[0] / 4.0, 0.0, 0.0, 0.0],
+            0 | 1 => [start[0] / 4.0, start[1] / 2.0, 0.0, 0.0],
+            2 => [start[0] / 4.0, if kind < 4 { 0.0 } else { start[1] / 2.0 }, 0.5, 0.0],
+            _ => [start[0] / 4.0, if kind < 4 { 0.0 } else { start[1] / 2.0 }, 0.5, 0.5],
+        };
+        let searched = starts.map(|start| search::least(start, steps(start), cost));
+        let Some((best, least)) = searched.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
+        if least.is_finite() {
+            let cone = cone(kind, constrained(kind, best))?;
+            let residual = residual(curve, &cone);
+            found.push(Fit { name, cone, residual });
+            if residual.bound <= tolerance {
+                return Ok(found);
+            }
+        }
+    }
+    found.push(table(curve)?);
+    Ok(found)
+}
+
+/// Returns the parameters of a polynomial from those of the search.
+fn constrained(kind: usize, [outer, inner, edge, full]: Parameters) -> Parameters {
+    let inner = if kind < 4 { 0.0 } else { inner };
+    match kind % 4 {
+        0 => [outer, inner, 0.0, 2.0],
+        1 => [outer, inner, 2.0, 0.0],
+        2 => [outer, inner, edge, 2.0 - edge],
+        _ => [outer, inner, edge, full],
+    }
+}
+
+/// Returns the coefficients of the cubic with these slopes, or `None` if it is not monotone.
+fn coefficients([.., edge, full]: Parameters) -> Option<[f64; 3]> {
+    // A quadratic is the cubic without its last term.
+    let is_quadratic = edge + full == 2.0 && (0.0..=2.0).contains(&edge);
+    let is_monotone = is_quadratic || Cubic::with_slopes(edge as f32, full as f32).is_ok();
+    is_monotone.then_some([edge, 3.0 - 2.0 * edge - full, edge + full - 2.0])
+}
+
+fn cone(kind: usize, [outer, inner, edge, full]: Parameters) -> Result<Cone<AnyFalloff>, Refusal> {
+    let falloff = match kind % 4 {
+        0 => Soft.into(),
+        1 => Hard.into(),
+        2 => Quadratic::new(edge as f32)?.into(),
+        _ => Cubic::with_slopes(edge as f32, full as f32)?.into(),
+    };
+    let full_angle = |half: f64| Angle::degrees((2.0 * half.to_degrees()).min(180.0) as f32);
+    let cone = Cone::from_outer(falloff, full_angle(outer))?;
+    Ok(if kind < 4 { cone } else { cone.with_inner(full_angle(inner))? })
+}
+
+/// Returns the table of a curve up to 90 degrees off the axis.
+fn table(curve: &Curve) -> Result<Fit, Refusal> {
+    let (peak, _) = curve.peak();
+    let outer = curve.end().min(90.0).to_radians();
+    let breaks: Vec<_> =
+        curve.points().iter().map(|point| point.0.to_radians()).filter(|&a| a < outer).collect();
+    let at = |angle: f64| curve.at(angle.to_degrees()) / peak;
+    let (cone, bound) = Shape { inner: 0.0, outer, at: &at, breaks: &breaks }.cone()?;
+    let cone = cone.with_falloff(AnyFalloff::from(cone.falloff()));
+    let found = residual(curve, &cone);
+    Ok(Fit { name: "table", cone, residual: Residual { bound: (255.0 * bound).max(found.found), ..found } })
+}
+
+/// Returns the difference between a cone with a monotone falloff and a curve.
+pub(crate) fn residual(curve: &Curve, cone: &Cone<AnyFalloff>) -> Residual {
+    let (peak, _) = curve.peak();
+    let breaks = curve.points().iter().map(|point| point.0.min(90.0)).collect();
+    let end = f64::from(cone.outer().to_degrees()) / 2.0;
+    difference(&|degrees| curve.at(degrees) / peak, breaks, &|degrees| share(cone, degrees), end)
+}
+
+/// Returns the difference between two functions of the half angle in degrees. Both are monotone between
+/// two breaks of the first; the second one ends at an angle.
+pub(crate) fn difference(
+    measured: &dyn Fn(f64) -> f64,
+    mut breaks: Vec<f64>,
+    fitted: &dyn Fn(f64) -> f64,
+    end: f64,
+) -> Residual {
+    breaks.extend((0..=64).map(|i| end * f64::from(i) / 64.0));
+    breaks.sort_by(f64::total_cmp);
+    let mut worst = Residual::default();
+    let mut look = |degrees: f64| {
+        let (measured, fitted) = (measured(degrees), fitted(degrees));
+        let found = 255.0 * (measured - fitted).abs();
+        if found > worst.found {
+            worst = Residual { found, degrees, measured, fitted, ..worst };
+        }
+        (measured, fitted, worst.found)
+    };
+    let mut cells: Vec<_> = breaks.windows(2).map(|pair| (pair[0], pair[1])).collect();
+    let mut bound = 0.0_f64;
+    // In a cell neither function leaves the values at its ends.
+    while let Some((a, b)) = cells.pop() {
+        let ((m, f, _), (n, g, found)) = (look(a), look(b));
+        let largest = 255.0 * (m.max(n) - f.min(g)).max(f.max(g) - m.min(n));
+        if largest <= found + 0.05 || b - a < 1e-7 {
+            bound = bound.max(largest);
+        } else {
+            let middle = (a + b) / 2.0;
+            cells.extend([(a, middle), (middle, b)]);
+        }
+    }
+    worst.bound = bound.max(worst.found);
+    worst
+}

@@ -1,0 +1,438 @@
+//! The parameters of a light in other tools: those with the least difference.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::{Falloff, Formula};
+
+use crate::curve::Curve;
+use crate::fit::{self, Residual, versine};
+use crate::lamp::Lamp;
+use crate::refusal::Refusal;
+use crate::search;
+use crate::system::System;
+
+/// A light in the parameters of another tool.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Parameters {
+    /// The tool.
+    pub tool: System,
+    /// The parameters with the names and units of the tool, such as `spot_angle` and `25`.
+    pub values: Vec<(&'static str, String)>,
+    /// The difference over the angle, with the light's axis at full scale.
+    pub angle: Residual,
+    /// The largest difference over the distance in linear codes, from the throw to 16 throws, with the
+    /// light on its axis at the throw at full scale; found at 512 distances.
+    pub distance: f64,
+    /// What to know of the tool, a sentence each.
+    pub notes: Vec<&'static str>,
+}
+
+/// The tools that parameters can be written for.
+pub const TOOLS: [System; 10] = [
+    System::Blender,
+    System::Three,
+    System::Godot,
+    System::Unreal,
+    System::Unity,
+    System::Bevy,
+    System::Gltf,
+    System::Usd,
+    System::OpenGl,
+    System::Direct3d,
+];
+
+/// How a light is used.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Use {
+    /// The distance of the surface that counts.
+    pub throw: f64,
+    /// The irradiance that tools without units show as full scale.
+    pub full_scale: f64,
+    /// Whether the intensity of the light is in candela.
+    pub is_photometric: bool,
+}
+
+/// The falloffs of the tools over the angle.
+#[derive(Clone, Copy, PartialEq)]
+enum Family {
+    /// Smoothstep in the cosine.
+    SmoothCosine,
+    /// The square of a line in the cosine.
+    SquareCosine,
+    /// Smoothstep in the angle.
+    SmoothAngle,
+    /// `1 - u^p` with the versine `u`.
+    Inverted,
+    /// A power of the cosine, cut off.
+    Cosine,
+    /// A power of a line in the cosine.
+    Power,
+}
+
+/// Outer and inner half angle in radians, and an exponent.
+type Free = [f64; 3];
+
+impl Family {
+    fn of(tool: System) -> Self {
+        match tool {
+            System::Blender | System::Three => Self::SmoothCosine,
+            System::Usd => Self::SmoothAngle,
+            System::Godot => Self::Inverted,
+            System::OpenGl => Self::Cosine,
+            System::Direct3d => Self::Power,
+            _ => Self::SquareCosine,
+        }
+    }
+
+    fn has_inner(self) -> bool {
+        !matches!(self, Self::Inverted | Self::Cosine)
+    }
+
+    fn has_exponent(self) -> bool {
+        matches!(self, Self::Inverted | Self::Cosine | Self::Power)
+    }
+
+    fn accepts(self, [outer, inner, exponent]: Free) -> bool {
+        let exponents = match self {
+            Self::Inverted => 1.0 / 64.0..=64.0,
+            Self::Cosine => 0.0..=128.0,
+            _ => 1e-3..=64.0,
+        };
+        outer > 1e-5 && outer <= FRAC_PI_2 && (0.0..outer).contains(&inner) && exponents.contains(&exponent)
+    }
+
+    /// Returns the intensity at a half angle in radians.
+    fn at(self, [outer, inner, exponent]: Free, angle: f64) -> f64 {
+        if angle >= outer {
+            return 0.0;
+        }
+        let (v, from, to) = (versine(angle), versine(inner), versine(outer));
+        let t = ((to - v) / (to - from)).clamp(0.0, 1.0);
+        match self {
+            Self::SmoothCosine => t * t * (3.0 - 2.0 * t),
+            Self::SquareCosine => t * t,
+            Self::SmoothAngle => {
+                let t = ((outer - angle) / (outer - inner)).clamp(0.0, 1.0);
+                t * t * (3.0 - 2.0 * t)
+            }
+            Self::Inverted => 1.0 - (v / to).max(1e-4).powf(exponent),
+            Self::Cosine => angle.cos().powf(exponent),
+            Self::Power => t.powf(exponent),
+        }
+    }
+}
+
+/// The light over the angle that a tool is to show.
+struct Target<'a> {
+    at: Box<dyn Fn(f64) -> f64 + 'a>,
+    /// The half angles in degrees between which the light is monotone.
+    breaks: Vec<f64>,
+    /// Half angles in radians: beam, field and end.
+    angles: [f64; 3],
+}
+
+impl<'a> Target<'a> {
+    fn new(lamp: &'a Lamp) -> Option<Self> {
+        if let Some(curve) = &lamp.measured {
+            let breaks = curve.points().iter().map(|point| point.0.min(90.0)).collect();
+            let peak = curve.peak().0;
+            return Some(Self::of(move |degrees: f64| curve.at(degrees) / peak, breaks, curve.end(), curve));
+        }
+        let AnyLight::Spot(spot) = &lamp.light else { return None };
+        let cone = spot.cone();
+        let end = f64::from(cone.outer().to_degrees()) / 2.0;
+        let [inner, outer, _] = cone.versines().map(f64::from);
+        let degrees = |u: f64| (2.0 * ((inner + u * (outer - inner)) / 2.0).sqrt().asin()).to_degrees();
+        let places: Vec<f64> = match cone.falloff().formula() {
+            Formula::Knots(knots) => {
+                knots.iter().map(|knot| f64::from(knot.to_bits().0) / 65_536.0).collect()
+            }
+            Formula::Samples(samples) => {
+                (0..samples.len()).map(|i| i as f64 / (samples.len() - 1) as f64).collect()
+            }
+            _ => Vec::new(),
+        };
+        let mut breaks: Vec<_> = places.into_iter().map(degrees).chain([0.0, end, 90.0]).collect();
+        breaks.extend((0..=32).map(|i| end * f64::from(i) / 32.0));
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        let curve = Curve::new(breaks.iter().map(|&at| (at, fit::share(&cone, at))).collect())?;
+        Some(Self::of(move |degrees: f64| fit::share(&cone, degrees), breaks, end, &curve))
+    }
+
+    fn of(at: impl Fn(f64) -> f64 + 'a, breaks: Vec<f64>, end: f64, curve: &Curve) -> Self {
+        let half = |share| curve.angle(share, crate::Definition::Ies).map_or(end, |full| full / 2.0);
+        let angles = [half(0.5), half(0.1), end.min(90.0)].map(f64::to_radians);
+        Self { at: Box::new(at), breaks, angles }
+    }
+
+    /// Returns the parameters of a family with the least difference.
+    fn fitted(&self, family: Family) -> (Free, Residual) {
+        let middles = self.breaks.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0);
+        let grid: Vec<_> = self.breaks.iter().copied().chain(middles).collect();
+        let grid: Vec<_> = grid.iter().map(|&degrees| (degrees.to_radians(), (self.at)(degrees))).collect();
+        let cost = |free: Free| {
+            if !family.accepts(free) {
+                return f64::INFINITY;
+            }
+            grid.iter().map(|&(angle, share)| (family.at(free, angle) - share).abs()).fold(0.0, f64::max)
+        };
+        let [beam, field, end] = self.angles;
+        let inner = if family.has_inner() { 0.7 * beam } else { 0.0 };
+        // Of a power of the cosine: half of the light at the beam angle.
+        let exponent = if family == Family::Cosine {
+            (0.5_f64.ln() / beam.cos().max(1e-9).ln()).clamp(0.0, 128.0)
+        } else {
+            1.0
+        };
+        let starts = [end, field * 1.1, beam * 1.2].into_iter().flat_map(|outer| {
+            [[outer, inner, exponent], [outer, 0.0, exponent], [outer, inner.max(0.98 * outer), exponent]]
+        });
+        let found = starts.filter(|&start| family.accepts(start)).map(|start| {
+            let steps = [
+                start[0] / 4.0,
+                if family.has_inner() { start[0] / 4.0 } else { 0.0 },
+                if family.has_exponent() { start[2] / 2.0 + 0.25 } else { 0.0 },
+            ];
+            search::least(start, steps, cost)
+        });
+        let (free, _) = found.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([end, 0.0, 1.0], 1.0));
+        let fitted = |degrees: f64| family.at(free, degrees.to_radians());
+        // The end of the fitted cone is a break of it.
+        let mut breaks = self.breaks.clone();
+        breaks.push(free[0].to_degrees());
+        (free, fit::difference(&self.at, breaks, &fitted, free[0].to_degrees()))
+    }
+}
+
+/// A law of the distance in the words of its row.
+#[derive(Default)]
+struct Law {
+    law: String,
+    numbers: Vec<f64>,
+    window: String,
+    range: Option<f64>,
+}
+
+impl Describe for Law {
+    fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
+        law.clone_into(&mut self.law);
+        self.numbers =
+            arguments.iter().flat_map(|(_, values)| values.iter().map(|&value| value.into())).collect();
+    }
+
+    fn window(&mut self, _: &str, window: &str, range: Option<f32>) {
+        window.clone_into(&mut self.window);
+        self.range = range.map(f64::from);
+    }
+}
+
+/// Returns the parameters of a light in a tool.
+///
+/// # Errors
+/// A system without parameters to write, or a directional light, which has an intensity alone.
+pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, Refusal> {
+    if !TOOLS.contains(&tool) {
+        let names: Vec<_> = TOOLS.iter().map(|tool| tool.name()).collect();
+        return Err(Refusal::new("tool", tool, format_args!("one of {}", names.join(", "))));
+    }
+    let attenuation: AnyAttenuation = match &lamp.light {
+        AnyLight::Spot(spot) => spot.attenuation(),
+        AnyLight::Point(point) => point.attenuation(),
+        AnyLight::Directional(_) => {
+            return Err(Refusal::new(
+                "light",
+                "directional",
+                "a spotlight or a point light: of a directional light only the direction and the intensity count",
+            ));
+        }
+    };
+    let mut law = Law::default();
+    attenuation.describe(&mut law);
+    let (values, notes) = (Vec::new(), Vec::new());
+    let mut parameters = Parameters { tool, values, angle: Residual::default(), distance: 0.0, notes };
+    let target = Target::new(lamp);
+    let (free, angle) = target
+        .as_ref()
+        .map_or(([FRAC_PI_2, 0.0, 1.0], Residual::default()), |target| target.fitted(Family::of(tool)));
+    parameters.angle = angle;
+    let is_spot = target.is_some();
+
+    // The law of the tool, and the intensity with the same light at the throw.
+    let throw = usage.throw;
+    let decay = match (tool, law.law.as_str()) {
+        (System::Three | System::Godot, "constant") => 0.0,
+        (System::Three | System::Godot, "decay") => law.numbers[0],
+        _ => 2.0,
+    };
+    let range = law.range.filter(|_| !matches!(tool, System::Blender | System::Usd | System::OpenGl));
+    // A tool that cannot do without a range gets one that takes less than 0.1 codes at 2 throws.
+    let range = range
+        .or(matches!(tool, System::Godot | System::Unreal | System::Unity | System::Bevy)
+            .then_some(throw * 20.0));
+    let polynomial = match law.law.as_str() {
+        "constant" => [1.0, 0.0, 0.0],
+        "polynomial" if matches!(tool, System::OpenGl | System::Direct3d) => {
+            [law.numbers[0], law.numbers[1], law.numbers[2]]
+        }
+        _ => [0.0, 0.0, 1.0],
+    };
+    let falls = |d: f64| {
+        let window = |power: i32| range.map_or(1.0, |range| (1.0 - (d / range).powi(4)).max(0.0).powi(power));
+        match tool {
+            System::OpenGl => 1.0 / (polynomial[0] + d * (polynomial[1] + d * polynomial[2])),
+            System::Direct3d if range.is_some_and(|range| d > range) => 0.0,
+            System::Direct3d => 1.0 / (polynomial[0] + d * (polynomial[1] + d * polynomial[2])),
+            System::Gltf => window(1) / (d * d),
+            _ => window(2) * d.powf(-decay),
+        }
+    };
+    let intensity = f64::from(lamp.light.intensity());
+    let at_throw = intensity * attenuation.exact(throw);
+    let candela = at_throw / falls(throw);
+    let distances = (0..512).map(|i| throw * 16_f64.powf(f64::from(i) / 511.0));
+    parameters.distance = distances
+        .map(|d| {
+            255.0 * (candela * falls(d) - intensity * attenuation.exact(d)).abs()
+                / at_throw.max(f64::MIN_POSITIVE)
+        })
+        .fold(0.0, f64::max);
+
+    write(&mut parameters, is_spot, free, Strength { candela, usage }, decay, range, polynomial);
+    Ok(parameters)
+}
+
+/// How bright the light is.
+#[derive(Clone, Copy)]
+struct Strength {
+    candela: f64,
+    usage: Use,
+}
+
+/// Writes the parameters in the names and units of the tool.
+fn write(
+    parameters: &mut Parameters,
+    is_spot: bool,
+    [outer, inner, exponent]: Free,
+    Strength { candela, usage }: Strength,
+    decay: f64,
+    range: Option<f64>,
+    polynomial: [f64; 3],
+) {
+    let Parameters { tool, values, notes, .. } = parameters;
+    // Seven digits, without an exponent and without zeros at the end.
+    let digits = |value: f64| {
+        let digits = (6.0 - value.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
+        let text = format!("{value:.digits$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    };
+    let mut put = |key, value: f64| values.push((key, digits(value)));
+    let far = range.unwrap_or_default();
+    match tool {
+        System::Blender => {
+            if is_spot {
+                put("spot_size", 2.0 * outer);
+                put("spot_blend", 1.0 - versine(inner) / versine(outer));
+            }
+            put("energy", 4.0 * PI * candela / if usage.is_photometric { 683.0 } else { 1.0 });
+            if usage.is_photometric {
+                notes
+                    .push("the energy in watts counts 683 lumens a watt, as Blender's exporter of glTF does");
+            }
+        }
+        System::Three => {
+            if is_spot {
+                put("angle", outer);
+                put("penumbra", 1.0 - inner / outer);
+            }
+            put("decay", decay);
+            put("distance", far);
+            put("intensity", candela);
+        }
+        System::Godot => {
+            if is_spot {
+                put("spot_angle", outer.to_degrees());
+                put("spot_angle_attenuation", 1.0 / exponent);
+            }
+            put(if is_spot { "spot_range" } else { "omni_range" }, far);
+            put(if is_spot { "spot_attenuation" } else { "omni_attenuation" }, decay);
+            put("light_energy", candela / usage.full_scale);
+        }
+        System::Unreal => {
+            if is_spot {
+                put("InnerConeAngle", inner.to_degrees());
+                put("OuterConeAngle", outer.to_degrees());
+            }
+            put("AttenuationRadius", 100.0 * far);
+            put("Intensity", candela);
+            values.push(("IntensityUnits", "Candelas".to_owned()));
+            notes.push("from Unreal's shaders as published, not checked against a running engine");
+        }
+        System::Unity => {
+            if is_spot {
+                put("innerSpotAngle", 2.0 * inner.to_degrees());
+                put("spotAngle", 2.0 * outer.to_degrees());
+            }
+            put("range", far);
+            put("intensity", candela / usage.full_scale);
+            notes.push(
+                "for the Universal Render Pipeline, from its shaders, not checked against a running engine",
+            );
+        }
+        System::Bevy => {
+            if is_spot {
+                put("inner_angle", inner);
+                put("outer_angle", outer);
+            }
+            put("range", far);
+            put("intensity", 4.0 * PI * candela);
+        }
+        System::Gltf => {
+            if is_spot {
+                put("innerConeAngle", inner);
+                put("outerConeAngle", outer);
+            }
+            if far > 0.0 {
+                put("range", far);
+            }
+            put("intensity", candela);
+        }
+        System::Usd => {
+            if is_spot {
+                put("shaping:cone:angle", outer.to_degrees());
+                put("shaping:cone:softness", 1.0 - inner / outer);
+            }
+            put("normalize", 1.0);
+            put("radius", 0.01);
+            put("intensity", 4.0 * candela);
+        }
+        System::OpenGl => {
+            if is_spot {
+                put("spot_cutoff", outer.to_degrees());
+                put("spot_exponent", exponent);
+            }
+            put("constant_attenuation", polynomial[0]);
+            put("linear_attenuation", polynomial[1]);
+            put("quadratic_attenuation", polynomial[2]);
+            put("intensity", candela / usage.full_scale);
+            notes.push("the intensity is a factor of GL_DIFFUSE, which may be over 1");
+        }
+        _ => {
+            if is_spot {
+                put("theta", 2.0 * inner);
+                put("phi", 2.0 * outer);
+                put("falloff", exponent);
+            }
+            put("attenuation0", polynomial[0]);
+            put("attenuation1", polynomial[1]);
+            put("attenuation2", polynomial[2]);
+            if far > 0.0 {
+                put("range", far);
+            }
+            put("intensity", candela / usage.full_scale);
+            notes.push("the intensity is a factor of Diffuse, which may be over 1");
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! Functions of the angle as tables of knots.
+
+use luminaire::falloff::{Knot, Table};
+use luminaire::{Angle, Cone};
+
+use crate::refusal::Refusal;
+
+/// A falloff that is defined by a function of the angle, between an inner and an outer half angle.
+pub(crate) struct Shape<'a> {
+    /// Half angles in radians: full intensity up to the first, no light from the second on.
+    pub(crate) inner: f64,
+    pub(crate) outer: f64,
+    /// The intensity at a half angle in radians, in [0, 1].
+    pub(crate) at: &'a dyn Fn(f64) -> f64,
+    /// The half angles in radians between which the function is monotone.
+    pub(crate) breaks: &'a [f64],
+}
+
+/// The most knots of a table.
+const MOST: usize = 256;
+/// The largest difference at which no knot is added: a twentieth of a linear code.
+const ENOUGH: f64 = 0.05 / 255.0;
+/// The last place, in units of 1/65,536 of the span of versines.
+const EDGE: u32 = 65_536;
+
+/// A line of a table, with the largest difference that was found and its place.
+struct Line {
+    place: u32,
+    end: u32,
+    found: f64,
+    at: u32,
+}
+
+impl Shape<'_> {
+    /// Returns a cone with a table of at most 256 knots, and an upper bound of the difference between
+    /// table and function, relative to full intensity.
+    ///
+    /// A line is split at its largest difference (Ramer 1972) until none differs by more than a
+    /// twentieth of a code. The bound needs no derivative: the function is monotone between two breaks,
+    /// so within a cell neither it nor the line leaves the values at its ends.
+    ///
+    /// The knots live as long as the program, as those of every table that is chosen at run time.
+    pub(crate) fn cone(&self) -> Result<(Cone<Table<'static>>, f64), Refusal> {
+        let mut lines = vec![self.line(0, EDGE)];
+        while lines.len() < MOST {
+            let splits = |line: &&Line| line.found > ENOUGH && line.end - line.place > 1;
+            let worst = lines.iter().filter(splits).max_by(|a, b| a.found.total_cmp(&b.found));
+            let Some(&Line { place, end, at, .. }) = worst else { break };
+            let index = lines.partition_point(|line| line.place < place);
+            lines[index] = self.line(place, at);
+            lines.insert(index + 1, self.line(at, end));
+        }
+        let bound = lines.iter().map(|line| self.bound(line)).fold(0.0, f64::max);
+        let knots: Vec<_> = lines.iter().map(|line| self.knot(line.place, line.end)).collect();
+        let table = Table::from_knots(Vec::leak(knots))?;
+        let [inner, outer] =
+            [self.inner, self.outer].map(|half| Angle::degrees(2.0 * half.to_degrees() as f32));
+        let cone = Cone::from_outer(table, outer)?;
+        // The rounding of the angles, of the knots' values and of their slopes.
+        let rounded = bound + 2.0 / 65_535.0;
+        Ok((if self.inner > 0.0 { cone.with_inner(inner)? } else { cone }, rounded))
+    }
+
+    /// Returns the half angle in radians at a place between the versines of both angles.
+    fn angle(&self, place: f64) -> f64 {
+        let versine = |half: f64| 2.0 * (half / 2.0).sin().powi(2);
+        let (inner, outer) = (versine(self.inner), versine(self.outer));
+        2.0 * ((inner + (outer - inner) * place / f64::from(EDGE)) / 2.0).sqrt().min(1.0).asin()
+    }
+
+    fn place(&self, angle: f64) -> f64 {
+        let versine = |half: f64| 2.0 * (half / 2.0).sin().powi(2);
+        let (inner, outer) = (versine(self.inner), versine(self.outer));
+        (versine(angle) - inner) / (outer - inner) * f64::from(EDGE)
+    }
+
+    fn value(&self, place: f64) -> f64 {
+        (self.at)(self.angle(place)).clamp(0.0, 1.0)
+    }
+
+    fn knot(&self, place: u32, end: u32) -> Knot {
+        let value = |place: u32| (self.value(place.into()) * 65_535.0).round() as u16;
+        Knot::line([place, end], [value(place), value(end)])
+    }
+
+    /// Returns the chord between two places, with its largest difference from the function.
+    fn line(&self, place: u32, end: u32) -> Line {
+        let mut line = Line { place, end, found: 0.0, at: place + (end - place) / 2 };
+        for at in self.samples(place, end) {
+            let difference = (self.value(at) - self.chord(place, end, at)).abs();
+            if difference > line.found {
+                (line.found, line.at) = (difference, at.round() as u32);
+            }
+        }
+        line.at = line.at.clamp(place + 1, (end - 1).max(place + 1));
+        line
+    }
+
+    fn chord(&self, place: u32, end: u32, at: f64) -> f64 {
+        let (place, end) = (f64::from(place), f64::from(end));
+        let (from, to) = (self.value(place), self.value(end));
+        from + (to - from) * (at - place) / (end - place)
+    }
+
+    /// Returns evenly spaced places, and the breaks.
+    fn samples(&self, place: u32, end: u32) -> Vec<f64> {
+        let (from, to) = (f64::from(place), f64::from(end));
+        let even = (0..=32).map(|i| from + (to - from) * f64::from(i) / 32.0);
+        let breaks = self.breaks.iter().map(|&angle| self.place(angle)).filter(|at| (from..=to).contains(at));
+        let mut places: Vec<_> = even.chain(breaks).collect();
+        places.sort_by(f64::total_cmp);
+        places
+    }
+
+    /// Returns an upper bound of the difference between a line and the function.
+    fn bound(&self, line: &Line) -> f64 {
+        let places = self.samples(line.place, line.end);
+        let mut cells: Vec<_> = places.windows(2).map(|pair| (pair[0], pair[1])).collect();
+        let mut bound = line.found;
+        while let Some((a, b)) = cells.pop() {
+            let (f, g) = (
+                (self.value(a), self.value(b)),
+                (self.chord(line.place, line.end, a), self.chord(line.place, line.end, b)),
+            );
+            let (most, least) = (f.0.max(f.1) - g.0.min(g.1), g.0.max(g.1) - f.0.min(f.1));
+            let largest = most.max(least);
+            if largest <= line.found + ENOUGH || b - a < 1e-3 {
+                bound = bound.max(largest);
+            } else {
+                let middle = (a + b) / 2.0;
+                cells.extend([(a, middle), (middle, b)]);
+            }
+        }
+        bound
+    }
+}
