@@ -7,6 +7,7 @@ mod read;
 mod record;
 mod refusal;
 mod text;
+pub mod write;
 
 pub use crate::curve::{Curve, Definition};
 pub use crate::lamp::{Lamp, Lamps};

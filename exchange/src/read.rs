@@ -1,5 +1,9 @@
 //! Readers of files: each finds the lights, in the words of its system.
 
+pub(crate) mod eulumdat;
+pub(crate) mod ies;
+pub(crate) mod photometry;
+
 use crate::record::Record;
 use crate::refusal::Refusal;
 
