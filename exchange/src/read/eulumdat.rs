@@ -1,0 +1,126 @@
+//! EULUMDAT (Stockmar 1990): a value per line.
+
+use super::photometry::{ANY, Fields, POSITIVE, Photometry, Planes};
+use crate::refusal::Refusal;
+
+/// By its indicator each symmetry, the first plane with values and the last one, in quarters of a turn.
+const SYMMETRIES: [(&str, usize, usize); 5] = [
+    ("none", 0, 4),
+    ("rotational", 0, 0),
+    ("bilateral about C0-C180", 0, 2),
+    ("bilateral about C90-C270", 3, 5),
+    ("quadrant", 0, 1),
+];
+
+/// Returns the light of a file.
+///
+/// The intensity is the product of value, conversion factor and luminous flux over 1000 lm. The flux is
+/// that of all lamps of the first set, or with a negative number of lamps that of the luminaire:
+/// absolute photometry (DIAL and Lighting Analysts 2009). The number of lamps is no factor.
+///
+/// # Errors
+/// A file that is malformed, or of a light without rotational symmetry.
+pub(crate) fn read(text: &str) -> Result<Photometry, Refusal> {
+    let mut notes = Vec::new();
+    let mut lines = Fields::new((1..).zip(text.lines().map(str::trim)));
+    let company = lines.text("company")?;
+    lines.skip(1)?; // type
+    let symmetry = lines.count("symmetry indicator", 0)?;
+    let Some(&(symmetry, from, to)) = SYMMETRIES.get(symmetry) else {
+        return Err(lines.refusal("symmetry indicator", symmetry, "0, 1, 2, 3 or 4"));
+    };
+    let planes = lines.count("number of C planes", 1)?;
+    if planes * from % 4 != 0 || planes * to % 4 != 0 {
+        return Err(lines.refusal(
+            "number of C planes",
+            planes,
+            format_args!("a multiple of 4 if {symmetry}"),
+        ));
+    }
+    lines.skip(1)?; // distance of the planes
+    let angles = lines.count("number of intensities in a C plane", 2)?;
+    lines.skip(2)?; // distance of the angles, report
+    let names = [lines.text("luminaire name")?, lines.text("luminaire number")?, company];
+    lines.skip(13)?; // file, date, nine sizes, downward share, light output ratio
+    let mut factor = lines.number("conversion factor", POSITIVE)?;
+    lines.skip(1)?; // tilt
+    let sets = lines.count("number of lamp sets", 1)?;
+    let lamps = lines.number("number of lamps", ANY)?;
+    lines.skip(1)?; // type of lamps
+    let flux = lines.number("luminous flux", POSITIVE)?;
+    factor *= flux / 1000.0;
+    if lamps >= 0.0 {
+        notes.push(format!("Relative photometry: the intensities are with lamps of {flux} lm."));
+    }
+    if sets > 1 {
+        notes.push(format!("The intensities are those with the first of {sets} sets of lamps."));
+    }
+    lines.skip(3 + 6 * (sets - 1) + 10)?; // colours and power, the other sets, ratios of rooms
+    let all = lines.ascending("C plane", planes, 0.0..=360.0)?;
+    let vertical = lines.ascending("angle", angles, -90.0..=180.0)?;
+
+    // Bilateral about C90-C270 begins at C270 and goes on behind C360.
+    let first = planes * from / 4;
+    let count = planes.min(planes * (to - from) / 4 + 1);
+    let again = all.iter().map(|angle| angle + 360.0);
+    let horizontal: Vec<_> = all[first..].iter().copied().chain(again).take(count).collect();
+    let candela = lines.candela(angles.saturating_mul(count), factor)?;
+    Planes { symmetry, horizontal, vertical, candela }.light(&names, notes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILE: &str = include_str!("../../tests/files/spot.ldt");
+    const PLANE: &str = "4000\n3800\n1000\n10\n0\n";
+
+    #[test]
+    fn eulumdat_gives_name_and_curve() {
+        let points = [(0.0, 2000.0), (2.5, 1900.0), (7.0, 500.0), (20.0, 5.0), (90.0, 0.0)];
+        let light = read(&(FILE.replace('\n', "\r\n") + "\x1a")).unwrap();
+        assert_eq!((&*light.name, light.curve.points(), light.difference), ("Spot 12", &points[..], 0.0));
+        assert_eq!(light.notes, ["Relative photometry: the intensities are with lamps of 500 lm."]);
+        let absolute = read(&FILE.replace("2\nLED", "-2\nLED")).unwrap();
+        assert_eq!((&absolute.curve, absolute.notes.len()), (&light.curve, 0));
+        let two = FILE.replace("1\n2\nLED", "2\n2\nLED").replace("\n12\n", "\n12\n1\nA\n9\n\n\n5\n");
+        let first = read(&two).unwrap();
+        assert_eq!(first.curve, light.curve);
+        assert_eq!(first.notes[1], "The intensities are those with the first of 2 sets of lamps.");
+    }
+
+    #[test]
+    fn eulumdat_planes_that_differ_are_refused_by_plane_and_angle() {
+        let other = PLANE.replace("1000", "1200");
+        for (symmetry, planes, expected) in [
+            (0, [PLANE, &other, PLANE, PLANE].concat(), ["none", "plane 90", "3.8 %"]),
+            (2, [PLANE, PLANE, &other].concat(), ["bilateral about C0-C180", "plane 180", "3.8 %"]),
+            (3, [PLANE, PLANE, &other].concat(), ["bilateral about C90-C270", "plane 90", "3.8 %"]),
+            (4, [PLANE, &other].concat(), ["quadrant", "plane 90", "2.5 %"]),
+        ] {
+            let head = FILE.replacen("1\n1\n4\n", &format!("1\n{symmetry}\n4\n"), 1);
+            let file = |planes: &str| head.strip_suffix(PLANE).unwrap().to_owned() + planes;
+            let found = read(&file(&planes)).unwrap_err().to_string();
+            assert!(expected.iter().all(|part| found.contains(part)), "expected {expected:?}, found {found}");
+            let same = read(&file(&planes.replace("1200", "1000"))).unwrap();
+            assert_eq!(same.curve, read(FILE).unwrap().curve);
+        }
+    }
+
+    #[test]
+    fn eulumdat_that_is_malformed_is_refused_at_its_line() {
+        for (part, other, expected) in [
+            ("1\n1\n4\n", "1\n5\n4\n", "line 3: symmetry indicator = 5: expected 0, 1, 2, 3 or 4"),
+            ("1\n1\n4\n", "1\n2\n3\n", "line 4: number of C planes = 3: expected a multiple of"),
+            ("500\n3000", "0\n3000", "line 29: luminous flux = 0: expected a number from"),
+            ("7\n20", "20\n7", "line 50: angle = 7: expected ascending angles, here over 20"),
+            ("3800\n", "", "line 55: intensity = the end of the file: expected a value"),
+            ("3800\n", "3800\n1\n", "line 57: value = 0: expected the end of the file"),
+        ] {
+            let found = read(&FILE.replacen(part, other, 1)).unwrap_err().to_string();
+            assert!(found.starts_with(expected), "expected {expected}, found {found}");
+        }
+        let whole = FILE.trim_end();
+        assert!((0..whole.len()).all(|end| read(&whole[..end]).is_err()));
+    }
+}

@@ -1,0 +1,166 @@
+//! What the photometric formats share: fields of a text with their lines, and planes that agree.
+
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+
+use crate::curve::Curve;
+use crate::refusal::Refusal;
+
+/// A photometric file of a light with rotational symmetry.
+#[derive(Debug)]
+pub(crate) struct Photometry {
+    pub(crate) name: String,
+    pub(crate) curve: Curve,
+    /// The largest difference of a plane from the curve, relative to the peak; 0 with one plane.
+    pub(crate) difference: f64,
+    pub(crate) notes: Vec<String>,
+}
+
+/// The accepted numbers of a field.
+type Range = RangeInclusive<f64>;
+/// A factor of the intensities, or a luminous flux in lumens.
+pub(crate) const POSITIVE: Range = 1e-9..=1e9;
+/// A number that does not matter, but must be one.
+pub(crate) const ANY: Range = -1e9..=1e9;
+
+/// The fields of a text, each a word or a line, in their order.
+pub(crate) struct Fields<'a> {
+    rest: Box<dyn Iterator<Item = (usize, &'a str)> + 'a>,
+    /// The line of the last field.
+    line: usize,
+}
+
+impl<'a> Fields<'a> {
+    /// Creates fields with their lines, from 1.
+    pub(crate) fn new(fields: impl Iterator<Item = (usize, &'a str)> + 'a) -> Self {
+        Self { rest: Box::new(fields), line: 1 }
+    }
+
+    /// Returns the next field.
+    pub(crate) fn text(&mut self, name: &str) -> Result<&'a str, Refusal> {
+        let Some((line, field)) = self.rest.next() else {
+            return Err(self.refusal(name, "the end of the file", "a value: the file is truncated"));
+        };
+        self.line = line;
+        Ok(field)
+    }
+
+    /// Passes over fields that have no effect.
+    pub(crate) fn skip(&mut self, count: usize) -> Result<(), Refusal> {
+        (0..count).try_for_each(|_| self.text("line").map(drop))
+    }
+
+    /// Returns the next field as a number within a range, with a point or a comma before the decimals.
+    pub(crate) fn number(&mut self, name: &str, range: Range) -> Result<f64, Refusal> {
+        let field = self.text(name)?;
+        let number = field.replace(',', ".").parse().ok().filter(|number| range.contains(number));
+        let expected = format_args!("a number from {} to {}", range.start(), range.end());
+        number.ok_or_else(|| self.refusal(name, field, expected))
+    }
+
+    /// Returns the next field as the number of things that follow, at most a million. No memory is
+    /// reserved for it, because it is only a claim.
+    pub(crate) fn count(&mut self, name: &str, least: usize) -> Result<usize, Refusal> {
+        let count = self.number(name, least as f64..=1e6)?;
+        if count.fract() != 0.0 {
+            return Err(self.refusal(name, count, "a whole number"));
+        }
+        Ok(count as usize)
+    }
+
+    /// Returns the next fields as ascending numbers within a range.
+    pub(crate) fn ascending(&mut self, name: &str, count: usize, range: Range) -> Result<Vec<f64>, Refusal> {
+        let mut angles: Vec<f64> = Vec::new();
+        for _ in 0..count {
+            let angle = self.number(name, range.clone())?;
+            if let Some(last) = angles.last().filter(|&&last| angle <= last) {
+                return Err(self.refusal(name, angle, format_args!("ascending angles, here over {last}")));
+            }
+            angles.push(angle);
+        }
+        Ok(angles)
+    }
+
+    /// Returns the intensities, at most 1e9 cd, which end the file. A Ctrl-Z of DOS may follow.
+    pub(crate) fn candela(&mut self, count: usize, factor: f64) -> Result<Vec<f64>, Refusal> {
+        let value = |_| Ok(factor * self.number("intensity", 0.0..=1e9 / factor)?);
+        let values = (0..count).map(value).collect::<Result<_, Refusal>>()?;
+        if let Some((line, field)) = self.rest.find(|(_, field)| !matches!(*field, "" | "\x1a")) {
+            self.line = line;
+            return Err(self.refusal("value", field, "the end of the file: a declared count is too small"));
+        }
+        Ok(values)
+    }
+
+    /// Returns a refusal at the line of the last field.
+    pub(crate) fn refusal(&self, name: &str, value: impl Display, expected: impl Display) -> Refusal {
+        Refusal::new(name, value, expected).at(format_args!("line {}", self.line))
+    }
+}
+
+/// Intensities in candela in planes through the vertical axis, one plane after the other: the symmetry
+/// that the file states, and ascending angles in degrees of the planes and from the direction down.
+pub(crate) struct Planes {
+    pub(crate) symmetry: &'static str,
+    pub(crate) horizontal: Vec<f64>,
+    pub(crate) vertical: Vec<f64>,
+    pub(crate) candela: Vec<f64>,
+}
+
+impl Planes {
+    /// Returns the light with the first name that is not empty, and the mean of the planes as its curve.
+    /// For a light that shines up, half angles are from the vertical angle 180.
+    ///
+    /// # Errors
+    /// A plane that differs from the mean by more than 1/255 of the peak, no light, or vertical angles
+    /// that do not begin at the axis.
+    pub(crate) fn light(&self, names: &[&str], mut notes: Vec<String>) -> Result<Photometry, Refusal> {
+        let (first, last) = (self.vertical[0], self.vertical[self.vertical.len() - 1]);
+        let refusal = |expected| Refusal::new("vertical angles", format_args!("{first} to {last}"), expected);
+        if first != 0.0 && (first, last) != (90.0, 180.0) {
+            return Err(refusal("0 to 90, 0 to 180, or 90 to 180 (type C)"));
+        }
+        let mut mean = vec![0.0; self.vertical.len()];
+        for (weight, plane) in weights(&self.horizontal).zip(self.candela.chunks(mean.len())) {
+            mean.iter_mut().zip(plane).for_each(|(mean, candela)| *mean += weight * candela);
+        }
+        let mut points: Vec<_> = self.vertical.iter().copied().zip(mean).collect();
+        // In reverse, because the last of equal ones counts.
+        let peak = points.iter().rev().copied().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
+        if peak.1 == 0.0 {
+            return Err(Refusal::new("intensities", "0 cd at every angle", "a light"));
+        }
+        let size = points.len();
+        let difference = |&at: &usize| (self.candela[at] - points[at % size].1).abs() / peak.1;
+        let order = |a: &_, b: &_| difference(a).total_cmp(&difference(b));
+        let worst = (0..self.candela.len()).max_by(order).unwrap_or_default();
+        let difference = difference(&worst);
+        if difference > 1.0 / 255.0 {
+            let (plane, angle) = (self.horizontal[worst / size] % 360.0, self.vertical[worst % size]);
+            let expected = format!(
+                "a light with rotational symmetry; in this one the horizontal plane {plane} differs from \
+                 the mean of the planes by {:.1} % of the peak at the vertical angle {angle}",
+                100.0 * difference
+            );
+            return Err(Refusal::new("symmetry", self.symmetry, expected));
+        }
+        if last == 180.0 && (first == 90.0 || peak.0 > 90.0) {
+            notes.push("The light shines up: half angles are from the vertical angle 180.".to_owned());
+            points = points.into_iter().rev().map(|(angle, candela)| (180.0 - angle, candela)).collect();
+        }
+        let curve = Curve::new(points).ok_or_else(|| refusal("ascending angles"))?;
+        let name = (*names.iter().find(|name| !name.is_empty()).unwrap_or(&"")).to_owned();
+        Ok(Photometry { name, curve, difference, notes })
+    }
+}
+
+/// Returns the share of each plane in the mean: half the angle to its neighbours, so that the planes 0
+/// and 360 share one. A circle whose last plane is not 360 closes from its last plane to its first.
+fn weights(planes: &[f64]) -> impl Iterator<Item = f64> {
+    let turn = planes[planes.len() - 1] - planes[0];
+    let gap = if turn > 180.0 || planes.len() == 1 { 360.0 - turn } else { 0.0 };
+    let gaps = move || planes.windows(2).map(|pair| pair[1] - pair[0]);
+    let before = std::iter::once(gap).chain(gaps());
+    let after = gaps().chain(std::iter::once(gap));
+    before.zip(after).map(move |(before, after)| (before + after) / (2.0 * (turn + gap)))
+}

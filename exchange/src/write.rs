@@ -1,0 +1,5 @@
+//! Files for other tools.
+
+mod ies;
+
+pub use ies::ies;
