@@ -6,8 +6,10 @@ mod lamp;
 mod read;
 mod record;
 mod refusal;
+mod sheet;
 mod text;
 
 pub use crate::curve::{Curve, Definition};
 pub use crate::lamp::{Lamp, Lamps};
 pub use crate::refusal::Refusal;
+pub use crate::sheet::{Edge, Sheet, fixture};

@@ -1,5 +1,8 @@
 //! Readers of files: each finds the lights, in the words of its system.
 
+pub(crate) mod gdtf;
+pub(crate) mod ofl;
+
 use crate::record::Record;
 use crate::refusal::Refusal;
 
