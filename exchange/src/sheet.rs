@@ -168,8 +168,6 @@ pub fn fixture(name: &str) -> Result<Sheet, Refusal> {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
-
     use super::*;
 
     fn lamp(beam: f64, field: f64) -> Lamp {
@@ -181,12 +179,13 @@ mod tests {
     fn flux_is_the_integral_of_the_light() {
         for (beam, field) in [(7.0, 15.0), (23.0, 23.0), (60.0, 90.0), (120.0, 120.0)] {
             let light = lamp(beam, field).light.compile::<f32>().expect("f32 holds it");
+            let step = std::f64::consts::PI / 1e5;
             let cell = |i: u32| {
-                let angle = PI / 1e5 * (f64::from(i) + 0.5);
-                let [x, z] = [angle.sin(), -angle.cos()].map(|c| c as f32);
-                angle.sin() * f64::from(light.irradiance([x, 0.0, z].into(), [-x, 0.0, -z].into()))
+                let (sine, cosine) = (step * (f64::from(i) + 0.5)).sin_cos();
+                let [x, z] = [sine as f32, cosine as f32];
+                sine * f64::from(light.irradiance([x, 0.0, -z].into(), [-x, 0.0, z].into()))
             };
-            let lumens = (0..100_000).map(cell).sum::<f64>() * 2.0 * PI * PI / 1e5;
+            let lumens = (0..100_000).map(cell).sum::<f64>() * std::f64::consts::TAU * step;
             assert!((lumens / 8_700.0 - 1.0).abs() < 1e-4, "{beam} and {field} degrees: {lumens} lm");
         }
     }

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::{iter, ptr};
 
 use serde::Deserialize;
-use serde_json::Value;
 
 use crate::lamp::Lamps;
 use crate::refusal::Refusal;
@@ -21,7 +20,7 @@ struct Part {
     #[serde(default)]
     modes: Vec<Part>,
     #[serde(default)]
-    wheels: BTreeMap<String, Value>,
+    wheels: BTreeMap<String, Wheel>,
 }
 
 #[derive(Default, Deserialize)]
@@ -39,12 +38,22 @@ struct Numbers {
     degrees_min_max: Option<[f64; 2]>,
 }
 
+#[derive(Deserialize)]
+struct Wheel {
+    slots: Vec<Slot>,
+}
+
+#[derive(Deserialize)]
+struct Slot {
+    r#type: String,
+    name: Option<String>,
+}
+
 /// Reads the light of a fixture, and one more for each mode with another lens or bulb.
 ///
 /// The library documents the angle of a lens (`Physical.lensDegreesMin`) as the beam angle, but most
-/// files have the only angle of a data sheet, of whatever kind: [`Sheet`]
-/// takes it as the beam angle and notes the other choice. The edge is hard for scanners and for
-/// fixtures with gobos.
+/// files have the only angle of a data sheet, of whatever kind: [`Sheet`] takes it as the beam angle and
+/// notes the other choice. The edge is hard for scanners and for fixtures with gobos.
 ///
 /// # Errors
 /// Other text than the JSON of a fixture, more than 2 MiB, or no angle.
@@ -55,9 +64,8 @@ pub(crate) fn read(text: &str) -> Result<Lamps, Refusal> {
     let fixture: Part = serde_json::from_str(text)
         .map_err(|error| Refusal::new("file", error, "a fixture of the Open Fixture Library"))?;
     let mut lamps = Lamps::default();
-    let slots = fixture.wheels.values().filter_map(|wheel| wheel["slots"].as_array()).flatten();
-    let gobos = slots.filter(|slot| slot["type"] == "Gobo").take(20);
-    let gobos: Vec<_> = gobos.map(|slot| slot["name"].as_str().unwrap_or("unnamed")).collect();
+    let gobos = fixture.wheels.values().flat_map(|wheel| &wheel.slots).filter(|slot| slot.r#type == "Gobo");
+    let gobos: Vec<_> = gobos.take(20).map(|slot| slot.name.as_deref().unwrap_or("unnamed")).collect();
     lamps.notes.extend((!gobos.is_empty()).then(|| format!("gobos: {}", gobos.join(", "))));
     let scans = fixture.categories.iter().any(|category| category.ends_with("Scanner"));
     let edge = if scans || !gobos.is_empty() { Edge::Hard } else { Edge::Soft };
