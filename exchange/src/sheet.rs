@@ -1,0 +1,228 @@
+//! A light from the numbers of its data sheet.
+
+use std::cmp::Reverse;
+
+use luminaire::falloff::{AnyFalloff, Hard, Soft};
+use luminaire::import::Difference;
+use luminaire::{Angle, Cone, SpotLight, dynamic::AnyLight};
+use luminaire_fixtures::{FIXTURES, Kind};
+
+use crate::lamp::Lamp;
+use crate::refusal::Refusal;
+
+/// The edge of a light of which one angle is known.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Edge {
+    /// The soft quadratic: a wash, a Fresnel, a PAR.
+    #[default]
+    Soft,
+    /// The hard quadratic: a profile or a spot, which project gobos.
+    Hard,
+}
+
+/// The numbers of a data sheet.
+///
+/// Equal beam and field angles are one published angle of unknown kind: the beam angle, unless it is
+/// too wide for one. The Open Fixture Library documents its angles as beam angles, GDTF describes
+/// `Zoom` as what adjusts the beam angle, and the lower peak is the safer error, because many published
+/// lumens are those of the lamp without its optics. A note has the peak of the field angle.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Sheet {
+    /// The name of the light.
+    pub name: String,
+    /// The full beam angle (50 %) in degrees.
+    pub beam: Option<f64>,
+    /// The full field angle (10 %) in degrees.
+    pub field: Option<f64>,
+    /// The luminous flux in lumens.
+    pub lumens: Option<f64>,
+    /// The intensity on the axis in candela.
+    pub candela: Option<f64>,
+    /// The distance of `lux` in metres.
+    pub throw: Option<f64>,
+    /// The illuminance on the axis in lux.
+    pub lux: Option<f64>,
+    /// The edge, if one angle is known. Two angles determine it.
+    pub edge: Edge,
+    /// Beam and field angle of the widest zoom. `beam` and `field` are those of the narrowest.
+    pub widest: Option<[Option<f64>; 2]>,
+    /// What was assumed or left out so far.
+    pub notes: Vec<String>,
+}
+
+impl Sheet {
+    /// Returns the light, at the origin and along -z.
+    ///
+    /// Its intensity is `candela`, else that of `lux`, else that of `lumens`, else 1. The widest zoom
+    /// has the same flux.
+    ///
+    /// # Errors
+    /// Angles of no cone, an intensity outside [0, 1e9] candela, or `lux` without `throw`.
+    pub fn lamp(&self) -> Result<Lamp, Refusal> {
+        let mut notes = self.notes.clone();
+        let (mut angles, mut widest) = ([self.beam, self.field], self.widest);
+        if let (true, Some(wide)) = (angles.contains(&Some(0.0)), widest) {
+            notes.push("the zoom begins at 0 degrees, which is no cone: the light is the widest zoom".into());
+            (angles, widest) = (wide, None);
+        }
+        let mut published = angles[0].filter(|_| angles[0] == angles[1]);
+        if published.is_some() && self.cone([widest.unwrap_or(angles)[0], None]).is_err() {
+            notes.push("the published angle is too wide for a beam angle: it is the field angle".into());
+            (published, angles[0], widest) = (None, None, widest.map(|[_, field]| [None, field]));
+        }
+        let cone = self.cone(angles)?;
+
+        let throw = self.throw.filter(|throw| *throw > 0.0);
+        let lux = match (self.lux, throw) {
+            (Some(lux), None) => return Err(Refusal::new("lux", lux, "with a throw of over 0 metres")),
+            (lux, throw) => lux.zip(throw).map(|(lux, throw)| lux * throw * throw),
+        };
+        let flux = self.lumens.map(|lumens| f64::from(cone.candela(lumens as f32)));
+        let peaks = [("intensity", self.candela), ("illuminance", lux), ("flux", flux)];
+        let mut peaks = peaks.into_iter().filter_map(|(source, peak)| Some((source, peak?)));
+        let first = peaks.next();
+        let intensity = first.map_or(1.0, |(_, peak)| peak as f32);
+        let lumens = cone.lumens(intensity);
+        let [own_peak, own_flux] = [number(intensity, "cd"), number(lumens, "lm")];
+        for (source, peak) in peaks.filter(|(_, peak)| (peak / f64::from(intensity) - 1.0).abs() > 0.1) {
+            let peak = number(peak as f32, "cd");
+            notes.push(format!("the {source} means a peak of {peak}, but the light has {own_peak}"));
+        }
+        let lux = |throw: f64| number(intensity / (throw * throw) as f32, "lx");
+        let lux = throw.map_or(String::new(), |throw| format!(", {} at {throw} m", lux(throw)));
+        notes.push(match first {
+            None => "no intensity, illuminance or flux is given: the intensity is 1".into(),
+            Some(_) => format!("peak {own_peak}, flux {own_flux}{lux}"),
+        });
+        if let Some(degrees) = published {
+            let (degrees, peak) = (degrees as f32, self.cone([None, published])?.candela(lumens));
+            let other = format!("the peak of this flux is {} in place of {own_peak}", number(peak, "cd"));
+            notes.push(format!("if {degrees} degrees is the field angle, not the beam angle, {other}"));
+        }
+        let wide = widest.filter(|wide| *wide != angles).map(|wide| self.cone(wide));
+        let wide = wide.map(|cone| cone.and_then(|cone| lit(cone, cone.candela(lumens))));
+        if let Some(Err(refusal)) = &wide {
+            notes.push(format!("the widest zoom is left out: {refusal}"));
+        }
+        let (name, light, difference) = (self.name.clone(), lit(cone, intensity)?, Difference::default());
+        let widest = wide.and_then(Result::ok);
+        Ok(Lamp { name, light, difference, measured: None, widest, surfaces: None, notes })
+    }
+
+    /// Returns the cone of one angle or of two different ones.
+    fn cone(&self, angles: [Option<f64>; 2]) -> Result<Cone<AnyFalloff>, Refusal> {
+        let falloff = if self.edge == Edge::Soft { AnyFalloff::from(Soft) } else { Hard.into() };
+        match angles.map(|angle| angle.map(|degrees| Angle::degrees(degrees as f32))) {
+            [Some(beam), Some(field)] if beam != field => match Cone::from_beam_and_field(beam, field) {
+                Ok(cone) => Ok(cone.with_falloff(cone.falloff().into())),
+                Err(error) => {
+                    let expected = format!("{}, or one of the two angles alone", error.accepted);
+                    Err(Refusal::new(error.parameter, error.value, expected))
+                }
+            },
+            [Some(beam), _] => Ok(Cone::from_beam(falloff, beam)?),
+            [None, Some(field)] => Ok(Cone::from_field(falloff, field)?),
+            [None, None] => Err(Refusal::new("angle", "none", "a beam angle (50 %) or a field angle (10 %)")),
+        }
+    }
+}
+
+fn lit(cone: Cone<AnyFalloff>, intensity: f32) -> Result<AnyLight, Refusal> {
+    Ok(SpotLight::new([0.0; 3], [0.0, 0.0, -1.0], cone)?.with_intensity(intensity)?.into())
+}
+
+/// Returns a value with its unit, at least three digits, and commas between the thousands.
+fn number(value: f32, unit: &str) -> String {
+    let decimals = usize::from(value < 100.0) + usize::from(value < 10.0);
+    let digits = format!("{value:.decimals$}");
+    let (whole, rest) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
+    let groups: Vec<_> = whole.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy).collect();
+    format!("{}{rest} {unit}", groups.join(","))
+}
+
+/// Returns the numbers of a stage light of [`luminaire_fixtures`], by its name or by a part of it that
+/// no other name has, in any case.
+///
+/// # Errors
+/// Another name; the refusal has the eight names that share the most pairs of letters with it.
+pub fn fixture(name: &str) -> Result<Sheet, Refusal> {
+    let wanted = name.trim().to_lowercase();
+    let mut all: Vec<_> = FIXTURES.iter().map(|fixture| (fixture.name.to_lowercase(), fixture)).collect();
+    let parts: Vec<_> = all.iter().filter(|(lower, _)| lower.contains(&wanted)).collect();
+    let whole = parts.iter().find(|(lower, _)| *lower == wanted);
+    let Some((_, found)) = whole.or(parts.first().filter(|_| parts.len() == 1)) else {
+        let shared = |lower: &str| {
+            let has = |pair: &&[u8]| lower.as_bytes().windows(2).any(|own| own == *pair);
+            wanted.as_bytes().windows(2).filter(has).count()
+        };
+        all.sort_by_cached_key(|(lower, _)| Reverse(shared(lower)));
+        let nearest: Vec<_> = all.iter().take(8).map(|(_, fixture)| fixture.name).collect();
+        return Err(Refusal::new("fixture", name, format_args!("one name, such as {}", nearest.join("; "))));
+    };
+    let [narrow, wide] = [found.narrowest, found.widest].map(|angle| Some(f64::from(angle)));
+    let edge = if matches!(found.kind, Kind::Profile | Kind::Spot) { Edge::Hard } else { Edge::Soft };
+    let (lumens, widest) = (found.lumens.map(f64::from), (narrow != wide).then_some([wide; 2]));
+    let name = found.name.into();
+    Ok(Sheet { name, beam: narrow, field: narrow, lumens, edge, widest, ..Sheet::default() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lamp(beam: f64, field: f64) -> Lamp {
+        let (beam, field, lumens) = (Some(beam), Some(field), Some(8_700.0));
+        Sheet { beam, field, lumens, throw: Some(10.0), ..Sheet::default() }.lamp().expect("angles of a cone")
+    }
+
+    #[test]
+    fn flux_is_the_integral_of_the_light() {
+        for (beam, field) in [(7.0, 15.0), (23.0, 23.0), (60.0, 90.0), (120.0, 120.0)] {
+            let light = lamp(beam, field).light.compile::<f32>().expect("f32 holds it");
+            let step = std::f64::consts::PI / 1e5;
+            let cell = |i: u32| {
+                let (sine, cosine) = (step * (f64::from(i) + 0.5)).sin_cos();
+                let [x, z] = [sine as f32, cosine as f32];
+                sine * f64::from(light.irradiance([x, 0.0, -z].into(), [-x, 0.0, z].into()))
+            };
+            let lumens = (0..100_000).map(cell).sum::<f64>() * std::f64::consts::TAU * step;
+            assert!((lumens / 8_700.0 - 1.0).abs() < 1e-4, "{beam} and {field} degrees: {lumens} lm");
+        }
+    }
+
+    #[test]
+    fn two_angles_are_those_of_the_cone_and_equal_ones_are_one() {
+        let AnyLight::Spot(spot) = lamp(7.0, 15.0).light else { panic!("expected a spotlight") };
+        let angles = [spot.cone().beam(), spot.cone().field()].map(|angle| angle.to_degrees().round());
+        assert_eq!(angles, [7.0, 15.0]);
+        let [peak, other] = &lamp(23.0, 23.0).notes[..] else { panic!("expected two notes") };
+        assert_eq!(peak, "peak 60,605 cd, flux 8,700 lm, 606 lx at 10 m");
+        assert!(other.ends_with("the peak of this flux is 141,485 cd in place of 60,605 cd"), "{other}");
+        assert!(lamp(120.0, 120.0).notes[0].contains("it is the field angle"));
+        let refused = Sheet { beam: Some(20.0), field: Some(10.0), ..Sheet::default() }.lamp().unwrap_err();
+        assert!(refused.to_string().contains("alone"), "{refused}");
+    }
+
+    #[test]
+    fn intensity_is_measured_before_it_is_computed() {
+        let mut sheet = Sheet { field: Some(20.0), lumens: Some(1_000.0), ..Sheet::default() };
+        (sheet.lux, sheet.throw, sheet.widest) = (Some(100.0), Some(5.0), Some([None, Some(40.0)]));
+        let lamp = sheet.lamp().expect("a cone");
+        assert_eq!(lamp.light.intensity(), 2_500.0);
+        assert!(lamp.notes[0].starts_with("the flux means a peak of"), "{:?}", lamp.notes);
+        assert!(lamp.widest.is_some_and(|wide| wide.intensity() < 700.0));
+        sheet.throw = None;
+        assert!(sheet.lamp().is_err());
+    }
+
+    #[test]
+    fn fixtures_have_lights_and_parts_of_names_are_names() {
+        for wanted in FIXTURES {
+            let sheet = fixture(&wanted.name.to_uppercase()).expect(wanted.name);
+            assert_eq!(sheet.name, wanted.name);
+            assert!(sheet.lamp().is_ok_and(|lamp| lamp.widest.is_none_or(|wide| wide != lamp.light)));
+        }
+        assert_eq!(fixture("sharpy").map(|sheet| sheet.name), Ok("Clay Paky Sharpy".into()));
+        assert!(fixture("sharpi").unwrap_err().expected.contains("Clay Paky Sharpy;"));
+    }
+}
