@@ -1,5 +1,10 @@
 //! Readers of files: each finds the lights, in the words of its system.
 
+pub(crate) mod babylon;
+pub(crate) mod gltf;
+mod json;
+pub(crate) mod three;
+
 use crate::record::Record;
 use crate::refusal::Refusal;
 
