@@ -1,0 +1,187 @@
+//! glTF 2.0, as JSON and as GLB: the lights of `KHR_lights_punctual`.
+
+use glam::{DAffine3, DQuat, DVec3};
+use serde::de::IgnoredAny;
+
+use super::Found;
+use super::json::{add, fill, index, list, matrix, named, objects, parse, vector, word, world};
+use crate::record::{Kind, Record};
+use crate::refusal::Refusal;
+use crate::text::decode;
+
+objects! {
+    File: asset Asset, scene f64, scenes Vec<Scene>, nodes Vec<Node>, extensions Extensions;
+    Asset: version String;
+    Scene: nodes Vec<f64>;
+    Node: name String, children Vec<f64>, extensions Extensions,
+        matrix [f64; 16], translation [f64; 3], rotation [f64; 4], scale [f64; 3];
+    Extensions: KHR_lights_punctual Punctual, EXT_lights_ies IgnoredAny, EXT_lights_image_based IgnoredAny;
+    Punctual: light f64, lights Vec<Light>;
+    Light: name String, r#type String, color [f64; 3], intensity f64, range f64, spot Spot;
+    Spot: innerConeAngle f64, outerConeAngle f64;
+}
+
+/// Finds the lights of the default scene, or of all scenes, and those that no node of them uses.
+pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
+    let file: File = parse(&decode(json(bytes)?)?)?;
+    let (version, mut found) = (file.asset.unwrap_or_default().version, Found::default());
+    if !word(&version).starts_with("2.") {
+        return Err(Refusal::new("asset.version", word(&version), "2.0: export the scene as glTF 2.0"));
+    }
+    let extensions = file.extensions.unwrap_or_default();
+    if extensions.EXT_lights_ies.or(extensions.EXT_lights_image_based).is_some() {
+        found.notes.push("the lights of EXT_lights_ies and EXT_lights_image_based are left out".to_owned());
+    }
+    let (nodes, scenes) = (list(&file.nodes), list(&file.scenes));
+    let mut parents = vec![None; nodes.len()];
+    for (parent, node) in nodes.iter().enumerate() {
+        for child in list(&node.children) {
+            match index("children", *child, nodes.len()) {
+                // With a second parent, a node becomes its own parent: a cycle, which `world` refuses.
+                Ok(child) => parents[child] = Some(if parents[child].is_none() { parent } else { child }),
+                Err(refusal) => add(&mut found, format_args!("nodes[{parent}]"), Err(refusal))?,
+            }
+        }
+    }
+    let scene = file.scene.map(|scene| index("scene", *scene, scenes.len())).transpose()?;
+    let mut roots = vec![scenes.is_empty(); nodes.len()];
+    for scene in scene.map_or(scenes, |scene| &scenes[scene..=scene]) {
+        for root in list(&scene.nodes) {
+            roots[index("nodes of a scene", *root, nodes.len())?] = true;
+        }
+    }
+    let punctual = extensions.KHR_lights_punctual.unwrap_or_default();
+    let lights = list(&punctual.lights);
+    let mut used = vec![false; lights.len()];
+    for (at, node) in nodes.iter().enumerate() {
+        let own = node.extensions.as_ref().and_then(|own| own.KHR_lights_punctual.as_ref()?.light.as_deref());
+        let Some(own) = own else { continue };
+        let mut seen = false;
+        let world = world(at, |node| {
+            seen |= roots[node];
+            (nodes[node].local(), parents[node])
+        });
+        if !seen && world.is_ok() {
+            continue;
+        }
+        let record = index("light", *own, lights.len()).and_then(|own| {
+            used[own] = true;
+            let record = lights[own].record(node.name.as_deref(), own)?;
+            world.map(|world| (record, world, world.matrix3 * DVec3::NEG_Z))
+        });
+        add(&mut found, format_args!("nodes[{at}]"), record)?;
+    }
+    for (at, light) in lights.iter().enumerate().filter(|(at, _)| !used[*at]) {
+        let record = light.record(None, at).map(|mut record| {
+            record.note("no node of the scene uses it: it is at the origin and shines along -z");
+            (record, DAffine3::IDENTITY, DVec3::NEG_Z)
+        });
+        add(&mut found, "", record)?;
+    }
+    Ok(found)
+}
+
+impl Node {
+    fn local(&self) -> DAffine3 {
+        let rotation = self.rotation.as_deref().map_or(DQuat::IDENTITY, |own| DQuat::from_array(*own));
+        let [scale, translation] = [vector(&self.scale, 1.0), vector(&self.translation, 0.0)];
+        // A node has either a matrix or the other three.
+        matrix(&self.matrix)
+            * DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation)
+    }
+}
+
+impl Light {
+    fn record(&self, name: Option<&String>, at: usize) -> Result<Record, Refusal> {
+        let place = format!("lights[{at}]");
+        let kind = match word(&self.r#type) {
+            "spot" => Kind::Spot,
+            "point" => Kind::Point,
+            "directional" => Kind::Directional,
+            other => return Err(Refusal::new("type", other, "spot, point or directional").at(place)),
+        };
+        let record = Record::new(name.map_or(word(&self.name), String::as_str), kind, &place);
+        let spot = self.spot.as_deref().unwrap_or(&Spot { innerConeAngle: None, outerConeAngle: None });
+        let values = [named!(self, intensity range), named!(spot, innerConeAngle outerConeAngle)].concat();
+        fill(record, &[], self.color.as_deref().copied(), &values, [2, 1])
+            .map_err(|refusal| refusal.at(place))
+    }
+}
+
+/// Returns the JSON: the file, or the first chunk of a GLB.
+fn json(bytes: &[u8]) -> Result<&[u8], Refusal> {
+    const JSON: u32 = u32::from_le_bytes(*b"JSON");
+    let Some(header) = bytes.strip_prefix(b"glTF") else { return Ok(bytes) };
+    let words: Vec<_> = header.as_chunks().0.iter().take(4).map(|word| u32::from_le_bytes(*word)).collect();
+    match words[..] {
+        [2, all, own, JSON] if all as usize <= bytes.len() && all.checked_sub(20) >= Some(own) => {
+            Ok(&bytes[20..][..own as usize])
+        }
+        _ => Err(Refusal::new("header", format_args!("{words:?}"), "that of a whole GLB 2: export it again")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_three_js_have_the_lights_that_three_js_has() {
+        let (json, binary) =
+            (include_bytes!("../../tests/files/three.gltf"), include_bytes!("../../tests/files/three.glb"));
+        let mut lights = read(json).unwrap().records;
+        assert_eq!(lights, read(binary).unwrap().records);
+        let kinds: Vec<_> = lights.iter().map(|light| (light.name.as_str(), light.kind)).collect();
+        assert_eq!(kinds, [("spot", Kind::Spot), ("point", Kind::Point), ("sun", Kind::Directional)]);
+        assert!(lights.iter().all(|light| light.position.abs_diff_eq(DVec3::new(0.0, 4.0, -2.0), 1e-9)));
+        let axis = DVec3::new(-0.877_582_561_89, -0.479_425_538_6, 0.0);
+        assert!(
+            lights[0].axis.normalize().abs_diff_eq(axis, 1e-9),
+            "expected {axis}, found {}",
+            lights[0].axis
+        );
+        assert!(lights[0].notes[0].contains("scaled") && !lights[1].has("range"));
+        assert_eq!(lights[0].get("outerConeAngle", 0.0), Ok(0.5));
+        assert_eq!(lights[0].triple("color", [0.0; 3]), Ok([1.0, 0.215_860_500_103_244_15, 0.0]));
+        for file in [&json[..], binary] {
+            assert!((0..file.len()).all(|length| read(&file[..length]).is_err()));
+        }
+    }
+
+    #[test]
+    fn read_refuses_wrong_nodes_and_lights_at_their_place_and_keeps_the_others() {
+        let node = |light: i32| format!(r#""extensions":{{"KHR_lights_punctual":{{"light":{light}}}}}"#);
+        let [first, second, none] = [0, 1, -1].map(node);
+        let chain: Vec<_> = (1..100_000).map(|child| format!(r#"{{"children":[{child}]}}"#)).collect();
+        for (nodes, refused) in [
+            (
+                format!("{{{first}}},{{{none}}}"),
+                "nodes[1]: light = -1: expected a whole number from 0, below 2",
+            ),
+            (format!("{{{first}}},{{{second}}}"), "nodes[1], lights[1]: range = -1: expected at least 0"),
+            (format!(r#"{{"children":[2],{first}}},{{{first}}}"#), "nodes[0]: children = 2"),
+            (format!(r#"{{"children":[1],{first}}},{{"children":[0]}},{{{first}}}"#), "nodes[0]: parents"),
+            (
+                format!(r#"{{"children":[2]}},{{"children":[2]}},{{{first}}},{{{first}}}"#),
+                "nodes[2]: parents",
+            ),
+            (format!("{},{{{first}}},{{{first}}}", chain.join(",")), "nodes[99999]: parents = no end"),
+            (
+                format!(
+                    r#"{{"scale":[1e200,1e200,1e200],"children":[1]}},{{"scale":[1e200,1,1],{first}}},{{{first}}}"#
+                ),
+                "nodes[1]: position",
+            ),
+            (format!(r#"{{"scale":[1,1,0],{first}}},{{{first}}}"#), "nodes[0]: position"),
+        ] {
+            let lights = r#"{"type":"spot"},{"type":"point","range":-1}"#;
+            let file = format!(
+                r#"{{"asset":{{"version":"2.0"}},"extensions":{{"KHR_lights_punctual":{{"lights":[{lights}]}}}},"nodes":[{nodes}]}}"#
+            );
+            let found = read(file.as_bytes()).unwrap();
+            let message = found.refused[0].to_string();
+            assert!(message.starts_with(refused), "expected {refused}, found {message}");
+            assert!(!found.records.is_empty(), "expected the other light of {nodes}");
+        }
+    }
+}
