@@ -134,7 +134,8 @@ fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
         });
     }
     System::ALL.iter().copied().find(|system| system.extensions().contains(&&*extension)).ok_or_else(|| {
-        let known: Vec<_> = System::ALL.iter().flat_map(|system| system.extensions()).copied().collect();
+        let mut known: Vec<_> = System::ALL.iter().flat_map(|system| system.extensions()).copied().collect();
+        known.dedup();
         let value = if extension.is_empty() { "none" } else { &extension };
         Refusal::new("extension", value, format_args!("one of {}, or --from with a system", known.join(", ")))
     })

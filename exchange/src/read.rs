@@ -6,6 +6,7 @@ pub(crate) mod gdtf;
 pub(crate) mod gltf;
 pub(crate) mod godot;
 pub(crate) mod ies;
+mod json;
 pub(crate) mod ofl;
 pub(crate) mod pbrt;
 pub(crate) mod photometry;

@@ -106,7 +106,7 @@ impl Sheet {
         }
         let (name, light, difference) = (self.name.clone(), lit(cone, intensity)?, Difference::default());
         let widest = wide.and_then(Result::ok);
-        Ok(Lamp { name, light, difference, measured: None, widest, surfaces: None, notes })
+        Ok(Lamp { difference, widest, notes, ..Lamp::new(name, light) })
     }
 
     /// Returns the cone of one angle or of two different ones.

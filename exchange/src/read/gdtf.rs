@@ -8,6 +8,7 @@ use zip::{ZipArchive, result::ZipError};
 use crate::lamp::Lamps;
 use crate::refusal::Refusal;
 use crate::sheet::{Edge, Sheet};
+use crate::system::System;
 use crate::text;
 
 /// Reads the lights of a GDTF file: each `Beam` geometry once, in whatever geometry it is.
@@ -29,7 +30,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
     let fixture = elements("FixtureType").next();
     let fixture = fixture.ok_or_else(|| Refusal::new("FixtureType", "none", "the element of the fixture"))?;
 
-    let mut lamps = Lamps::default();
+    let mut lamps = Lamps::new(System::Gdtf);
     let is_gobo = |slot: &Node| slot.attribute("MediaFileName").is_some_and(|file| !file.is_empty());
     let gobos: Vec<_> = elements("Slot").filter(is_gobo).take(20).map(|slot| short(slot, "Name")).collect();
     lamps.notes.extend((!gobos.is_empty()).then(|| format!("gobos: {}", gobos.join(", "))));

@@ -8,6 +8,7 @@ use serde::Deserialize;
 use crate::lamp::Lamps;
 use crate::refusal::Refusal;
 use crate::sheet::{Edge, Sheet};
+use crate::system::System;
 
 /// A fixture, or one of its modes.
 #[derive(Deserialize)]
@@ -63,7 +64,7 @@ pub(crate) fn read(text: &str) -> Result<Lamps, Refusal> {
     }
     let fixture: Part = serde_json::from_str(text)
         .map_err(|error| Refusal::new("file", error, "a fixture of the Open Fixture Library"))?;
-    let mut lamps = Lamps::default();
+    let mut lamps = Lamps::new(System::Ofl);
     let gobos = fixture.wheels.values().flat_map(|wheel| &wheel.slots).filter(|slot| slot.r#type == "Gobo");
     let gobos: Vec<_> = gobos.take(20).map(|slot| slot.name.as_deref().unwrap_or("unnamed")).collect();
     lamps.notes.extend((!gobos.is_empty()).then(|| format!("gobos: {}", gobos.join(", "))));
