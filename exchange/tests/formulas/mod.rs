@@ -301,7 +301,7 @@ pub(crate) fn bevy(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64
     match kind {
         Kind::Directional => illuminance,
         Kind::Point => intensity * attenuation,
-        Kind::Spot => intensity * attenuation * ramp(angle, inner.min(outer), outer, 1e-4).powi(2),
+        Kind::Spot => intensity * attenuation * ramp(angle, inner, outer, 1e-4).powi(2),
     }
 }
 
