@@ -128,6 +128,15 @@ fn cone(falloff: AnyFalloff, inner: f64, outer: f64) -> Result<Cone<AnyFalloff>,
     Ok(if inner > 0.0 { cone.with_inner(full(inner))? } else { cone })
 }
 
+/// Returns the cone of the square of a line in the cosine, which the tool divides by at least `least`,
+/// and what this leaves on the axis of a narrow beam.
+fn square(inner: f64, outer: f64, least: f64) -> Result<(Cone<AnyFalloff>, f64), Refusal> {
+    let edge = versine(outer);
+    let full = edge - (edge - versine(inner.min(outer))).max(least);
+    let on_axis = if full < 0.0 { (edge / least).powi(2) } else { 1.0 };
+    Ok((cone(Soft.into(), full.max(0.0).of_versine(), outer)?, on_axis))
+}
+
 /// Returns a half angle in radians of a value, at most 90 degrees.
 fn half(record: &mut Record, key: &str, default: f64, unit: f64, least: f64) -> Result<f64, Refusal> {
     let (most, value) = (FRAC_PI_2 / unit, record.get(key, default)?);
@@ -261,9 +270,10 @@ fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
 fn blender(record: &mut Record) -> Result<Spot, Refusal> {
     let outer = half(record, "spot_size", PI / 4.0, 0.5, 0.0)?;
     let blend = record.within("spot_blend", 0.15, 0.0, 1.0)?;
-    let inner = 2.0 * ((1.0 - blend) * versine(outer) / 2.0).sqrt().asin();
+    let inner = ((1.0 - blend) * versine(outer)).of_versine();
     // The flux of a point light of this power, whatever the cone lets through.
-    let intensity = record.get("energy", 10.0)? / (4.0 * PI);
+    let intensity =
+        record.get("energy", 10.0)? * record.within("exposure", 0.0, -64.0, 64.0)?.exp2() / (4.0 * PI);
     record.note(
         "the intensity is in watts per steradian; Blender's exporter of glTF multiplies by 683 for candela",
     );
@@ -430,7 +440,8 @@ fn unity(record: &mut Record) -> Result<Spot, Refusal> {
         "Unity: from the shaders of its Universal Render Pipeline, not checked against a running engine",
     );
     let attenuation = FilamentRange::new(InverseSquare, Some(range))?;
-    spot(record, cone(Soft.into(), inner.min(outer), outer)?, intensity, attenuation, 0.0)
+    let (cone, on_axis) = square(inner, outer, 0.001)?;
+    spot(record, cone, intensity * on_axis, attenuation, 0.0)
 }
 
 /// Bevy's spotlight: glTF's cone, and the flux of a point light of this intensity in lumens.
@@ -440,7 +451,8 @@ fn bevy(record: &mut Record) -> Result<Spot, Refusal> {
     let range = record.within("range", 20.0, 0.001, 1e9)? as f32;
     let intensity = record.get("intensity", 1_000_000.0)? / (4.0 * PI);
     let attenuation = FilamentRange::new(InverseSquare, Some(range))?;
-    spot(record, cone(Soft.into(), inner.min(outer), outer)?, intensity, attenuation, 0.0)
+    let (cone, on_axis) = square(inner, outer, 1e-4)?;
+    spot(record, cone, intensity * on_axis, attenuation, 0.0)
 }
 
 /// The three laws of Babylon's spotlight, which its materials choose: `standard`, `physical` and `gltf`.
@@ -460,13 +472,14 @@ fn babylon(record: &mut Record) -> Result<Spot, Refusal> {
     match law.as_str() {
         "2" | "gltf" => {
             let attenuation = FilamentRange::new(InverseSquare, range)?;
-            spot(record, cone(Soft.into(), inner.min(outer), outer)?, intensity, attenuation, 0.0)
+            let (cone, on_axis) = square(inner, outer, 0.001)?;
+            spot(record, cone, intensity * on_axis, attenuation, 0.0)
         }
         "1" | "physical" => {
             // 1 % at the edge of the cone, and light beyond it.
             let kappa = 100_f64.ln() / versine(outer);
             let glow = |angle: f64| (-kappa * versine(angle)).exp();
-            let end = (65_535_f64.ln() / kappa).min(1.0).acos_of_versine();
+            let end = (65_535_f64.ln() / kappa).min(1.0).of_versine();
             let (cone, difference) = tabulated(0.0, end, &glow)?;
             // What the law leaves behind 90 degrees off the axis is lost.
             spot(record, cone, intensity, InverseSquare, difference.max(glow(end)))
@@ -501,11 +514,11 @@ fn babylon(record: &mut Record) -> Result<Spot, Refusal> {
 
 /// The half angle of a versine.
 trait OfVersine {
-    fn acos_of_versine(self) -> f64;
+    fn of_versine(self) -> f64;
 }
 
 impl OfVersine for f64 {
-    fn acos_of_versine(self) -> f64 {
+    fn of_versine(self) -> f64 {
         2.0 * (self / 2.0).sqrt().asin()
     }
 }

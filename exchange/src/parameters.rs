@@ -59,8 +59,8 @@ pub struct Use {
 enum Family {
     /// Smoothstep in the cosine.
     SmoothCosine,
-    /// The square of a line in the cosine.
-    SquareCosine,
+    /// The square of a line in the cosine, which is divided by at least this number.
+    SquareCosine(f64),
     /// Smoothstep in the angle.
     SmoothAngle,
     /// `1 - u^p` with the versine `u`.
@@ -70,6 +70,9 @@ enum Family {
     /// A power of a line in the cosine.
     Power,
 }
+
+/// Godot's least part of the versine.
+const FLOOR: f64 = 1e-4;
 
 /// Outer and inner half angle in radians, and an exponent.
 type Free = [f64; 3];
@@ -82,7 +85,9 @@ impl Family {
             System::Godot => Self::Inverted,
             System::OpenGl => Self::Cosine,
             System::Direct3d => Self::Power,
-            _ => Self::SquareCosine,
+            System::Unity => Self::SquareCosine(1e-3),
+            System::Bevy => Self::SquareCosine(1e-4),
+            _ => Self::SquareCosine(0.0),
         }
     }
 
@@ -94,17 +99,29 @@ impl Family {
         matches!(self, Self::Inverted | Self::Cosine | Self::Power)
     }
 
-    fn accepts(self, [outer, inner, exponent]: Free) -> bool {
+    fn accepts(self, [outer, inner, exponent]: Free, widest: f64) -> bool {
         let exponents = match self {
             Self::Inverted => 1.0 / 64.0..=64.0,
             Self::Cosine => 0.0..=128.0,
             _ => 1e-3..=64.0,
         };
-        outer > 1e-5 && outer <= FRAC_PI_2 && (0.0..outer).contains(&inner) && exponents.contains(&exponent)
+        outer > 1e-5 && outer <= widest && (0.0..outer).contains(&inner) && exponents.contains(&exponent)
     }
 
-    /// Returns the intensity at a half angle in radians.
-    fn at(self, [outer, inner, exponent]: Free, angle: f64) -> f64 {
+    /// Returns what the tool leaves of the intensity on the axis.
+    fn on_axis(self, [outer, inner, exponent]: Free) -> f64 {
+        match self {
+            Self::SquareCosine(least) => {
+                (versine(outer) / (versine(outer) - versine(inner)).max(least)).min(1.0).powi(2)
+            }
+            Self::Inverted => 1.0 - FLOOR.powf(exponent),
+            _ => 1.0,
+        }
+    }
+
+    /// Returns the intensity at a half angle in radians, as a share of that on the axis.
+    fn at(self, free: Free, angle: f64) -> f64 {
+        let [outer, inner, exponent] = free;
         if angle >= outer {
             return 0.0;
         }
@@ -112,12 +129,14 @@ impl Family {
         let t = ((to - v) / (to - from)).clamp(0.0, 1.0);
         match self {
             Self::SmoothCosine => t * t * (3.0 - 2.0 * t),
-            Self::SquareCosine => t * t,
+            Self::SquareCosine(least) => {
+                ((to - v) / (to - from).max(least)).min(1.0).powi(2) / self.on_axis(free)
+            }
             Self::SmoothAngle => {
                 let t = ((outer - angle) / (outer - inner)).clamp(0.0, 1.0);
                 t * t * (3.0 - 2.0 * t)
             }
-            Self::Inverted => 1.0 - (v / to).max(1e-4).powf(exponent),
+            Self::Inverted => (1.0 - (v / to).max(FLOOR).powf(exponent)) / self.on_axis(free),
             Self::Cosine => angle.cos().powf(exponent),
             Self::Power => t.powf(exponent),
         }
@@ -169,12 +188,19 @@ impl<'a> Target<'a> {
     }
 
     /// Returns the parameters of a family with the least difference.
-    fn fitted(&self, family: Family) -> (Free, Residual) {
+    fn fitted(&self, tool: System) -> (Free, Residual) {
+        let family = Family::of(tool);
+        // The widest half angle that the tool does not clamp.
+        let widest = match tool {
+            System::Unreal => 88.9_f64.to_radians(),
+            System::Unity => 89.5_f64.to_radians(),
+            _ => FRAC_PI_2,
+        };
         let middles = self.breaks.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0);
         let grid: Vec<_> = self.breaks.iter().copied().chain(middles).collect();
         let grid: Vec<_> = grid.iter().map(|&degrees| (degrees.to_radians(), (self.at)(degrees))).collect();
         let cost = |free: Free| {
-            if !family.accepts(free) {
+            if !family.accepts(free, widest) {
                 return f64::INFINITY;
             }
             grid.iter().map(|&(angle, share)| (family.at(free, angle) - share).abs()).fold(0.0, f64::max)
@@ -187,10 +213,11 @@ impl<'a> Target<'a> {
         } else {
             1.0
         };
-        let starts = [end, field * 1.1, beam * 1.2].into_iter().flat_map(|outer| {
-            [[outer, inner, exponent], [outer, 0.0, exponent], [outer, inner.max(0.98 * outer), exponent]]
-        });
-        let found = starts.filter(|&start| family.accepts(start)).map(|start| {
+        let starts =
+            [end, field * 1.1, beam * 1.2].map(|outer| outer.min(widest)).into_iter().flat_map(|outer| {
+                [[outer, inner, exponent], [outer, 0.0, exponent], [outer, inner.max(0.98 * outer), exponent]]
+            });
+        let found = starts.filter(|&start| family.accepts(start, widest)).map(|start| {
             let steps = [
                 start[0] / 4.0,
                 if family.has_inner() { start[0] / 4.0 } else { 0.0 },
@@ -198,7 +225,8 @@ impl<'a> Target<'a> {
             ];
             search::least(start, steps, cost)
         });
-        let (free, _) = found.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([end, 0.0, 1.0], 1.0));
+        let (free, _) =
+            found.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([end.min(widest), 0.0, 1.0], 1.0));
         let fitted = |degrees: f64| family.at(free, degrees.to_radians());
         // The end of the fitted cone is a break of it.
         let mut breaks = self.breaks.clone();
@@ -254,9 +282,8 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
     let (values, notes) = (Vec::new(), Vec::new());
     let mut parameters = Parameters { tool, values, angle: Residual::default(), distance: 0.0, notes };
     let target = Target::new(lamp);
-    let (free, angle) = target
-        .as_ref()
-        .map_or(([FRAC_PI_2, 0.0, 1.0], Residual::default()), |target| target.fitted(Family::of(tool)));
+    let (free, angle) =
+        target.as_ref().map_or(([FRAC_PI_2, 0.0, 1.0], Residual::default()), |target| target.fitted(tool));
     parameters.angle = angle;
     let is_spot = target.is_some();
 
@@ -291,6 +318,7 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
     };
     let intensity = f64::from(lamp.light.intensity());
     let at_throw = intensity * attenuation.exact(throw);
+    let on_axis = if is_spot { Family::of(tool).on_axis(free) } else { 1.0 };
     let candela = at_throw / falls(throw);
     let distances = (0..512).map(|i| throw * 16_f64.powf(f64::from(i) / 511.0));
     parameters.distance = distances
@@ -300,7 +328,15 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
         })
         .fold(0.0, f64::max);
 
-    write(&mut parameters, is_spot, free, Strength { candela, usage }, decay, range, polynomial);
+    write(
+        &mut parameters,
+        is_spot,
+        free,
+        Strength { candela: candela / on_axis, usage },
+        decay,
+        range,
+        polynomial,
+    );
     Ok(parameters)
 }
 
@@ -428,9 +464,8 @@ fn write(
             put("attenuation0", polynomial[0]);
             put("attenuation1", polynomial[1]);
             put("attenuation2", polynomial[2]);
-            if far > 0.0 {
-                put("range", far);
-            }
+            // Direct3D's largest range, for none.
+            put("range", if far > 0.0 { far } else { f64::from(f32::MAX).sqrt() });
             put("intensity", candela / usage.full_scale);
             notes.push("the intensity is a factor of Diffuse, which may be over 1");
         }

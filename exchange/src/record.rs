@@ -116,10 +116,11 @@ impl Record {
         Err(Refusal::new(key, value, format_args!("a number from {least} to {most}")))
     }
 
-    /// Returns three numbers, or their default.
+    /// Returns three numbers, or their default. One number stands for three equal ones.
     pub(crate) fn triple(&mut self, key: &str, default: [f64; 3]) -> Result<[f64; 3], Refusal> {
         match self.value(key) {
             None => Ok(default),
+            Some(Value::Numbers(numbers)) if numbers.len() == 1 => Ok([numbers[0]; 3]),
             Some(Value::Numbers(numbers)) if numbers.len() >= 3 => Ok([numbers[0], numbers[1], numbers[2]]),
             Some(other) => Err(Refusal::new(key, shown(&other), "three numbers")),
         }
