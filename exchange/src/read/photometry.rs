@@ -16,12 +16,9 @@ pub(crate) struct Photometry {
     pub(crate) notes: Vec<String>,
 }
 
-/// The accepted numbers of a field.
 type Range = RangeInclusive<f64>;
 /// A factor of the intensities, or a luminous flux in lumens.
 pub(crate) const POSITIVE: Range = 1e-9..=1e9;
-/// A number that does not matter, but must be one.
-pub(crate) const ANY: Range = -1e9..=1e9;
 
 /// The fields of a text, each a word or a line, in their order.
 pub(crate) struct Fields<'a> {
@@ -62,10 +59,8 @@ impl<'a> Fields<'a> {
     /// reserved for it, because it is only a claim.
     pub(crate) fn count(&mut self, name: &str, least: usize) -> Result<usize, Refusal> {
         let count = self.number(name, least as f64..=1e6)?;
-        if count.fract() != 0.0 {
-            return Err(self.refusal(name, count, "a whole number"));
-        }
-        Ok(count as usize)
+        let whole = (count.fract() == 0.0).then_some(count as usize);
+        whole.ok_or_else(|| self.refusal(name, count, "a whole number"))
     }
 
     /// Returns the next fields as ascending numbers within a range.
@@ -131,16 +126,16 @@ impl Planes {
             return Err(Refusal::new("intensities", "0 cd at every angle", "a light"));
         }
         let size = points.len();
-        let difference = |&at: &usize| (self.candela[at] - points[at % size].1).abs() / peak.1;
-        let order = |a: &_, b: &_| difference(a).total_cmp(&difference(b));
-        let worst = (0..self.candela.len()).max_by(order).unwrap_or_default();
+        let difference = |at: &usize| (self.candela[*at] - points[at % size].1).abs() / peak.1;
+        let worst =
+            (0..self.candela.len()).max_by(|a, b| difference(a).total_cmp(&difference(b))).unwrap_or(0);
         let difference = difference(&worst);
         if difference > 1.0 / 255.0 {
             let (plane, angle) = (self.horizontal[worst / size] % 360.0, self.vertical[worst % size]);
-            let expected = format!(
+            let percent = 100.0 * difference;
+            let expected = format_args!(
                 "a light with rotational symmetry; in this one the horizontal plane {plane} differs from \
-                 the mean of the planes by {:.1} % of the peak at the vertical angle {angle}",
-                100.0 * difference
+                 the mean of the planes by {percent:.1} % of the peak at the vertical angle {angle}"
             );
             return Err(Refusal::new("symmetry", self.symmetry, expected));
         }

@@ -45,13 +45,9 @@ pub fn ies(name: &str, curve: &Curve) -> String {
 fn write(file: &mut String, numbers: impl Iterator<Item = f64>) {
     let mut width = WIDTH;
     for number in numbers.map(|number| number.to_string()) {
-        width += 1 + number.len();
-        if width > WIDTH {
-            width = number.len();
-            *file += "\r\n";
-        } else {
-            *file += " ";
-        }
+        let fits = width + 1 + number.len() <= WIDTH;
+        width = if fits { width + 1 } else { 0 } + number.len();
+        *file += if fits { " " } else { "\r\n" };
         *file += &number;
     }
 }
