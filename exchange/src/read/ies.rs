@@ -17,8 +17,7 @@ pub(crate) fn read(text: &str) -> Result<Photometry, Refusal> {
         label.trim().eq_ignore_ascii_case("TILT").then_some((above, tilt.trim()))
     });
     let Some((above, tilt)) = tilt else {
-        let expected = "a file of IES LM-63 with a line TILT=NONE, TILT=INCLUDE or TILT=<file>";
-        return Err(Refusal::new("TILT", "no such line", expected));
+        return Err(Refusal::new("TILT", "no such line", "TILT=NONE, TILT=INCLUDE or TILT=<file>"));
     };
     let labels = || text.lines().take(above).map(str::trim);
     let keyword = |keyword| labels().find_map(|label| label.strip_prefix(keyword)).unwrap_or("").trim();
@@ -92,8 +91,7 @@ mod tests {
         let light = read(FILE).unwrap();
         assert_eq!((&*light.name, light.curve.points(), light.difference), ("Spot 12", &POINTS[..], 0.0));
         assert_eq!(light.notes, ["Relative photometry: the intensities are with 2 lamps of 1000 lm."]);
-        let absolute = with("2 1000 2", "2 -1 2").unwrap();
-        assert_eq!((absolute.curve, absolute.notes.len()), (light.curve, 0));
+        assert_eq!(with("2 1000 2", "2 -1 2").unwrap().notes.len(), 0);
         let oldest = read(&format!("A spot\nof 1986\n{}", &FILE[FILE.find("TILT").unwrap()..])).unwrap();
         assert_eq!((&*oldest.name, oldest.curve.points()), ("A spot", &POINTS[..]));
         // The field of the ballast-lamp factor, 0.5, is no factor in this version.
@@ -105,6 +103,8 @@ mod tests {
         assert!(with("=NONE", "=a.tlt").unwrap().notes[0].starts_with("TILT=a.tlt: the factors"));
         let up = with("0 2.5,7\n20 90", "90 92.5 97 110 180").unwrap();
         assert_eq!((up.curve.points()[0], up.curve.peak()), ((0.0, 0.0), (2000.0, 90.0)));
+        let up = with("2.5,7\n20 90\n0\n4000 3800\n1000,10 0", "90 97 170 180 0 0 0 0 1 2").unwrap();
+        assert_eq!(up.curve.points()[..2], [(0.0, 1.0), (10.0, 0.5)]);
     }
 
     #[test]
@@ -137,11 +137,13 @@ mod tests {
             ("2 5 1", "2 5.5 1", "line 6: number of vertical angles = 5.5: expected a whole number"),
             ("2 5 1", "2 4 1", "line 13: value = 10: expected the end of the file"),
             (".5,", "nan", "line 7: ballast factor = nan: expected a number"),
-            ("7\n20", "20\n7", "line 10: vertical angle = 7: expected ascending"),
+            ("7\n20", "7\n7", "line 10: vertical angle = 7: expected ascending"),
             ("0 2.5", "-90 2.5", "vertical angles = -90 to 90: expected 0 to 90"),
+            ("0 2.5", "1 2.5", "vertical angles = 1 to 90: expected 0 to 90"),
+            ("4000 3800\n1000,10", "0 0 0 0", "intensities = 0 cd at every angle: expected a light"),
             ("3800", "-1", "line 12: intensity = -1: expected a number from 0 to"),
             ("3800", "3e9", "line 12: intensity = 3e9: expected a number from 0 to 2000000000"),
-            ("TILT=NONE", "", "TILT = no such line: expected a file of IES LM-63"),
+            ("TILT=NONE", "", "TILT = no such line: expected TILT=NONE"),
         ] {
             let found = with(part, other).unwrap_err().to_string();
             assert!(found.starts_with(expected), "expected {expected}, found {found}");

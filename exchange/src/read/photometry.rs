@@ -55,8 +55,7 @@ impl<'a> Fields<'a> {
         number.ok_or_else(|| self.refusal(name, field, expected))
     }
 
-    /// Returns the next field as the number of things that follow, at most a million. No memory is
-    /// reserved for it, because it is only a claim.
+    /// Returns the next field as a count of at most a million: a claim, for which no memory is reserved.
     pub(crate) fn count(&mut self, name: &str, least: usize) -> Result<usize, Refusal> {
         let count = self.number(name, least as f64..=1e6)?;
         let whole = (count.fract() == 0.0).then_some(count as usize);
@@ -107,8 +106,7 @@ impl Planes {
     /// For a light that shines up, half angles are from the vertical angle 180.
     ///
     /// # Errors
-    /// A plane that differs from the mean by more than 1/255 of the peak, no light, or vertical angles
-    /// that do not begin at the axis.
+    /// A plane off the mean by over 1/255 of the peak, no light, or vertical angles that begin off the axis.
     pub(crate) fn light(&self, names: &[&str], mut notes: Vec<String>) -> Result<Photometry, Refusal> {
         let (first, last) = (self.vertical[0], self.vertical[self.vertical.len() - 1]);
         let refusal = |expected| Refusal::new("vertical angles", format_args!("{first} to {last}"), expected);

@@ -59,17 +59,19 @@ mod tests {
 
     #[test]
     fn ies_that_was_written_gives_the_curve_again() {
-        let narrow = vec![(0.0, 1.25e6), (1.0 / 3.0, 1e6), (2.345_67, 123.456_789)];
+        let narrow = vec![(0.0, 1.25e6), (1.0 / 3.0, 1e6), (0.333_334, 9e5), (2.345_67, 123.456_789)];
         let wide = (0..=300).map(|i| (f64::from(i) * 0.5, 1.0 / 3.0)).collect();
-        for (points, end, digit) in [(narrow, 90.0, 1.0), (wide, 180.0, 1e-7)] {
+        for (points, end, digit, first) in
+            [(narrow, 90.0, 1.0, "\n1250000 1"), (wide, 180.0, 1e-7, "\n0.3333333 0")]
+        {
             let curve = Curve::new(points).unwrap();
             let file = ies("Spöt\n12", &curve);
-            assert!(file.lines().all(|line| line.len() <= 132));
+            assert!(file.lines().all(|line| line.len() <= 132) && file.contains(first));
             let light = read::ies::read(&file).unwrap();
             assert_eq!((light.name.as_str(), light.notes.len()), ("Sp?t?12", 0));
             let (read, dark) = light.curve.points().split_at(curve.points().len());
             for (read, written) in read.iter().zip(curve.points()) {
-                assert!((read.0 - written.0).abs() < 0.51e-4 && (read.1 - written.1).abs() < 0.51 * digit);
+                assert!((read.0 - written.0).abs() < 1.51e-4 && (read.1 - written.1).abs() < 0.51 * digit);
             }
             assert_eq!(dark, [(((curve.end() * 1e4).round() + 1.0) / 1e4, 0.0), (end, 0.0)]);
         }

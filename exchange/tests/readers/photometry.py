@@ -9,7 +9,6 @@ from pyldt import LdtReader
 
 
 def read(path):
-    """The vertical angles in degrees, the planes, and the factor that makes them candela."""
     if path.suffix == ".ies":
         file = IESFile.read(path)
         return file.photometry.thetas, file.photometry.values, file.header.ballast_factor
