@@ -3,7 +3,7 @@
 use super::photometry::{Fields, POSITIVE, Photometry, Planes};
 use crate::refusal::Refusal;
 
-/// By its indicator each symmetry, the first plane with values and the last one, in quarters of a turn.
+/// Symmetries by their indicator, and their first and last plane with values in quarters of a turn.
 const SYMMETRIES: [(&str, usize, usize); 5] = [
     ("none", 0, 4),
     ("rotational", 0, 0),
@@ -14,9 +14,9 @@ const SYMMETRIES: [(&str, usize, usize); 5] = [
 
 /// Returns the light of a file.
 ///
-/// The intensity is the product of value, conversion factor and luminous flux over 1000 lm. The flux is
-/// that of all lamps of the first set, or with a negative number of lamps that of the luminaire:
-/// absolute photometry (DIAL and Lighting Analysts 2009). The number of lamps is no factor.
+/// The intensity is the product of value, conversion factor and luminous flux over 1000 lm. The
+/// flux is that of all lamps of the first set, or with a negative number of lamps that of the
+/// luminaire: absolute photometry (DIAL 2009). The number of lamps is no factor.
 ///
 /// # Errors
 /// A file that is malformed, or of a light without rotational symmetry.

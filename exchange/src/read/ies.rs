@@ -5,8 +5,8 @@ use crate::refusal::Refusal;
 
 /// Returns the light of a file of type C.
 ///
-/// The intensity is the product of value, multiplier, ballast factor and ballast-lamp photometric factor.
-/// The lumens of the lamps are no factor: in relative photometry the values are for rated lumens. In
+/// The intensity is the product of value, multiplier, ballast factor and ballast-lamp factor. The
+/// lumens of the lamps are none: in relative photometry the values are for rated lumens. In
 /// LM-63-2019 the field of the ballast-lamp factor has the origin of the file (section 5.13).
 ///
 /// # Errors

@@ -47,7 +47,7 @@ impl<'a> Fields<'a> {
         (0..count).try_for_each(|_| self.text("line").map(drop))
     }
 
-    /// Returns the next field as a number within a range, with a point or a comma before the decimals.
+    /// Returns the next field as a number within a range, with a decimal point or a decimal comma.
     pub(crate) fn number(&mut self, name: &str, range: Range) -> Result<f64, Refusal> {
         let field = self.text(name)?;
         let number = field.replace(',', ".").parse().ok().filter(|number| range.contains(number));
@@ -55,7 +55,7 @@ impl<'a> Fields<'a> {
         number.ok_or_else(|| self.refusal(name, field, expected))
     }
 
-    /// Returns the next field as a count of at most a million: a claim, for which no memory is reserved.
+    /// Returns the next field as a count of at most a million, for which no memory is reserved.
     pub(crate) fn count(&mut self, name: &str, least: usize) -> Result<usize, Refusal> {
         let count = self.number(name, least as f64..=1e6)?;
         let whole = (count.fract() == 0.0).then_some(count as usize);
@@ -92,8 +92,8 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// Intensities in candela in planes through the vertical axis, one plane after the other: the symmetry
-/// that the file states, and ascending angles in degrees of the planes and from the direction down.
+/// Intensities in candela in planes through the vertical axis, plane by plane: the symmetry that
+/// the file states, and ascending angles in degrees, of the planes and from the direction down.
 pub(crate) struct Planes {
     pub(crate) symmetry: &'static str,
     pub(crate) horizontal: Vec<f64>,
@@ -102,11 +102,11 @@ pub(crate) struct Planes {
 }
 
 impl Planes {
-    /// Returns the light with the first name that is not empty, and the mean of the planes as its curve.
+    /// Returns the light with the first name that is not empty and the mean of the planes as curve.
     /// For a light that shines up, half angles are from the vertical angle 180.
     ///
     /// # Errors
-    /// A plane off the mean by over 1/255 of the peak, no light, or vertical angles that begin off the axis.
+    /// A plane off the mean by over 1/255 of the peak, no light, or no vertical angle at the axis.
     pub(crate) fn light(&self, names: &[&str], mut notes: Vec<String>) -> Result<Photometry, Refusal> {
         let (first, last) = (self.vertical[0], self.vertical[self.vertical.len() - 1]);
         let refusal = |expected| Refusal::new("vertical angles", format_args!("{first} to {last}"), expected);
@@ -147,8 +147,8 @@ impl Planes {
     }
 }
 
-/// Returns the share of each plane in the mean: half the angle to its neighbours, so that the planes 0
-/// and 360 share one. A circle whose last plane is not 360 closes from its last plane to its first.
+/// Returns the share of each plane in the mean: half the angle to its neighbours, so that planes 0
+/// and 360 share one. A circle without a plane 360 closes from its last plane to its first.
 fn weights(planes: &[f64]) -> impl Iterator<Item = f64> {
     let turn = planes[planes.len() - 1] - planes[0];
     let gap = if turn > 180.0 || planes.len() == 1 { 360.0 - turn } else { 0.0 };

@@ -7,13 +7,12 @@ const WIDTH: usize = 132;
 /// Printed steps in a degree. An `f32` still tells two angles apart whose difference is a step.
 const STEPS: u32 = 10_000;
 
-/// Returns a file of LM-63-2002, type C with one plane and absolute photometry: a light that shines down
-/// and has rotational symmetry.
+/// Returns a file of LM-63-2002 of a light that shines down: type C, one plane, absolute photometry.
 ///
-/// The angles are those of the points, rounded to 0.0001 degrees; points that are nearer to each other
-/// move that far apart. Intensities are rounded to the seventh digit of the peak, and between `1e-12`
-/// and 1 cd. A curve that ends with light falls to 0 within 0.0001 degrees. A character of the name that
-/// is not printable ASCII becomes `?`, and the name ends after 120 characters.
+/// The angles are rounded to 0.0001 degrees; points that are nearer to each other move that far
+/// apart. Intensities are rounded to the seventh digit of the peak, but between `1e-12` and 1 cd.
+/// A curve that ends with light falls to 0 within 0.0001 degrees. A character of the name that is
+/// not printable ASCII becomes `?`, and the name ends after 120 characters.
 pub fn ies(name: &str, curve: &Curve) -> String {
     let mut points: Vec<(u32, f64)> = Vec::new();
     for &(angle, candela) in curve.points() {
