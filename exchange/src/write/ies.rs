@@ -7,7 +7,7 @@ const WIDTH: usize = 132;
 /// Printed steps in a degree. An `f32` still tells two angles apart whose difference is a step.
 const STEPS: u32 = 10_000;
 
-/// Returns a file of LM-63-2002 of a light that shines down: type C, one plane, absolute photometry.
+/// Returns a file of LM-63-2002 of a light that shines down: type C, a plane, absolute photometry.
 ///
 /// The angles are rounded to 0.0001 degrees; points that are nearer to each other move that far
 /// apart. Intensities are rounded to the seventh digit of the peak, but between `1e-12` and 1 cd.

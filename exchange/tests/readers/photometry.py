@@ -9,6 +9,7 @@ from pyldt import LdtReader
 
 
 def read(path):
+    # Vertical angles in degrees, planes, and the factor that makes these candela.
     if path.suffix == ".ies":
         file = IESFile.read(path)
         return file.photometry.thetas, file.photometry.values, file.header.ballast_factor
