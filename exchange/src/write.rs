@@ -1,5 +1,4 @@
 //! Files for other tools.
 
 mod ies;
-
 pub use ies::ies;

@@ -16,12 +16,9 @@ pub(crate) struct Photometry {
     pub(crate) notes: Vec<String>,
 }
 
-/// The accepted numbers of a field.
 type Range = RangeInclusive<f64>;
 /// A factor of the intensities, or a luminous flux in lumens.
 pub(crate) const POSITIVE: Range = 1e-9..=1e9;
-/// A number that does not matter, but must be one.
-pub(crate) const ANY: Range = -1e9..=1e9;
 
 /// The fields of a text, each a word or a line, in their order.
 pub(crate) struct Fields<'a> {
@@ -50,7 +47,7 @@ impl<'a> Fields<'a> {
         (0..count).try_for_each(|_| self.text("line").map(drop))
     }
 
-    /// Returns the next field as a number within a range, with a point or a comma before the decimals.
+    /// Returns the next field as a number within a range, with a decimal point or a decimal comma.
     pub(crate) fn number(&mut self, name: &str, range: Range) -> Result<f64, Refusal> {
         let field = self.text(name)?;
         let number = field.replace(',', ".").parse().ok().filter(|number| range.contains(number));
@@ -58,14 +55,11 @@ impl<'a> Fields<'a> {
         number.ok_or_else(|| self.refusal(name, field, expected))
     }
 
-    /// Returns the next field as the number of things that follow, at most a million. No memory is
-    /// reserved for it, because it is only a claim.
+    /// Returns the next field as a count of at most a million, for which no memory is reserved.
     pub(crate) fn count(&mut self, name: &str, least: usize) -> Result<usize, Refusal> {
         let count = self.number(name, least as f64..=1e6)?;
-        if count.fract() != 0.0 {
-            return Err(self.refusal(name, count, "a whole number"));
-        }
-        Ok(count as usize)
+        let whole = (count.fract() == 0.0).then_some(count as usize);
+        whole.ok_or_else(|| self.refusal(name, count, "a whole number"))
     }
 
     /// Returns the next fields as ascending numbers within a range.
@@ -98,8 +92,8 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// Intensities in candela in planes through the vertical axis, one plane after the other: the symmetry
-/// that the file states, and ascending angles in degrees of the planes and from the direction down.
+/// Intensities in candela in planes through the vertical axis, plane by plane: the symmetry that
+/// the file states, and ascending angles in degrees, of the planes and from the direction down.
 pub(crate) struct Planes {
     pub(crate) symmetry: &'static str,
     pub(crate) horizontal: Vec<f64>,
@@ -108,12 +102,11 @@ pub(crate) struct Planes {
 }
 
 impl Planes {
-    /// Returns the light with the first name that is not empty, and the mean of the planes as its curve.
+    /// Returns the light with the first name that is not empty and the mean of the planes as curve.
     /// For a light that shines up, half angles are from the vertical angle 180.
     ///
     /// # Errors
-    /// A plane that differs from the mean by more than 1/255 of the peak, no light, or vertical angles
-    /// that do not begin at the axis.
+    /// A plane off the mean by over 1/255 of the peak, no light, or no vertical angle at the axis.
     pub(crate) fn light(&self, names: &[&str], mut notes: Vec<String>) -> Result<Photometry, Refusal> {
         let (first, last) = (self.vertical[0], self.vertical[self.vertical.len() - 1]);
         let refusal = |expected| Refusal::new("vertical angles", format_args!("{first} to {last}"), expected);
@@ -131,16 +124,16 @@ impl Planes {
             return Err(Refusal::new("intensities", "0 cd at every angle", "a light"));
         }
         let size = points.len();
-        let difference = |&at: &usize| (self.candela[at] - points[at % size].1).abs() / peak.1;
-        let order = |a: &_, b: &_| difference(a).total_cmp(&difference(b));
-        let worst = (0..self.candela.len()).max_by(order).unwrap_or_default();
+        let difference = |at: &usize| (self.candela[*at] - points[at % size].1).abs() / peak.1;
+        let worst =
+            (0..self.candela.len()).max_by(|a, b| difference(a).total_cmp(&difference(b))).unwrap_or(0);
         let difference = difference(&worst);
         if difference > 1.0 / 255.0 {
             let (plane, angle) = (self.horizontal[worst / size] % 360.0, self.vertical[worst % size]);
-            let expected = format!(
+            let percent = 100.0 * difference;
+            let expected = format_args!(
                 "a light with rotational symmetry; in this one the horizontal plane {plane} differs from \
-                 the mean of the planes by {:.1} % of the peak at the vertical angle {angle}",
-                100.0 * difference
+                 the mean of the planes by {percent:.1} % of the peak at the vertical angle {angle}"
             );
             return Err(Refusal::new("symmetry", self.symmetry, expected));
         }
@@ -154,8 +147,8 @@ impl Planes {
     }
 }
 
-/// Returns the share of each plane in the mean: half the angle to its neighbours, so that the planes 0
-/// and 360 share one. A circle whose last plane is not 360 closes from its last plane to its first.
+/// Returns the share of each plane in the mean: half the angle to its neighbours, so that planes 0
+/// and 360 share one. A circle without a plane 360 closes from its last plane to its first.
 fn weights(planes: &[f64]) -> impl Iterator<Item = f64> {
     let turn = planes[planes.len() - 1] - planes[0];
     let gap = if turn > 180.0 || planes.len() == 1 { 360.0 - turn } else { 0.0 };

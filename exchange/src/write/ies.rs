@@ -7,13 +7,12 @@ const WIDTH: usize = 132;
 /// Printed steps in a degree. An `f32` still tells two angles apart whose difference is a step.
 const STEPS: u32 = 10_000;
 
-/// Returns a file of LM-63-2002, type C with one plane and absolute photometry: a light that shines down
-/// and has rotational symmetry.
+/// Returns a file of LM-63-2002 of a light that shines down: type C, a plane, absolute photometry.
 ///
-/// The angles are those of the points, rounded to 0.0001 degrees; points that are nearer to each other
-/// move that far apart. Intensities are rounded to the seventh digit of the peak, and between `1e-12`
-/// and 1 cd. A curve that ends with light falls to 0 within 0.0001 degrees. A character of the name that
-/// is not printable ASCII becomes `?`, and the name ends after 120 characters.
+/// The angles are rounded to 0.0001 degrees; points that are nearer to each other move that far
+/// apart. Intensities are rounded to the seventh digit of the peak, but between `1e-12` and 1 cd.
+/// A curve that ends with light falls to 0 within 0.0001 degrees. A character of the name that is
+/// not printable ASCII becomes `?`, and the name ends after 120 characters.
 pub fn ies(name: &str, curve: &Curve) -> String {
     let mut points: Vec<(u32, f64)> = Vec::new();
     for &(angle, candela) in curve.points() {
@@ -45,13 +44,9 @@ pub fn ies(name: &str, curve: &Curve) -> String {
 fn write(file: &mut String, numbers: impl Iterator<Item = f64>) {
     let mut width = WIDTH;
     for number in numbers.map(|number| number.to_string()) {
-        width += 1 + number.len();
-        if width > WIDTH {
-            width = number.len();
-            *file += "\r\n";
-        } else {
-            *file += " ";
-        }
+        let fits = width + 1 + number.len() <= WIDTH;
+        width = if fits { width + 1 } else { 0 } + number.len();
+        *file += if fits { " " } else { "\r\n" };
         *file += &number;
     }
 }
@@ -63,17 +58,19 @@ mod tests {
 
     #[test]
     fn ies_that_was_written_gives_the_curve_again() {
-        let narrow = vec![(0.0, 1.25e6), (1.0 / 3.0, 1e6), (2.345_67, 123.456_789)];
+        let narrow = vec![(0.0, 1.25e6), (1.0 / 3.0, 1e6), (0.333_334, 9e5), (2.345_67, 123.456_789)];
         let wide = (0..=300).map(|i| (f64::from(i) * 0.5, 1.0 / 3.0)).collect();
-        for (points, end, digit) in [(narrow, 90.0, 1.0), (wide, 180.0, 1e-7)] {
+        for (points, end, digit, first) in
+            [(narrow, 90.0, 1.0, "\n1250000 1"), (wide, 180.0, 1e-7, "\n0.3333333 0")]
+        {
             let curve = Curve::new(points).unwrap();
             let file = ies("Spöt\n12", &curve);
-            assert!(file.lines().all(|line| line.len() <= 132));
+            assert!(file.lines().all(|line| line.len() <= 132) && file.contains(first));
             let light = read::ies::read(&file).unwrap();
             assert_eq!((light.name.as_str(), light.notes.len()), ("Sp?t?12", 0));
             let (read, dark) = light.curve.points().split_at(curve.points().len());
             for (read, written) in read.iter().zip(curve.points()) {
-                assert!((read.0 - written.0).abs() < 0.51e-4 && (read.1 - written.1).abs() < 0.51 * digit);
+                assert!((read.0 - written.0).abs() < 1.51e-4 && (read.1 - written.1).abs() < 0.51 * digit);
             }
             assert_eq!(dark, [(((curve.end() * 1e4).round() + 1.0) / 1e4, 0.0), (end, 0.0)]);
         }
