@@ -214,9 +214,9 @@ pub(crate) fn usd(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64)
 pub(crate) fn x3d(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64) -> f64 {
     let version = values.iter().find(|value| value.0 == "version").map_or(4.0, |value| value.1);
     let angles = match version {
-        4.0.. => (0.589_049, 1.570_796),
-        3.2.. => (0.7854, 1.570_796),
-        _ => (1.570_796, 0.785_398),
+        4.0.. => (0.589_049, FRAC_PI_2),
+        3.2.. => (FRAC_PI_4, FRAC_PI_2),
+        _ => (FRAC_PI_2, FRAC_PI_4),
     };
     light!(values; _version: "version" = 4.0, intensity: "intensity" = 1.0, radius: "radius" = 100.0,
         beam: "beamWidth" = angles.0, cut: "cutOffAngle" = angles.1, a0: "attenuation0" = 1.0,
