@@ -2,32 +2,66 @@
 
 mod formulas;
 
-use formulas::{FORMULAS, Kind};
+use std::path::Path;
+
+use formulas::{FORMULAS, Formula, Kind};
+
+fn number(text: &str) -> f64 {
+    text.parse().unwrap_or_else(|_| panic!("{text}: expected a number"))
+}
+
+fn kind(name: &str) -> Kind {
+    match name {
+        "spot" => Kind::Spot,
+        "point" => Kind::Point,
+        "directional" => Kind::Directional,
+        _ => panic!("{name}: expected a kind"),
+    }
+}
+
+fn formula(tool: &str) -> Formula {
+    FORMULAS.iter().find(|formula| formula.0 == tool).expect(tool).1
+}
+
+/// Returns the values of `name=value`.
+fn values<'a>(words: impl Iterator<Item = &'a str>) -> Vec<(&'a str, f64)> {
+    words.map(|word| word.split_once('=').expect(word)).map(|(name, value)| (name, number(value))).collect()
+}
 
 /// Every row of the table. Drawn rows differ by the errors of f32, by the place of the pixel, and by the
 /// steps of the picture.
 #[test]
 fn formulas_are_those_of_the_tools() {
     let rows = include_str!("formulas/known.txt").lines().filter(|row| !row.starts_with('#'));
-    let number = |text: &str| text.parse::<f64>().expect("a number");
     let mut seen = Vec::new();
     for row in rows {
         let mut words = row.split(' ');
         let mut word = || words.next().expect("tool, kind, angle, distance, irradiance, difference");
-        let (tool, kind) = (word(), word());
+        let (tool, light) = (word(), kind(word()));
         let [angle, distance, expected, relative] = [word(), word(), word(), word()].map(number);
-        let values: Vec<_> = words.map(|word| word.split_once('=').expect("name=value")).collect();
-        let values: Vec<_> = values.into_iter().map(|(name, value)| (name, number(value))).collect();
-        let kind = match kind {
-            "spot" => Kind::Spot,
-            "point" => Kind::Point,
-            "directional" => Kind::Directional,
-            _ => panic!("{row}: expected a kind"),
-        };
-        let (_, formula) = FORMULAS.iter().find(|formula| formula.0 == tool).expect(tool);
-        let found = formula(&values, kind, angle, distance);
+        let found = formula(tool)(&values(words), light, angle, distance);
         assert!((found - expected).abs() <= relative * expected, "{row}: found {found}");
         seen.push(tool);
     }
     assert!(FORMULAS.iter().all(|(tool, _)| seen.contains(tool)), "{seen:?}: expected every tool");
+}
+
+/// The text files of real lights have only values of their tools, and lights that shine.
+#[test]
+fn real_values_are_of_their_tools() {
+    let real = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/real");
+    let mut seen = 0;
+    for entry in std::fs::read_dir(real).expect("the folder of real lights") {
+        let path = entry.expect("a file").path();
+        if path.extension().is_some_and(|extension| extension == "txt") {
+            let text = std::fs::read_to_string(&path).expect("a text file");
+            let mut lines = text.lines();
+            let mut head = |prefix| lines.next().and_then(|line| line.strip_prefix(prefix)).expect(prefix);
+            let (tool, light) = (head("# system: "), kind(head("# kind: ")));
+            let found = formula(tool)(&values(lines), light, 0.0, 2.0);
+            assert!(found > 0.0 && found.is_finite(), "{}: {found}, expected light", path.display());
+            seen += 1;
+        }
+    }
+    assert!(seen >= 12, "{seen} files, expected 12");
 }

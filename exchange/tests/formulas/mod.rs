@@ -76,8 +76,7 @@ fn window(distance: f64, range: f64) -> f64 {
 }
 
 /// glTF 2.0, extension KHR_lights_punctual (KhronosGroup/glTF, README.md, "Range Property" and "Inner and
-/// Outer Cone Angles"). Half angles in radians, candela or lux. The window is not squared. The
-/// extension recommends these formulas and does not require them.
+/// Outer Cone Angles"; recommended, not required). Half angles in radians, candela or lux.
 pub(crate) fn gltf(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64) -> f64 {
     light!(values; intensity: "intensity" = 1.0, range: "range" = f64::INFINITY,
         inner: "innerConeAngle" = 0.0, outer: "outerConeAngle" = FRAC_PI_4);
@@ -194,7 +193,8 @@ pub(crate) fn usd(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64)
         Kind::Directional if half == 0.0 => (1.0, 1.0),
         Kind::Directional if half <= FRAC_PI_2 => (PI * half.sin().powi(2), PI * half.sin().powi(2)),
         Kind::Directional => (PI, PI * (2.0 - half.sin().powi(2))),
-        _ => (PI * (radius / distance).powi(2), 4.0 * PI * radius.powi(2)),
+        _ if normalize != 0.0 => (0.25 / distance.powi(2), 1.0), // the radius cancels
+        _ => (PI * (radius / distance).powi(2), 1.0),
     };
     let irradiance = luminance * projected / if normalize == 0.0 { 1.0 } else { area };
     let cutoff = cone.to_radians();
@@ -214,9 +214,9 @@ pub(crate) fn usd(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64)
 pub(crate) fn x3d(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64) -> f64 {
     let version = values.iter().find(|value| value.0 == "version").map_or(4.0, |value| value.1);
     let angles = match version {
-        4.0.. => (0.589_049, 1.570_796),
-        3.2.. => (0.7854, 1.570_796),
-        _ => (1.570_796, 0.785_398),
+        4.0.. => (0.589_049, FRAC_PI_2),
+        3.2.. => (FRAC_PI_4, FRAC_PI_2),
+        _ => (FRAC_PI_2, FRAC_PI_4),
     };
     light!(values; _version: "version" = 4.0, intensity: "intensity" = 1.0, radius: "radius" = 100.0,
         beam: "beamWidth" = angles.0, cut: "cutOffAngle" = angles.1, a0: "attenuation0" = 1.0,
@@ -254,7 +254,7 @@ pub(crate) fn pbrt(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64
 /// Unreal Engine 5 (SpotLightComponent.cpp, PointLightComponent.cpp: `ComputeLightBrightness`;
 /// DeferredLightingCommon.ush: `GetLocalLightAttenuation`). Not checked against a running program. Half
 /// angles in degrees, distances in centimetres, result in lux. `IntensityUnits`: 0 none, of which 625 are
-/// a candela; 1 candela; 2 lumens. Without inverse squares the intensity has no unit.
+/// a candela; 1 candela; 2 lumens.
 pub(crate) fn unreal(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64) -> f64 {
     light!(values; intensity: "Intensity" = if kind == Kind::Directional { 10.0 } else { 5000.0 },
         unit: "IntensityUnits" = 0.0, inner: "InnerConeAngle" = 0.0, outer: "OuterConeAngle" = 44.0,
