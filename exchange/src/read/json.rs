@@ -9,8 +9,8 @@ use super::Found;
 use crate::record::{Kind, Record, Value};
 use crate::refusal::Refusal;
 
-/// The most objects and arrays of a file. The two bytes of an empty one become up to 128 of memory in a
-/// list, whose growth needs 50 MB.
+/// The most objects and arrays of a file. The two bytes of an empty one become up to 128 of memory in
+/// a list, whose growth needs 50 MB (measured).
 const OBJECTS: usize = 250_000;
 /// The most lights of a file, and the most parents of a node, which bound the time.
 const LIGHTS: usize = 10_000;
@@ -121,7 +121,7 @@ pub(crate) fn world(
     Err(Refusal::new("parents", "no end", format_args!("at most {PARENTS}, one each, and no cycle")))
 }
 
-/// Adds a light at the end of a transform to the world and along an axis of the world, or its refusal.
+/// Adds a light at the end of a transform to the world, along an axis of the world; or its refusal.
 pub(crate) fn add(
     found: &mut Found,
     place: impl Display,
