@@ -4,7 +4,6 @@ use std::collections::HashMap;
 
 use glam::{DAffine3, DQuat, EulerRot};
 use serde::de::IgnoredAny;
-use serde_json::Value;
 
 use super::Found;
 use super::json::{Member, add, fill, list, named, objects, parse, vector, word, world};
@@ -13,14 +12,22 @@ use crate::refusal::Refusal;
 
 objects! {
     File: useRightHandedSystem bool, lights Vec<Light>, transformNodes Vec<Node>, meshes Vec<Node>;
-    Node: id Value, uniqueId Value, parentId Value, parentInstanceIndex IgnoredAny, position [f64; 3],
-        rotation [f64; 3], rotationQuaternion [f64; 4], scaling [f64; 3];
-    Light: name String, r#type f64, parentId Value, parentInstanceIndex IgnoredAny, position [f64; 3],
+    Node: id Id, uniqueId Id, parentId Id, parentInstanceIndex IgnoredAny, position [f64; 3],
+        rotation [f64; 3], rotationQuaternion [f64; 4], scaling [f64; 3], scalingDeterminant f64;
+    Light: name String, r#type f64, parentId Id, parentInstanceIndex IgnoredAny, position [f64; 3],
         direction [f64; 3], diffuse [f64; 3], intensity f64, intensityMode f64, range f64, falloffType f64,
         angle f64, innerAngle f64, exponent f64, isEnabled bool, projectedLightTexture IgnoredAny;
 }
 
-/// Finds the lights. Pivots of their parents are not read.
+/// The number of a node, or in older files its name.
+#[derive(PartialEq, Eq, Hash, serde::Deserialize)]
+#[serde(untagged)]
+enum Id {
+    Number(i64),
+    Name(String),
+}
+
+/// Finds the lights.
 pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     let file: File = parse(text)?;
     let Some(lights) = &file.lights else {
@@ -33,29 +40,29 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     let nodes: Vec<_> = list(&file.transformNodes).iter().chain(list(&file.meshes)).collect();
     let mut indices = HashMap::new();
     for (at, node) in nodes.iter().enumerate() {
-        // A parent is the number of a node, or in older files its name, of which the last counts.
+        // Of the nodes of a name, the last counts.
         indices.extend([(node.id.as_ref(), at), (node.uniqueId.as_ref(), at)]);
     }
     for (at, light) in lights.iter().enumerate() {
-        let (place, kind) = (format!("lights[{at}]"), light.r#type.as_deref().copied().unwrap_or(f64::NAN));
-        let kind = match kind {
+        let kind = match light.r#type.as_deref().copied().unwrap_or(f64::NAN) {
             0.0 => Ok(Kind::Point),
             1.0 => Ok(Kind::Directional),
             2.0 => Ok(Kind::Spot),
             3.0 | 4.0 | 5.0 => {
-                found
-                    .notes
-                    .push(format!("{} is left out: hemispheric, area or clustered", word(&light.name)));
+                let name = word(&light.name);
+                found.notes.push(format!("{name} is left out: hemispheric, area or clustered"));
                 continue;
             }
-            _ => Err(Refusal::new("type", kind, "0, 1 or 2")),
+            other => Err(Refusal::new("type", other, "0, 1 or 2")),
         };
+        let place = format!("lights[{at}]");
         let record = kind.and_then(|kind| {
             let mut unknown = false;
-            let mut parent = |parent: &Member<Value>, instance: &Member<IgnoredAny>| {
-                let found = parent.as_ref().map(|parent| indices.get(&Some(parent)).copied());
-                unknown |= found == Some(None) || instance.is_some();
-                found.flatten()
+            let mut parent = |parent: &Member<Id>, instance: &Member<IgnoredAny>| {
+                let own = parent.as_ref().filter(|_| instance.is_none());
+                let found = own.and_then(|own| indices.get(&Some(own)).copied());
+                unknown |= parent.is_some() && found.is_none();
+                found
             };
             let mut world = match parent(&light.parentId, &light.parentInstanceIndex) {
                 None => DAffine3::IDENTITY,
@@ -66,6 +73,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
             world.translation = world.transform_point3(vector(&light.position, 0.0));
             let notes = [
                 (unknown, "its parent is not a node of the file: position and axis are relative to it"),
+                (light.parentId.is_some(), "pivots of its parents are left out"),
                 (light.isEnabled.as_deref() == Some(&false), "it is off in the file"),
                 (light.projectedLightTexture.is_some(), "its projected texture is left out"),
             ];
@@ -84,8 +92,9 @@ impl Node {
         let [x, y, z] = vector(&self.rotation, 0.0).to_array();
         let euler = || DQuat::from_euler(EulerRot::YXZ, y, x, z);
         let rotation = self.rotationQuaternion.as_deref().map_or_else(euler, |own| DQuat::from_array(*own));
-        let [scale, translation] = [vector(&self.scaling, 1.0), vector(&self.position, 0.0)];
-        DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation)
+        let scale = vector(&self.scaling, 1.0) * self.scalingDeterminant.as_deref().unwrap_or(&1.0);
+        let position = vector(&self.position, 0.0);
+        DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), position)
     }
 }
 
@@ -111,21 +120,26 @@ mod tests {
 
     #[test]
     fn read_refuses_wrong_lights_and_keeps_the_others() {
-        let found = read(
-            r#"{"lights": [{"type":1,"direction":[0,0,2],"parentId":"turn","range":5}, {"type":0,"parentId":7},
-                {"type":2}, {"type":9}, {"type":0,"parentId":1}, {"type":0,"intensity":-1}],
-                "meshes": [{"id":"turn","rotationQuaternion":[0,1,0,1]}],
-                "transformNodes": [{"uniqueId":1,"parentId":2}, {"uniqueId":2,"parentId":1}]}"#,
+        let file = r#"{"lights": [{"type":1,"direction":[0,0,2],"parentId":"turn","range":5},
+            {"type":0,"parentId":7,"angle":1}, {"type":0,"parentId":1,"parentInstanceIndex":"0","isEnabled":false},
+            {"type":2}, {"type":9}, {"type":0,"parentId":1}, {"type":0,"intensity":-1},
+            {"type":0,"parentId":3,"position":[1e200,0,0]}],
+            "meshes": [{"id":"turn","rotationQuaternion":[0,1,0,1],"scalingDeterminant":-1}],
+            "transformNodes": [{"uniqueId":1,"parentId":2}, {"uniqueId":2,"parentId":1},
+                {"uniqueId":3,"scaling":[1e200,1,1]}]}"#;
+        let found = read(file).unwrap();
+        let refused: Vec<_> = found.refused.iter().map(|own| (&*own.place, &*own.parameter)).collect();
+        assert_eq!(refused[..2], [("lights[3]", "position"), ("lights[4]", "type")]);
+        assert_eq!(refused[2..4], [("lights[5]", "parents"), ("lights[6]", "intensity")]);
+        assert_eq!(refused[4..], [("lights[7]", "position")]);
+        let [sun, point, off] = &found.records[..] else { panic!("found {found:?}") };
+        assert!(sun.axis.abs_diff_eq(DVec3::NEG_X, 1e-12) && !sun.has("range"), "found {sun:?}");
+        assert!(
+            point.notes[0].contains("its parent is not a node") && !point.has("angle"),
+            "found {point:?}"
         );
-        let found = found.unwrap();
-        let refused: Vec<_> =
-            found.refused.iter().map(|own| format!("{} {}", own.place, own.parameter)).collect();
-        assert_eq!(
-            refused,
-            ["lights[2] position", "lights[3] type", "lights[4] parents", "lights[5] intensity"]
-        );
-        let [sun, point] = &found.records[..] else { panic!("found {:?}", found.records) };
-        assert!(sun.axis.abs_diff_eq(DVec3::X, 1e-12) && !sun.has("range"), "found {sun:?}");
-        assert!(point.notes[0].contains("its parent is not a node"));
+        assert_eq!(off.notes.len(), 3, "found {off:?}");
+        let many = format!("{{\"lights\":[{}{{\"type\":0}}]}}", "{\"type\":0},".repeat(10_000));
+        assert!(read(&many).unwrap_err().expected.starts_with("at most 10000"));
     }
 }

@@ -98,11 +98,11 @@ mod tests {
         assert!(read(&file("Object", &deep(200))).unwrap_err().to_string().contains("recursion limit"));
         assert_eq!(read(&file("Geometry", "")).unwrap_err().parameter, "metadata.type");
         let lights = r#"{"type":"SpotLight"},{"type":"PointLight","color":-1},{"type":"DirectionalLight",
-            "visible":false,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,2,1],"distance":3}"#;
+            "visible":false,"map":"","matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,2,1],"distance":3}"#;
         let found = read(&file("Object", lights)).unwrap();
         let refused: Vec<_> = found.refused.iter().map(|refusal| refusal.parameter.as_str()).collect();
         assert_eq!(refused, ["position", "color"]);
         let sun = &found.records[0];
-        assert_eq!((sun.axis, sun.notes.len(), sun.has("distance")), (DVec3::NEG_Z, 2, false));
+        assert_eq!((sun.axis, sun.notes.len(), sun.has("distance")), (DVec3::NEG_Z, 3, false));
     }
 }
