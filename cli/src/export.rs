@@ -54,8 +54,10 @@ fn written(lamps: &[Lamp], usage: Use, options: &Export) -> Result<String, Refus
         }
         Target::Language(language) => {
             let sources = lights.iter().zip(&names).map(|(light, name)| {
-                luminaire_export::export(light.light, name, language)
-                    .map_err(|error| told(error).at(&light.name))
+                let refused = |error| {
+                    if lights.len() > 1 { told(error).at(&light.name) } else { told(error) }
+                };
+                luminaire_export::export(light.light, name, language).map_err(refused)
             });
             Ok(sources.collect::<Result<Vec<_>, _>>()?.join("\n"))
         }

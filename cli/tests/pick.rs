@@ -78,10 +78,11 @@ fn pick_scene_of_a_file_steers_no_terminal_and_sums_to_zero() {
         std::fs::write(&file, scene).unwrap();
         pick(&["--scene", file.to_str().unwrap()])
     };
-    let none = String::from_utf8(answer(r#"{"lights":[]}"#).stdout).unwrap();
+    let none = String::from_utf8(answer(r#"{"format":"luminaire-lights-1","lights":[]}"#).stdout).unwrap();
     assert!(none.starts_with("sum 0.0 instructions") && !none.contains('-'), "{none}");
-    for scene in [r#"{"lights":[{"\u001b[2J\u202e":1}]}"#, r#"{"lights":[{"name":"\u001b[2J\u202e"}]}"#] {
-        let told = String::from_utf8(answer(scene).stderr).unwrap();
+    for light in [r#"{"\u001b[2J\u202e":1}"#, r#"{"name":"\u001b[2J\u202e"}"#] {
+        let scene = format!(r#"{{"format":"luminaire-lights-1","lights":[{light}]}}"#);
+        let told = String::from_utf8(answer(&scene).stderr).unwrap();
         assert!(told.starts_with("error: ") && !told.contains(['\u{1b}', '\u{202e}']), "{told:?}");
     }
     std::fs::remove_file(file).unwrap();

@@ -15,7 +15,8 @@ use crate::text::decode;
 
 /// Returns the lights of a file.
 ///
-/// Without a system, the extension of the name decides, and of JSON the content. `tolerance` is the
+/// Without a system, the extension of the name decides, and of JSON the content. A text that begins with
+/// `# system: NAME` has a value `key=value` in each line, and may have `# kind: point`. `tolerance` is the
 /// largest difference in linear codes at which a cheaper cone takes the place of a measured light's
 /// table.
 ///
@@ -28,6 +29,9 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
         None => recognised(name, bytes)?,
     };
     let text = || decode(bytes);
+    if bytes.starts_with(b"# system: ") {
+        return values(system, &text()?);
+    }
     let found = match system {
         System::Gltf => read::gltf::read(bytes)?,
         System::Three => read::three::read(&text()?)?,
@@ -44,10 +48,20 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
         System::Ofl => return read::ofl::read(&text()?),
         System::Luminaire => return own(&text()?),
         System::OpenGl | System::Direct3d | System::Blender | System::Bevy => {
-            return numbers(system, text()?.lines().filter(|line| !line.trim_start().starts_with('#')));
+            return values(system, &text()?);
         }
     };
     Ok(converted(system, found))
+}
+
+/// Returns the light of a text with a value in each line, after `# system: NAME`.
+fn values(system: System, text: &str) -> Result<Lamps, Refusal> {
+    let kind = text
+        .lines()
+        .find_map(|line| line.strip_prefix("# kind: "))
+        .map(|kind| format!("kind={}", kind.trim()));
+    let lines = text.lines().filter(|line| !line.trim_start().starts_with('#'));
+    numbers(system, kind.as_deref().into_iter().chain(lines))
 }
 
 /// Returns the light of values `key=value` in the names and units of a system. `kind` is spot, point or
@@ -132,6 +146,11 @@ fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
             () if has("\"asset\"") => System::Gltf,
             () => System::Ofl,
         });
+    }
+    // Numbers in a text say whose they are.
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(200)]);
+    if let Some(name) = text.lines().find_map(|line| line.strip_prefix("# system: ")) {
+        return name.trim().parse();
     }
     System::ALL.iter().copied().find(|system| system.extensions().contains(&&*extension)).ok_or_else(|| {
         let mut known: Vec<_> = System::ALL.iter().flat_map(|system| system.extensions()).copied().collect();

@@ -11,6 +11,10 @@ use luminaire::models::Parameters;
 
 use crate::error::ExportError;
 
+/// The falloffs with numbers of which a wrong count was given.
+const NUMBERED: [&str; 7] =
+    ["quadratic", "cubic", "power", "inverted-power", "real-power", "inverted-real-power", "knots"];
+
 /// Returns the falloff of a name in the list of models, with its parameters.
 ///
 /// A table of `table` has samples from 65,535 on the axis, evenly spaced over the versine; one of
@@ -42,21 +46,9 @@ pub fn falloff(name: &str, numbers: &[f64]) -> Result<AnyFalloff, ExportError> {
             Table::from_knots(Vec::leak(numbers.chunks(3).map(knot).collect::<Result<_, ExportError>>()?))?
                 .into()
         }
-        (
-            "quadratic"
-            | "cubic"
-            | "power"
-            | "inverted-power"
-            | "real-power"
-            | "inverted-real-power"
-            | "knots",
-            count,
-        ) => {
-            return Err(ExportError::new(
-                name,
-                format_args!("{count} numbers"),
-                "as many as the falloff has",
-            ));
+        (name, count) if NUMBERED.contains(&name) => {
+            let given = format_args!("{count} numbers");
+            return Err(ExportError::new(name, given, "the numbers of `luminaire export --help`"));
         }
         (name, count) => {
             let names: Vec<_> = AnyFalloff::samples().map(|sample| sample.effect().name()).collect();
