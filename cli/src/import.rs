@@ -133,7 +133,11 @@ fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
         AnyLight::Point(_) => "point",
         AnyLight::Directional(_) => "directional",
     };
-    let unit = if usage.is_photometric { " cd" } else { "" };
+    let unit = match (usage.is_photometric, light) {
+        (true, AnyLight::Directional(_)) => " lux",
+        (true, _) => " cd",
+        (false, _) => "",
+    };
     let _ = write!(
         text,
         "  {}: {kind}, intensity {}{unit}",

@@ -277,7 +277,11 @@ fn blender(record: &mut Record) -> Result<Spot, Refusal> {
     record.note(
         "the intensity is in watts per steradian; Blender's exporter of glTF multiplies by 683 for candela",
     );
-    spot(record, cone(Smooth.into(), inner, outer)?, intensity, InverseSquare, 0.0)
+    let radius = record.within("shadow_soft_size", 0.0, 0.0, 1e6)?;
+    let mut imported = spot(record, cone(Smooth.into(), inner, outer)?, intensity, InverseSquare, 0.0)?;
+    // With its soft falloff, Blender divides by `d^2 + r^2`; at distance 1 the difference is the largest.
+    imported.difference.distance = (radius * radius / (1.0 + radius * radius)) as f32;
+    Ok(imported)
 }
 
 /// Returns the radiance of a light of UsdLux.
@@ -311,7 +315,7 @@ fn usd(record: &mut Record) -> Result<Spot, Refusal> {
     let intensity = usd_brightness(record)? * size;
     if radius > 0.0 {
         record.note(format!(
-            "a source of radius {radius} became a point: nearer than five radii the difference is over 1 %"
+            "a source of radius {radius} became a point: only surfaces that face it get the same light nearby"
         ));
     }
     let focus = record.within("shaping:focus", 0.0, 0.0, 1024.0)? + f64::from(u8::from(is_disk));

@@ -111,7 +111,10 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
 
 fn converted(system: System, Found { records, mut refused, notes }: Found) -> Lamps {
     let mut lamps = Vec::new();
-    for record in records {
+    for (number, mut record) in records.into_iter().enumerate() {
+        if record.name.is_empty() {
+            record.name = format!("light {}", number + 1);
+        }
         match convert::lamp(system, record) {
             Ok(lamp) => lamps.push(lamp),
             Err(refusal) => refused.push(refusal),

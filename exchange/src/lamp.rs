@@ -140,7 +140,7 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
     Ok(match light {
         AnyLight::Spot(spot) => {
             let position = place.position.map_or(spot.position(), Into::into);
-            let moved = SpotLight::new(position, place.axis.map_or(spot.axis(), Into::into), spot.cone())?;
+            let moved = SpotLight::new(position, place.axis.map_or(spot.toward(), Into::into), spot.cone())?;
             lit!(moved).with_attenuation(spot.attenuation()).into()
         }
         AnyLight::Point(point) => {
@@ -148,7 +148,7 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
             lit!(moved).with_attenuation(point.attenuation()).into()
         }
         AnyLight::Directional(sun) => {
-            let axis = place.axis.map_or(sun.direction(), Into::into);
+            let axis = place.axis.map_or(sun.toward(), Into::into);
             lit!(DirectionalLight::new(axis)?).into()
         }
     })

@@ -197,7 +197,7 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
     match light {
         AnyLight::Spot(spot) => {
             described.position = Some(spot.position().into());
-            described.axis = Some(spot.axis().into());
+            described.axis = Some(spot.toward().into());
             described.cone = Some(shape(&spot.cone()));
             described.attenuation = attenuation(spot.attenuation());
         }
@@ -205,7 +205,7 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
             described.position = Some(point.position().into());
             described.attenuation = attenuation(point.attenuation());
         }
-        AnyLight::Directional(directional) => described.axis = Some(directional.direction().into()),
+        AnyLight::Directional(directional) => described.axis = Some(directional.toward().into()),
     }
     described
 }

@@ -44,16 +44,16 @@ fn falloff(falloff: &Value, t: f64) -> f64 {
             (1.0 - u.max(floor).powf(exponent)) / (1.0 - floor.powf(exponent))
         }
         "samples" => {
-            let samples = numbers("samples");
+            let samples = numbers("parameters");
             let place = u * (samples.len() - 1) as f64;
             let i = (place as usize).min(samples.len() - 2);
             (samples[i] + (samples[i + 1] - samples[i]) * (place - i as f64)) / 65_535.0
         }
         "knots" => {
-            let knots = falloff["knots"].as_array().expect("a list");
-            let knot = knots.iter().rfind(|knot| number(&knot[0]) <= u * 65_536.0).unwrap_or(&knots[0]);
-            let rise = number(&knot[2]) / 32_768.0 * (u * 65_536.0 - number(&knot[0]));
-            ((number(&knot[1]) + rise) / 65_535.0).clamp(0.0, 1.0)
+            let knots = numbers("parameters");
+            let knot = knots.chunks(3).rfind(|knot| knot[0] <= u * 65_536.0).unwrap_or(&knots);
+            let rise = knot[2] / 32_768.0 * (u * 65_536.0 - knot[0]);
+            ((knot[1] + rise) / 65_535.0).clamp(0.0, 1.0)
         }
         formula => panic!("{formula} is not documented"),
     }
@@ -62,11 +62,18 @@ fn falloff(falloff: &Value, t: f64) -> f64 {
 /// The laws that the documentation of the JSON has.
 const LAWS: [&str; 5] = ["constant", "inverse-square", "polynomial", "decay", "smoothstep"];
 
+/// Returns an axis of unit length in f32, as the exact model has it.
+fn unit(axis: DVec3) -> DVec3 {
+    let [x, y, z] = axis.to_array().map(|c| c as f32);
+    let length = (x * x + y * y + z * z).sqrt();
+    DVec3::from_array([x, y, z].map(|c| f64::from(c / length)))
+}
+
 /// Returns the irradiance, from the documentation of the JSON alone.
 fn irradiance(light: &Value, point: DVec3, normal: DVec3) -> f64 {
     let offset = point - triple(&light["position"]);
     let (distance, cone) = (offset.length(), &light["cone"]);
-    let versine = versine_between(offset, triple(&light["axis"]));
+    let versine = versine_between(offset, unit(triple(&light["axis"])));
     let [inner, outer] = ["inner_versine", "outer_versine"].map(|versine| number(&cone[versine]));
     let limit = cone.get("cutoff_versine").map_or(outer, number);
     let t = if versine <= inner { 1.0 } else { (outer - versine) / (outer - inner) };
@@ -109,7 +116,8 @@ fn json_has_all_that_a_light_needs() {
             continue;
         }
         let json = export(spot, "key", Language::Json).expect("a light");
-        let light: Value = serde_json::from_str(&json).expect("JSON");
+        let document: Value = serde_json::from_str(&json).expect("JSON");
+        let light = &document["lights"][0];
         if !LAWS.contains(&light["attenuation"]["law"].as_str().expect("a law")) {
             continue;
         }
@@ -118,7 +126,7 @@ fn json_has_all_that_a_light_needs() {
             let (point, normal) = place(&mut rng, &any);
             let [exact, share] = support::exact(&spot, point, normal);
             let wide = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
-            let found = irradiance(&light, wide(point), wide(normal));
+            let found = irradiance(light, wide(point), wide(normal));
             if exact > 0.0 && exact.is_finite() {
                 lit += 1;
                 worst = worst.max((found - exact).abs() * share / exact);

@@ -83,6 +83,12 @@ impl DirectionalLight {
         self.direction.unit
     }
 
+    /// Returns the direction as it was given, without a rounding error, at another length: its
+    /// largest component is in [1/2, 1]. A light with this direction compiles to the same bits.
+    pub fn toward(&self) -> Vec3<f32> {
+        self.direction.toward
+    }
+
     /// Compiles the light for the format `S`.
     pub fn compile<S: Scalar>(&self) -> CompiledDirectionalLight<S> {
         CompiledDirectionalLight {

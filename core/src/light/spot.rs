@@ -164,6 +164,12 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         self.axis.unit
     }
 
+    /// Returns the axis as it was given, without a rounding error, at another length: its largest
+    /// component is in [1/2, 1]. A light with this axis compiles to the same bits.
+    pub fn toward(&self) -> Vec3<f32> {
+        self.axis.toward
+    }
+
     /// Returns the axis in the format `S`. The result is computed from the unrounded axis, so that
     /// in `Fx32` a point on the given axis is also on the axis of the compiled light.
     pub fn axis_in<S: Scalar>(&self) -> Vec3<S::Unit> {
