@@ -1,3 +1,0 @@
-pub(crate) fn read(_: &str) -> Result<super::Found, crate::Refusal> {
-    Ok(super::Found::default())
-}
