@@ -1,5 +1,15 @@
 //! Readers of files: each finds the lights, in the words of its system.
 
+pub(crate) mod godot;
+pub(crate) mod pbrt;
+mod scene;
+#[cfg(test)]
+mod tests;
+pub(crate) mod unity;
+pub(crate) mod unreal;
+pub(crate) mod usd;
+pub(crate) mod x3d;
+
 use crate::record::Record;
 use crate::refusal::Refusal;
 
