@@ -1,0 +1,73 @@
+//! Scenes of Godot as text: `.tscn`, and `.scn` that was saved as text.
+
+use std::collections::HashMap;
+
+use glam::{DAffine3, DVec3};
+
+use super::Found;
+use super::scene::{Block, OUTSIDE, System, add, among, attribute, color, lights};
+use crate::refusal::Refusal;
+
+const SYSTEM: System = System {
+    kinds: ["SpotLight3D SpotLight", "OmniLight3D OmniLight", SUN, "AreaLight3D"],
+    axis: DVec3::NEG_Z,
+    keys: "light_energy omni_range omni_attenuation spot_range spot_attenuation spot_angle spot_angle_attenuation",
+    others: "light_negative=0 light_projector= light_temperature= light_intensity_lumens= light_intensity_lux=",
+    off: "visible=false editor_only=true",
+    outside: "instance",
+};
+const SUN: &str = "DirectionalLight3D DirectionalLight";
+
+/// Returns the lights, with their properties as keys, and `color`, which is linear. `version` = 3 for
+/// lights of Godot 3.
+pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
+    let (mut blocks, mut paths, mut node) = (Vec::new(), HashMap::new(), None);
+    for (line, text) in (1..).zip(text.lines()) {
+        if text.starts_with("[node ") {
+            let [name, kind, parent] = ["name", "type", "parent"].map(|key| attribute(text, key));
+            let path = match parent {
+                "" => ".".to_owned(),
+                "." => name.to_owned(),
+                _ => format!("{parent}/{name}"),
+            };
+            let mut block = Block { kind, name, line, ..Block::default() };
+            // A transform does not go through nodes without one.
+            if !parent.is_empty() && !among("Node Control CanvasLayer SubViewport Viewport Window", kind) {
+                block.parents.push(paths.get(parent).copied().unwrap_or(OUTSIDE));
+            }
+            // A node without a type is one of an instance.
+            if kind.is_empty() {
+                block.values.insert("instance", name);
+            }
+            node = Some(blocks.len());
+            paths.insert(path, add(&mut blocks, block)?);
+        } else if text.starts_with('[') {
+            node = None;
+        } else if let (Some(node), Some((key, value))) = (node, text.split_once(" = ")) {
+            blocks[node].values.insert(key, value);
+            if key == "top_level" && value == "true" {
+                blocks[node].parents.clear();
+            }
+        }
+    }
+    lights(&SYSTEM, &blocks, local, |block, record| {
+        record.set("color", color(block.numbers("light_color", [1.0; 4])?));
+        if !block.kind.ends_with("3D") {
+            record.number("version", 3.0);
+            record.note("a light of Godot 3, whose attenuation differs from that of Godot 4");
+        }
+        Ok(())
+    })
+}
+
+/// Returns the transform of a node: the rows of the basis, then the origin (`variant_parser.cpp`).
+fn local(block: &Block) -> Result<DAffine3, Refusal> {
+    let parts = "position translation rotation rotation_degrees scale quaternion basis";
+    let part = parts.split(' ').chain(["instance"]).find(|part| block.has(part));
+    if let Some(part) = part.filter(|part| *part != "instance" || !block.has("transform")) {
+        return Err(block.refused(part, "a `transform` in this file, as the editor writes it"));
+    }
+    let identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let [xx, xy, xz, yx, yy, yz, zx, zy, zz, x, y, z] = block.numbers("transform", identity)?;
+    Ok(DAffine3::from_cols_array(&[xx, yx, zx, xy, yy, zy, xz, yz, zz, x, y, z]))
+}

@@ -1,0 +1,86 @@
+//! Scenes and prefabs of Unity as text: `.unity` and `.prefab`.
+
+use std::collections::HashMap;
+
+use glam::{DAffine3, DQuat, DVec3};
+
+use super::Found;
+use super::scene::{Block, OUTSIDE, System, add, among, color, lights};
+use crate::refusal::Refusal;
+
+const SYSTEM: System = System {
+    kinds: ["spot", "point", "directional", "area"],
+    axis: DVec3::Z,
+    keys: "m_Intensity m_Range m_SpotAngle m_InnerSpotAngle m_LightUnit",
+    others: "m_Cookie=0 m_Shape=0 m_UseColorTemperature=0",
+    off: "m_IsActive=0 m_Enabled=0",
+    outside: "m_SourcePrefab",
+};
+
+/// Returns the lights, with the keys of the file, and `color`, which is linear.
+pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
+    // A value in braces may have several lines.
+    let text = text.replace('\r', "").replace(",\n    ", ",\u{b}");
+    let (mut blocks, mut indices, mut places, mut line) = (Vec::new(), HashMap::new(), HashMap::new(), 1);
+    for document in text.split("--- !u!") {
+        let mut words = document.split_whitespace();
+        let (kind, name) = (words.next().unwrap_or(""), words.next().unwrap_or("").trim_start_matches('&'));
+        if among("1 4 108 1001", kind) {
+            let values = document.split("\n  ").filter_map(|field| field.split_once(':')).collect();
+            let block = Block { kind, name, line, values, ..Block::default() };
+            if kind == "4" {
+                places.insert(id(&block, "m_GameObject"), blocks.len());
+            }
+            indices.insert(name, add(&mut blocks, block)?);
+        }
+        line += document.matches(['\n', '\u{b}']).count();
+    }
+    if places.is_empty() {
+        let expected = "text: Project Settings, Editor, Asset Serialization, Force Text";
+        return Err(Refusal::new("file", "without transforms", expected));
+    }
+    // Light, its object, its transform, the object of the transform above.
+    for index in 0..blocks.len() {
+        let (block, father) = (&blocks[index], id(&blocks[index], "m_Father"));
+        let above = match block.kind {
+            "1" => places.get(block.name),
+            "4" => indices.get(father).and_then(|&father| indices.get(id(&blocks[father], "m_GameObject"))),
+            _ => indices.get(id(block, "m_GameObject")),
+        };
+        let (above, name) = (above.copied(), above.map(|&above| blocks[above].get("m_Name")));
+        let block = &mut blocks[index];
+        if block.kind != "4" || father != "0" {
+            block.parents.push(above.unwrap_or(OUTSIDE));
+        }
+        if block.kind == "108" {
+            let kinds = [("0", "spot"), ("1", "directional"), ("2", "point")];
+            let kind = kinds.iter().find(|(number, _)| *number == block.get("m_Type"));
+            (block.kind, block.name) = (kind.map_or("area", |(_, kind)| kind), name.unwrap_or(""));
+        }
+    }
+    let mut found = lights(&SYSTEM, &blocks, local, |block, record| {
+        record.set("color", color(block.numbers("m_Color", [1.0; 4])?));
+        Ok(())
+    })?;
+    found.notes.push("positions and axes are in the left-handed system of Unity, with y up".to_owned());
+    Ok(found)
+}
+
+/// Returns the identifier of another document; 0 is none.
+fn id<'a>(block: &Block<'a>, key: &str) -> &'a str {
+    let id = block.get(key).split_once("fileID:").map_or("0", |(_, id)| id.trim());
+    &id[..id.find([',', '}']).unwrap_or(id.len())]
+}
+
+/// Returns the transform of a `Transform`.
+fn local(block: &Block) -> Result<DAffine3, Refusal> {
+    if block.kind != "4" {
+        return Ok(DAffine3::IDENTITY);
+    }
+    if !block.has("m_LocalPosition") {
+        return Err(block.refused("m_LocalPosition", "a transform in this file, not in a prefab"));
+    }
+    let turn = DQuat::from_array(block.numbers("m_LocalRotation", [0.0, 0.0, 0.0, 1.0])?).normalize();
+    let (scale, position) = (block.vector("m_LocalScale", 1.0)?, block.vector("m_LocalPosition", 0.0)?);
+    Ok(DAffine3::from_scale_rotation_translation(scale, turn, position))
+}
