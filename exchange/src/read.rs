@@ -10,6 +10,9 @@ mod json;
 pub(crate) mod ofl;
 pub(crate) mod pbrt;
 pub(crate) mod photometry;
+mod scene;
+#[cfg(test)]
+mod tests;
 pub(crate) mod three;
 pub(crate) mod unity;
 pub(crate) mod unreal;
