@@ -78,7 +78,7 @@ impl Source {
                     throw: self.throw,
                     ..sheet
                 };
-                Lamps { lamps: vec![sheet.lamp()?], ..Lamps::new(System::Gdtf) }
+                Lamps { lamps: sheet.lamp()?.ends().collect(), ..Lamps::new(System::Gdtf) }
             }
         };
         if let Some(chosen) = &self.light {

@@ -44,8 +44,8 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
         System::Unreal => read::unreal::read(&text()?)?,
         System::Ies => return photometry(system, read::ies::read(&text()?)?, tolerance),
         System::Eulumdat => return photometry(system, read::eulumdat::read(&text()?)?, tolerance),
-        System::Gdtf => return read::gdtf::read(bytes),
-        System::Ofl => return read::ofl::read(&text()?),
+        System::Gdtf => return read::gdtf::read(bytes).map(zoomed),
+        System::Ofl => return read::ofl::read(&text()?).map(zoomed),
         System::Luminaire => return own(&text()?),
         System::OpenGl | System::Direct3d | System::Blender | System::Bevy => {
             return values(system, &text()?);
@@ -121,6 +121,10 @@ fn converted(system: System, Found { records, mut refused, notes }: Found) -> La
         }
     }
     Lamps { system, lamps, refused, notes }
+}
+
+fn zoomed(lamps: Lamps) -> Lamps {
+    Lamps { lamps: lamps.lamps.into_iter().flat_map(Lamp::ends).collect(), ..lamps }
 }
 
 fn photometry(system: System, read: read::photometry::Photometry, tolerance: f64) -> Result<Lamps, Refusal> {

@@ -50,6 +50,13 @@ impl Lamp {
         }
     }
 
+    /// Returns the light, and for a zoom a second light of the widest cone: the ends of
+    /// [`Cone::zoomed`](luminaire::Cone::zoomed).
+    pub fn ends(self) -> impl Iterator<Item = Self> {
+        let widest = self.widest.map(|light| Self::new(format!("{}, widest", self.name), light));
+        std::iter::once(self).chain(widest)
+    }
+
     /// Returns the irradiance on the axis at a distance.
     pub fn at(&self, distance: f64) -> f64 {
         let intensity = f64::from(self.light.intensity());
