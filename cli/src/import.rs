@@ -45,7 +45,7 @@ pub(crate) fn import(options: &Import) -> Result<(String, bool), Refusal> {
         match lamps {
             Err(refusal) => {
                 counts[2] += 1;
-                let _ = writeln!(text, "{name}: refused\n  {refusal}");
+                let _ = writeln!(text, "{}: refused\n  {refusal}", shown(name));
             }
             Ok(lamps) => {
                 counts[0] += 1;
@@ -114,7 +114,13 @@ fn document(inputs: &[Input], lamps: &[(&Lamp, Use)]) -> Result<String, Refusal>
 
 fn tell(text: &mut String, name: &str, lamps: &Lamps, usage: Use) {
     let count = lamps.lamps.len();
-    let _ = writeln!(text, "{name} ({}): {count} light{}", lamps.system, if count == 1 { "" } else { "s" });
+    let _ = writeln!(
+        text,
+        "{} ({}): {count} light{}",
+        shown(name),
+        lamps.system,
+        if count == 1 { "" } else { "s" }
+    );
     for lamp in &lamps.lamps {
         describe(text, lamp, usage);
     }
@@ -138,12 +144,8 @@ fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
         (true, _) => " cd",
         (false, _) => "",
     };
-    let _ = write!(
-        text,
-        "  {}: {kind}, intensity {}{unit}",
-        luminaire_export::printable(&lamp.name),
-        short(light.intensity().into())
-    );
+    let _ =
+        write!(text, "  {}: {kind}, intensity {}{unit}", shown(&lamp.name), short(light.intensity().into()));
     if let AnyLight::Spot(spot) = light {
         let cone = spot.cone();
         let [beam, field, outer] =
@@ -215,6 +217,11 @@ fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
     for note in &lamp.notes {
         let _ = writeln!(text, "    note: {note}");
     }
+}
+
+/// Returns a name of a file or a light as a terminal shows it, cut after 160 characters.
+fn shown(name: &str) -> String {
+    luminaire_export::printable(name).chars().take(160).collect()
 }
 
 /// Returns a number with four significant digits, and large numbers whole.

@@ -166,8 +166,22 @@ impl Light {
             return Err(refused("cutoff", &cone.outer().to_degrees().to_string(), "no cutoff"));
         }
         let attenuation = match spot.attenuation() {
-            AnyAttenuation::Constant(law) if law.range().is_none() => Attenuation::None,
-            AnyAttenuation::InverseSquare(law) if law.range().is_none() => Attenuation::InverseSquare,
+            // Without a range, a window is none.
+            law if law.range().is_none()
+                && matches!(law, AnyAttenuation::Constant(_) | AnyAttenuation::WindowedConstant(_)) =>
+            {
+                Attenuation::None
+            }
+            law if law.range().is_none()
+                && matches!(
+                    law,
+                    AnyAttenuation::InverseSquare(_)
+                        | AnyAttenuation::GltfRange(_)
+                        | AnyAttenuation::FilamentRange(_)
+                ) =>
+            {
+                Attenuation::InverseSquare
+            }
             law => {
                 let range = law.range().map_or_else(|| "none".to_owned(), |range| range.to_string());
                 let value = format!("{}, range {range}", luminaire::attenuation::Attenuation::effects(&law));

@@ -1,0 +1,152 @@
+//! Lights of files and of other tools, through every command.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn luminaire(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("../exchange/tests");
+    command.current_dir(tests).args(arguments).output().expect("the program runs")
+}
+
+fn text(arguments: &str) -> String {
+    let output = luminaire(&arguments.split(' ').collect::<Vec<_>>());
+    assert!(output.status.success(), "{arguments}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("a text")
+}
+
+fn temporary(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{}-{name}", std::process::id()))
+}
+
+/// A light of a file as C in one command, with the bits of the light that `import` writes as JSON.
+#[test]
+fn file_becomes_source_and_json_becomes_the_same() {
+    let document = temporary("spot.json");
+    let path = document.to_str().expect("a path");
+    std::fs::write(&document, text("import files/spot.ies --json")).expect("a file");
+    for language in ["c-fx16", "c-f32", "glsl", "wgsl", "rust-f32"] {
+        let direct = text(&format!("export --from files/spot.ies --to {language} --name key"));
+        assert_eq!(direct, text(&format!("export --from {path} --to {language} --name key")), "{language}");
+        assert!(direct.contains("key"), "{language}");
+    }
+    std::fs::remove_file(document).expect("removed");
+}
+
+#[test]
+fn tools_ies_and_pick_take_the_same_light() {
+    for (tool, told) in [
+        ("blender", "spot_size="),
+        ("three", "penumbra="),
+        ("godot", "spot_angle_attenuation="),
+        ("unreal", "OuterConeAngle="),
+        ("unity", "innerSpotAngle="),
+        ("bevy", "outer_angle="),
+        ("gltf", "outerConeAngle="),
+        ("usd", "shaping:cone:softness="),
+        ("opengl", "spot_exponent="),
+        ("direct3d", "phi="),
+        ("ies", "IESNA:LM-63-2002"),
+    ] {
+        let written = text(&format!("export --beam 15 --field 26 --lumens 8700 --to {tool}"));
+        assert!(written.contains(told) && (tool == "ies" || written.contains("of 255 codes")), "{written}");
+    }
+    let answer =
+        text("pick --chip cortex-m0 --display rgb565 --from three angle=0.6 penumbra=0.5 intensity=16");
+    assert!(answer.contains("evaluation"), "{answer}");
+    let two = text("export --from files/fixture.json --to c-fx16");
+    assert!(two.contains("one_lens_irradiance") && two.contains("one_lens_bright_irradiance"), "{two}");
+}
+
+/// A bad file does not stop the others; the exit code and the JSON tell it.
+#[test]
+fn import_goes_on_after_a_bad_file() {
+    let bad = temporary("bad.ies");
+    std::fs::write(&bad, "IESNA91\nTILT=NONE\n1 -1 1 9").expect("a file");
+    let path = bad.to_str().expect("a path");
+    let output = luminaire(&["import", "files/three.gltf", path, "files/spot.ldt", "none.glb"]);
+    let told = String::from_utf8(output.stdout).expect("a text");
+    assert_eq!(output.status.code(), Some(1));
+    for part in [
+        "files/three.gltf (gltf): 3 lights",
+        "bad.ies: refused",
+        "files/spot.ldt (eulumdat): 1 light",
+        "2 files with 4 lights, 2 refused",
+    ] {
+        assert!(told.contains(part), "{told}: expected {part}");
+    }
+    let output = luminaire(&["import", "--json", "files/three.gltf", path]);
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(
+        (json["lights"].as_array().map(Vec::len), json["refused"].as_array().map(Vec::len)),
+        (Some(3), Some(1))
+    );
+    std::fs::remove_file(bad).expect("removed");
+    assert_eq!(luminaire(&["import", "--jso"]).status.code(), Some(2));
+}
+
+#[test]
+fn errors_name_the_parameter_and_stay_short() {
+    let long = "x".repeat(100_000);
+    for (arguments, told) in [
+        (vec!["import"], "files = none: expected a file"),
+        (vec!["import", "--from", "blender", "spot_siz=1"], "key = spot_siz: expected a key of blender: "),
+        (vec!["import", "--from", "direct3d", "phi=1"], "give attenuation0=1"),
+        (
+            vec!["import", "--from", "godot", "spot_angle=120"],
+            "spot_angle = 120: expected a number from 0 to 90",
+        ),
+        (
+            vec!["export", "--to", "glsl", "--from", "nowhere.gltf"],
+            "file = nowhere.gltf: expected a file that can be read",
+        ),
+        (
+            vec!["export", "--to", "glsl", "--from", "files/three.gltf", "--light", "rim"],
+            "light = rim: expected a number from 1 to 3, or one of spot, point, sun",
+        ),
+        (vec!["export", "--to", "c-fx16", "--from", "files/three.gltf"], "sun: "),
+        (
+            vec!["pick", "--chip", "cortex-m0", "--display", "rgb565", "--from", "godot"],
+            "the inverse square or none, without a range",
+        ),
+        (vec!["import", "--fixture", "nothing like it"], "fixture = nothing like it"),
+        (
+            vec!["still", "--output", "x.png", "--from", "files/three.gltf"],
+            "--light with a number from 1 to 3",
+        ),
+        (vec!["import", "--from", "blender", &long], "a file that can be read"),
+    ] {
+        let output = luminaire(&arguments);
+        let found = String::from_utf8(output.stderr).expect("a text")
+            + &String::from_utf8(output.stdout).expect("a text");
+        assert!(!output.status.success() && found.contains(told), "{found}: expected {told}");
+        assert!(found.chars().count() <= 2_000, "{} characters", found.chars().count());
+    }
+}
+
+#[test]
+fn chart_has_both_marks_and_still_is_a_lit_wall() {
+    let (chart, wall) = (temporary("chart.svg"), temporary("wall.png"));
+    text(&format!("import files/spot.ies --svg {}", chart.display()));
+    let svg = std::fs::read_to_string(&chart).expect("a chart");
+    assert!(svg.contains("50 %") && svg.contains("10 %") && svg.matches("<polyline").count() == 2, "{svg}");
+    text(&format!("still --from files/spot.ies --output {}", wall.display()));
+    let mut reader =
+        png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&wall).expect("a picture")))
+            .read_info()
+            .expect("a PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+    let info = reader.next_frame(&mut pixels).expect("a frame");
+    let at = |x: u32, y: u32| pixels[3 * (y * info.width + x) as usize];
+    let middle = info.width / 2;
+    // Full scale on the axis at the throw, and about half of the light at the beam angle.
+    assert!(
+        at(middle, middle) >= 254 && at(2, 2) < at(middle, middle) / 2,
+        "{} and {}",
+        at(middle, middle),
+        at(2, 2)
+    );
+    for file in [chart, wall] {
+        std::fs::remove_file(file).expect("removed");
+    }
+}
