@@ -18,6 +18,7 @@ pub(crate) mod unity;
 pub(crate) mod unreal;
 pub(crate) mod usd;
 pub(crate) mod x3d;
+mod xml;
 
 use crate::record::Record;
 use crate::refusal::Refusal;

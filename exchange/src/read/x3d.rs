@@ -2,12 +2,10 @@
 
 use std::collections::HashMap;
 
-use glam::{DAffine3, DVec3};
-use roxmltree::{Document, ParsingOptions};
-
-use super::Found;
 use super::scene::{Block, Scan, System, add, among, lights, numbers, rotation};
+use super::{Found, xml};
 use crate::refusal::Refusal;
+use glam::{DAffine3, DVec3};
 
 const SYSTEM: System = System {
     kinds: ["SpotLight", "PointLight", "DirectionalLight", "EnvironmentLight"],
@@ -24,21 +22,21 @@ const FIELDS: &str = "color intensity ambientIntensity attenuation radius beamWi
 pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     let header = text.trim_start().lines().next().unwrap_or("");
     match header.get(..7).unwrap_or(header) {
-        _ if header.starts_with('<') => classic(&from_xml(text)?),
-        "#VRML V" if !header.contains("V1.0") => classic(text),
-        "#X3D V3" | "#X3D V4" => classic(text),
+        _ if header.starts_with('<') => {
+            let (text, version) = from_xml(text)?;
+            classic(&text, version)
+        }
+        "#VRML V" if !header.contains("V1.0") => classic(text, 2.0),
+        "#X3D V3" | "#X3D V4" => {
+            classic(text, header.get(6..9).and_then(|text| text.parse().ok()).unwrap_or(4.0))
+        }
         _ => Err(Refusal::new("file", header, "#VRML V2.0 utf8, #X3D, or XML")),
     }
 }
 
-/// Returns a file in XML as text, with the nodes on the same lines.
-fn from_xml(text: &str) -> Result<String, Refusal> {
-    if text.contains("<!ENTITY") {
-        return Err(Refusal::new("file", "<!ENTITY", "no entities, which can be of any size"));
-    }
-    let options = ParsingOptions { allow_dtd: true, nodes_limit: 1 << 20, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(text, options)
-        .map_err(|error| Refusal::new("file", &error, "XML").at(format_args!("line {}", error.pos().row)))?;
+/// Returns a file in XML as text, with the nodes on the same lines, and its version.
+fn from_xml(text: &str) -> Result<(String, f64), Refusal> {
+    let document = xml::document(text)?;
     let (mut classic, mut open, mut before) = (String::new(), Vec::new(), 0);
     for element in document.root().descendants().filter(|node| node.is_element()) {
         while !open.is_empty() && element.parent().map(|parent| parent.id()) != open.last().copied() {
@@ -61,12 +59,16 @@ fn from_xml(text: &str) -> Result<String, Refusal> {
     }
     classic.extend(open.iter().map(|_| '}'));
     match document.root_element().tag_name().name() {
-        "X3D" => Ok(classic),
+        "X3D" => {
+            let version = document.root_element().attribute("version").and_then(|text| text.parse().ok());
+            Ok((classic, version.unwrap_or(4.0)))
+        }
         root => Err(Refusal::new("file", root, "the element X3D")),
     }
 }
 
-fn classic(text: &str) -> Result<Found, Refusal> {
+/// Reads a text of a version, by which the defaults differ; VRML97 is version 2.
+fn classic(text: &str, version: f64) -> Result<Found, Refusal> {
     let (mut scan, mut blocks, mut open) = (Scan::new(text), vec![Block::default()], vec![0]);
     let (mut name, mut named) = ("", HashMap::<_, usize>::new());
     while let Some(token) = scan.next() {
@@ -100,6 +102,7 @@ fn classic(text: &str) -> Result<Found, Refusal> {
     lights(&SYSTEM, &blocks, local, |block, record| {
         record.position = block.vector("location", 0.0)?;
         record.axis = block.numbers("direction", [0.0, 0.0, -1.0])?.into();
+        record.number("version", version);
         Ok(())
     })
 }
