@@ -26,9 +26,9 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
             let (text, version) = from_xml(text)?;
             classic(&text, version)
         }
-        "#VRML V" if !header.contains("V1.0") => classic(text, 2.0),
-        "#X3D V3" | "#X3D V4" => {
-            classic(text, header.get(6..9).and_then(|text| text.parse().ok()).unwrap_or(4.0))
+        "#VRML V" | "#X3D V3" | "#X3D V4" if !header.contains("V1.0") => {
+            let version = header.split_once(" V").and_then(|(_, rest)| rest.get(..3)?.parse().ok());
+            classic(text, version.unwrap_or(4.0))
         }
         _ => Err(Refusal::new("file", header, "#VRML V2.0 utf8, #X3D, or XML")),
     }
