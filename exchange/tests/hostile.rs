@@ -36,6 +36,11 @@ static HEAP: Counted = Counted;
 /// The most memory that an input of up to a megabyte may take.
 const LARGEST: usize = 64 << 20;
 
+/// The number of inputs for each reader: 400, or that of `LUMINAIRE_HOSTILE`.
+fn inputs() -> usize {
+    std::env::var("LUMINAIRE_HOSTILE").ok().and_then(|text| text.parse().ok()).unwrap_or(400)
+}
+
 /// Reads an input in bounded memory, and tests that a refusal is short.
 fn survives(name: &str, bytes: &[u8], system: System) {
     let before = USED.load(Relaxed);
@@ -76,8 +81,7 @@ fn mutated(rng: &mut Rng, bytes: &[u8]) -> Vec<u8> {
 
 #[test]
 fn mutated_files_are_read_or_refused() {
-    // One input for each reader and fixture, or a million for each reader.
-    let total = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1_000_000 } else { 400 };
+    let total = inputs();
     let mut fixtures = Vec::new();
     for folder in ["real", "files"] {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder);
@@ -111,7 +115,7 @@ fn mutated_files_are_read_or_refused() {
 #[test]
 fn bombs_are_refused_in_bounded_memory() {
     // A tenth of a megabyte, or with a slower run the whole.
-    let part = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 10 };
+    let part = if inputs() > 400 { 1 } else { 10 };
     let deep = |open: &str, count: usize| open.repeat(count / part);
     let entities = format!(
         "<!DOCTYPE x [<!ENTITY a \"{}\">{}]><X3D>&a;</X3D>",

@@ -10,6 +10,7 @@ mod msrv;
 mod package;
 mod pictures;
 mod prove;
+mod readers;
 mod renderers;
 mod scripts;
 mod semver;
