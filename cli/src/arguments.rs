@@ -3,7 +3,7 @@
 use luminaire::falloff::AnyFalloff;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
-use crate::source::Source;
+use crate::source::{Source, Spot, vector};
 use crate::words::{self, Law, Target};
 
 /// What `luminaire --help` ends with.
@@ -28,33 +28,6 @@ pub(crate) enum Command {
     Pick(Box<Pick>),
     /// Write lights as source of another language, or as the parameters of another tool
     Export(Box<Export>),
-}
-
-/// The angles, the intensity and the place of a spotlight.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Spot {
-    /// The angle of 50 % intensity; with --field, the falloff is fitted to both
-    #[arg(long)]
-    pub(crate) beam: Option<f32>,
-    /// The angle of 10 % intensity [default: 36]
-    #[arg(long)]
-    pub(crate) field: Option<f32>,
-    /// The angle at which the light ends
-    #[arg(long)]
-    pub(crate) outer: Option<f32>,
-    /// The angle of a hotspot of full intensity
-    #[arg(long)]
-    pub(crate) inner: Option<f32>,
-    /// The intensity; 1 is full scale on the axis, at a distance of 1 [default: 16, or 1 without
-    /// attenuation]
-    #[arg(long)]
-    pub(crate) intensity: Option<f32>,
-    /// The position of the light [default: 0,0,0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
-    pub(crate) position: Option<[f32; 3]>,
-    /// The axis of the light [default: 0,-1,0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
-    pub(crate) axis: Option<[f32; 3]>,
 }
 
 /// The options of `pick`. Angles are full angles in degrees.
@@ -166,12 +139,6 @@ pub(crate) struct Export {
     /// The linear colour [default: 1,1,1]
     #[arg(long, value_name = "R,G,B", value_parser = vector)]
     pub(crate) color: Option<[f32; 3]>,
-}
-
-fn vector(text: &str) -> Result<[f32; 3], String> {
-    let numbers: Result<Vec<f32>, _> = text.split(',').map(|number| number.trim().parse()).collect();
-    let numbers = numbers.map_err(|error| error.to_string())?;
-    numbers.try_into().map_err(|_| "expected three numbers".to_owned())
 }
 
 impl Pick {

@@ -4,7 +4,32 @@ use std::fs;
 
 use luminaire_exchange::{Lamps, Refusal, Sheet, System, Use, fixture, numbers, read};
 
-use crate::arguments::Spot;
+/// The angles, the intensity and the place of a spotlight.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Spot {
+    /// The angle of 50 % intensity; with --field, the falloff is fitted to both
+    #[arg(long)]
+    pub(crate) beam: Option<f32>,
+    /// The angle of 10 % intensity [default: 36]
+    #[arg(long)]
+    pub(crate) field: Option<f32>,
+    /// The angle at which the light ends
+    #[arg(long)]
+    pub(crate) outer: Option<f32>,
+    /// The angle of a hotspot of full intensity
+    #[arg(long)]
+    pub(crate) inner: Option<f32>,
+    /// The intensity; 1 is full scale on the axis, at a distance of 1 [default: 16, or 1 without
+    /// attenuation]
+    #[arg(long)]
+    pub(crate) intensity: Option<f32>,
+    /// The position of the light [default: 0,0,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub(crate) position: Option<[f32; 3]>,
+    /// The axis of the light [default: 0,-1,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub(crate) axis: Option<[f32; 3]>,
+}
 
 /// The source of lights.
 #[derive(Clone, Debug, clap::Args)]
@@ -142,4 +167,11 @@ pub(crate) fn open(file: &str, system: Option<System>, fit: f64) -> Result<Lamps
     let bytes = fs::read(file)
         .map_err(|error| Refusal::new("file", file, format_args!("a file that can be read: {error}")))?;
     read(file, &bytes, system, fit)
+}
+
+/// Reads three numbers.
+pub(crate) fn vector(text: &str) -> Result<[f32; 3], String> {
+    let numbers: Result<Vec<f32>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    let numbers = numbers.map_err(|error| error.to_string())?;
+    numbers.try_into().map_err(|_| "expected three numbers".to_owned())
 }

@@ -2,7 +2,7 @@
 //!
 //! A function reads the values of a record by the names, units and defaults of its tool, and returns a
 //! spotlight; a point light is that spotlight without its cone. The kernel's own
-//! [`import`] has the tools whose lights it holds exactly; the others are told here.
+//! [`import`] has the tools whose lights it holds exactly; the others are below.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 

@@ -9,7 +9,6 @@ use serde_json::json;
 
 use crate::curve::{Curve, Definition};
 use crate::fit::{Fit, Residual, share};
-use crate::parameters::Use;
 use crate::refusal::Refusal;
 use crate::system::System;
 
@@ -114,6 +113,17 @@ impl Lamp {
         }
         Ok(NamedLight { name: self.name.clone(), light, surfaces: self.surfaces, about: Some(about) })
     }
+}
+
+/// How a light is used.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Use {
+    /// The distance of the surface that counts.
+    pub throw: f64,
+    /// The irradiance that tools without units show as full scale.
+    pub full_scale: f64,
+    /// Whether the intensity of the light is in candela.
+    pub is_photometric: bool,
 }
 
 /// A place, an intensity and a colour in place of those of a light.

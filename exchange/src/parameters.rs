@@ -8,7 +8,7 @@ use luminaire::falloff::{Falloff, Formula};
 
 use crate::curve::Curve;
 use crate::fit::{self, Residual, versine};
-use crate::lamp::Lamp;
+use crate::lamp::{Lamp, Use};
 use crate::refusal::Refusal;
 use crate::search;
 use crate::system::System;
@@ -42,17 +42,6 @@ pub const TOOLS: [System; 10] = [
     System::OpenGl,
     System::Direct3d,
 ];
-
-/// How a light is used.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Use {
-    /// The distance of the surface that counts.
-    pub throw: f64,
-    /// The irradiance that tools without units show as full scale.
-    pub full_scale: f64,
-    /// Whether the intensity of the light is in candela.
-    pub is_photometric: bool,
-}
 
 /// The falloffs of the tools over the angle.
 #[derive(Clone, Copy, PartialEq)]
@@ -108,7 +97,7 @@ impl Family {
         outer > 1e-5 && outer <= widest && (0.0..outer).contains(&inner) && exponents.contains(&exponent)
     }
 
-    /// Returns what the tool leaves of the intensity on the axis.
+    /// Returns the share of the intensity that the tool shows on the axis.
     fn on_axis(self, [outer, inner, exponent]: Free) -> f64 {
         match self {
             Self::SquareCosine(least) => {

@@ -37,7 +37,7 @@ pub(crate) struct Record {
     values: Vec<(String, Value)>,
     /// Which of the values have been read.
     used: Vec<bool>,
-    /// The names that were asked for.
+    /// The names that the system has.
     asked: Vec<String>,
     pub(crate) notes: Vec<String>,
 }
@@ -131,7 +131,7 @@ impl Record {
         self.value(key).map_or_else(|| default.to_owned(), |value| shown(&value))
     }
 
-    /// Returns the names that the system has, in the order in which it asked for them.
+    /// Returns the names that the system has, in the order of its formula.
     pub(crate) fn asked(&self) -> &[String] {
         &self.asked
     }
