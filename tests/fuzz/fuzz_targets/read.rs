@@ -1,0 +1,12 @@
+//! Every reader of files takes any bytes: it returns lights or says what it expects.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use luminaire_exchange::{System, read};
+
+fuzz_target!(|bytes: &[u8]| {
+    if let Some((system, bytes)) = bytes.split_first() {
+        let system = System::ALL[usize::from(*system) % System::ALL.len()];
+        let _ = read("file", bytes, Some(system), 1.0);
+    }
+});
