@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use luminaire::dynamic::AnyLight;
-use luminaire_exchange::{Lamp, share};
+use luminaire_exchange::{Definition, Lamp, share};
 
 /// The width of a panel and its height, without margins.
 const WIDTH: f64 = 560.0;
@@ -31,8 +31,9 @@ pub(crate) fn svg(lamps: &[&Lamp]) -> String {
 fn panel(out: &mut String, lamp: &Lamp) {
     let AnyLight::Spot(spot) = &lamp.light else { return };
     let cone = spot.cone();
-    let end = f64::from(cone.outer().to_degrees()) / 2.0;
-    let end = lamp.measured.as_ref().map_or(end, |curve| end.max(curve.end().min(90.0))) * 1.05;
+    // Up to a little more than the angle of 1 %, or to the end.
+    let faint = lamp.curve().and_then(|curve| curve.angle(0.01, Definition::Ies));
+    let end = (faint.unwrap_or(180.0) * 0.6).min(f64::from(cone.outer().to_degrees()) * 0.55).min(90.0);
     let at = |degrees: f64, share: f64| format!("{:.1},{:.1}", WIDTH * degrees / end, HEIGHT * (1.0 - share));
     for (share, angle, text) in [(0.5, cone.beam(), "50 %"), (0.1, cone.field(), "10 %")] {
         let (x, y) = (WIDTH * f64::from(angle.to_degrees()) / 2.0 / end, HEIGHT * (1.0 - share));

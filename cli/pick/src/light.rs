@@ -159,7 +159,11 @@ impl Light {
             AnyFalloff::Quadratic(own) => (Edge::Soft, Some([own.edge_slope(), 2.0 - own.edge_slope()])),
             AnyFalloff::Cubic(own) => (Edge::Soft, Some([own.edge_slope(), own.middle_slope()])),
             other => {
-                return Err(refused("falloff", other.effect().name(), "a polynomial up to the third degree"));
+                return Err(refused(
+                    "falloff",
+                    other.effect().name(),
+                    "a polynomial up to the third degree (of a measured light by a larger --fit)",
+                ));
             }
         };
         if cone.has_cutoff() {
