@@ -91,6 +91,7 @@ fn what_cannot_be_read_is_stated() {
             "in a reference",
         ),
         (x3d::read, "#VRML V1.0 ascii", "V2.0"),
+        (x3d::read, "#X3D V3.0 utf8\nGroup {", "line 2: brackets"),
         (x3d::read, "<html/>", "the element X3D"),
         (x3d::read, "<X3D>\n<Scene>", "never closed"),
         (x3d::read, "<!DOCTYPE X3D [<!ENTITY a 'b'>]><X3D/>", "no entities"),
