@@ -209,22 +209,23 @@ pub(crate) fn lights(
             let mut record = record(system, block, kind);
             light(block, &mut record).map(|()| record)
         });
-        let mut paths = vec![(index, DAffine3::IDENTITY)];
-        while let Some((at, below)) = paths.pop() {
+        let mut paths = vec![(index, DAffine3::IDENTITY, 0)];
+        while let Some((at, below, depth)) = paths.pop() {
             steps += 1;
-            if steps > 16 * MOST {
-                return Err(Refusal::new("parents", "of lights", "fewer, and no cycle"));
+            if steps > 4 * MOST {
+                return Err(Refusal::new("parents", "of lights", "at most 1048576"));
             }
-            let node = blocks.get(at);
+            let node = blocks.get(at).filter(|_| depth < blocks.len());
             let is = |(key, value): (&str, &str)| node.is_some_and(|node| node.get(key) == value);
             if system.off.split(' ').filter_map(|pair| pair.split_once('=')).any(is) {
                 hidden += 1;
                 continue;
             }
-            let outside = || Refusal::new("parent", "not in the file", "all parents of a light in one file");
+            let outside =
+                || Refusal::new("parent", "not in the file, or in a cycle", "all parents in one file");
             match (node.ok_or_else(outside).and_then(&local), node.map(|node| &*node.parents)) {
                 (Ok(own), Some(parents @ [_, ..])) => {
-                    paths.extend(parents.iter().rev().map(|&parent| (parent, own * below)));
+                    paths.extend(parents.iter().rev().map(|&parent| (parent, own * below, depth + 1)));
                 }
                 (own, _) => match own.and_then(|own| placed(record.clone()?, own * below)) {
                     Ok(record) => found.records.push(record),

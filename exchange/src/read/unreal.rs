@@ -27,11 +27,12 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     for (line, text) in (1..).zip(text.lines().map(str::trim)) {
         if text.starts_with("Begin ") {
             // Components are twice in their actor: with their class, and with their values.
-            let (name, next) = (attribute(text, "Name"), blocks.len());
+            let kind = attribute(text, "Class").rsplit('.').next().unwrap_or("");
             let above = if text.starts_with("Begin Object") { actor } else { 0 };
-            let index = *indices.entry((above, name)).or_insert(next);
+            let (name, next) = (attribute(text, "Name"), blocks.len());
+            let index = *indices.get(&(above, name)).filter(|_| kind.is_empty()).unwrap_or(&next);
             if index == next {
-                let kind = attribute(text, "Class").rsplit('.').next().unwrap_or("");
+                indices.insert((above, name), next);
                 add(&mut blocks, Block { kind, name, line, parents: vec![above], ..Block::default() })?;
             }
             actor = if text.starts_with("Begin Actor") { index } else { actor };

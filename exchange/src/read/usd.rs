@@ -89,8 +89,10 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
 fn local(block: &Block) -> Result<DAffine3, Refusal> {
     let order = block.get("xformOpOrder");
     let arc = |key: &&str| among("references payload inherits specializes", key);
-    if order.is_empty() && block.values.keys().any(arc) {
-        return Err(block.refused("xformOpOrder", "a transform in this file, not in a reference"));
+    if block.kind == "PointInstancer" || order.is_empty() && block.values.keys().any(arc) {
+        return Err(
+            block.refused("xformOpOrder", "a transform in this file, not in a reference or instancer")
+        );
     }
     let mut local = DAffine3::IDENTITY;
     for op in order.split('"').skip(1).step_by(2).filter(|op| *op != "!resetXformStack!") {
