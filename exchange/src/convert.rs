@@ -439,6 +439,8 @@ fn unity(record: &mut Record) -> Result<Spot, Refusal> {
     let outer = half(record, "spotAngle", 30.0, PI / 360.0, 0.0)?;
     let inner = record.within("innerSpotAngle", 21.8, 0.0, 180.0)?.to_radians() / 2.0;
     let range = record.within("range", 10.0, 0.001, 1e9)? as f32;
+    // The unit in which the inspector shows the intensity; the shaders have none.
+    record.word("lightUnit", "0");
     let intensity = record.get("intensity", 1.0)?;
     record.note(
         "Unity: from the shaders of its Universal Render Pipeline, not checked against a running engine",

@@ -32,26 +32,35 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
     if bytes.starts_with(b"# system: ") {
         return values(system, &text()?);
     }
-    let found = match system {
-        System::Gltf => read::gltf::read(bytes)?,
-        System::Three => read::three::read(&text()?)?,
-        System::Babylon => read::babylon::read(&text()?)?,
-        System::Godot => read::godot::read(&text()?)?,
-        System::Usd => read::usd::read(&text()?)?,
-        System::X3d => read::x3d::read(&text()?)?,
-        System::Pbrt => read::pbrt::read(&text()?)?,
-        System::Unity => read::unity::read(&text()?)?,
-        System::Unreal => read::unreal::read(&text()?)?,
-        System::Ies => return photometry(system, read::ies::read(&text()?)?, tolerance),
-        System::Eulumdat => return photometry(system, read::eulumdat::read(&text()?)?, tolerance),
-        System::Gdtf => return read::gdtf::read(bytes).map(zoomed),
-        System::Ofl => return read::ofl::read(&text()?).map(zoomed),
-        System::Luminaire => return own(&text()?),
-        System::OpenGl | System::Direct3d | System::Blender | System::Bevy => {
-            return values(system, &text()?);
-        }
-    };
-    Ok(converted(system, found))
+    match system {
+        System::Ies => photometry(system, read::ies::read(&text()?)?, tolerance),
+        System::Eulumdat => photometry(system, read::eulumdat::read(&text()?)?, tolerance),
+        System::Gdtf => read::gdtf::read(bytes).map(zoomed),
+        System::Ofl => read::ofl::read(&text()?).map(zoomed),
+        System::Luminaire => own(&text()?),
+        System::OpenGl | System::Direct3d | System::Blender | System::Bevy => values(system, &text()?),
+        _ => Ok(converted(system, scene(system, bytes)?)),
+    }
+}
+
+/// Returns the lights of a scene in the words of its system.
+fn scene(system: System, bytes: &[u8]) -> Result<Found, Refusal> {
+    if system == System::Usd && [&b"PXR-USDC"[..], b"PK"].iter().any(|head| bytes.starts_with(head)) {
+        return Err(Refusal::new("file", "a binary stage", "text: usdcat -o file.usda FILE"));
+    }
+    let text = || decode(bytes);
+    match system {
+        System::Gltf => read::gltf::read(bytes),
+        System::Three => read::three::read(&text()?),
+        System::Babylon => read::babylon::read(&text()?),
+        System::Godot => read::godot::read(&text()?),
+        System::Usd => read::usd::read(&text()?),
+        System::X3d => read::x3d::read(&text()?),
+        System::Pbrt => read::pbrt::read(&text()?),
+        System::Unity => read::unity::read(&text()?),
+        System::Unreal => read::unreal::read(&text()?),
+        _ => Err(Refusal::new("system", system, "a system of scenes")),
+    }
 }
 
 /// Returns the light of a text with a value in each line, after `# system: NAME`.
@@ -112,6 +121,7 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
 fn converted(system: System, Found { records, mut refused, notes }: Found) -> Lamps {
     let mut lamps = Vec::new();
     for (number, mut record) in records.into_iter().enumerate() {
+        record.without_prefix();
         if record.name.is_empty() {
             record.name = format!("light {}", number + 1);
         }
@@ -165,4 +175,42 @@ fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
         let value = if extension.is_empty() { "none" } else { &extension };
         Refusal::new("extension", value, format_args!("one of {}, or --from with a system", known.join(", ")))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{fs, path::Path};
+
+    use super::*;
+
+    /// No value of a file is passed over in silence: the conversion has the names of the files.
+    #[test]
+    fn values_of_scenes_reach_their_conversion() {
+        // The version of a scene, and the unit of a sun, which is always lux.
+        const WITHOUT_EFFECT: [&str; 2] = ["version", "intensityMode"];
+        let mut seen = 0;
+        for entry in
+            ["real", "files"].map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder))
+        {
+            for entry in fs::read_dir(entry).expect("a folder") {
+                let path = entry.expect("a file").path();
+                let (name, bytes) = (path.to_string_lossy(), fs::read(&path).expect("a file"));
+                let Ok(Found { records, .. }) =
+                    recognised(&name, &bytes).and_then(|system| scene(system, &bytes))
+                else {
+                    continue;
+                };
+                let system = recognised(&name, &bytes).expect("a system");
+                for mut record in records {
+                    record.without_prefix();
+                    if convert::convert(system, &mut record).is_ok() {
+                        let unused = record.unused().filter(|key| !WITHOUT_EFFECT.contains(key));
+                        assert_eq!(unused, None, "{name}: {}", record.name);
+                        seen += 1;
+                    }
+                }
+            }
+        }
+        assert!(seen > 40, "{seen} lights");
+    }
 }

@@ -64,6 +64,16 @@ impl Record {
         self.used.push(false);
     }
 
+    /// Takes the `m_` from the names of the values, as in the files of Unity, whose scripts have none.
+    pub(crate) fn without_prefix(&mut self) {
+        for (key, _) in &mut self.values {
+            let mut own = key.strip_prefix("m_").unwrap_or_default().chars();
+            if let Some(first) = own.next() {
+                *key = first.to_ascii_lowercase().to_string() + own.as_str();
+            }
+        }
+    }
+
     /// Sets a number.
     pub(crate) fn number(&mut self, key: impl Into<String>, number: f64) {
         self.set(key, Value::Numbers(vec![number]));
