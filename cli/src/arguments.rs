@@ -108,7 +108,7 @@ pub(crate) struct Still {
 /// The options of `export`. Angles are full angles in degrees.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Export {
-    /// json, glsl, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16; the parameters of
+    /// json, glsl, glsl-uniforms, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16; the parameters of
     /// blender, three, godot, unreal, unity, bevy, gltf, usd, opengl or direct3d; or ies
     #[arg(long, value_name = "LANGUAGE|TOOL")]
     pub(crate) to: Target,

@@ -34,6 +34,8 @@ languages! {
     Json = "json",
     /// GLSL ES 3.00, the shaders of WebGL 2.
     Glsl = "glsl",
+    /// The same with uniforms in place of constants, for a light that moves.
+    GlslUniforms = "glsl-uniforms",
     /// WGSL, the shaders of WebGPU.
     Wgsl = "wgsl",
     /// C99 and C++11 in `float`.

@@ -18,6 +18,7 @@
 //! | language | functions and constants of a light named `key` | same bits as the kernel |
 //! |---|---|---|
 //! | [`Language::Glsl`], [`Language::Wgsl`] | `key_irradiance(point, normal)`, `key_falloff(point)`, `key_color` | no: a GPU rounds as it likes |
+//! | [`Language::GlslUniforms`] | the same, and uniforms such as `key_position`, whose values are in comments | no |
 //! | [`Language::CFloat`] | the same, over arrays of three `float` | yes in `f32`, without contraction (`-ffp-contract=off`), except real powers and decays |
 //! | [`Language::CFixed`] | the same, over arrays of integers | yes in `Fx16` |
 //! | [`Language::RustBuild`] | `key()`, the light, and a `main` that writes `key.rs` | it describes the light: angles have six digits |
@@ -112,6 +113,7 @@ pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Res
             json::write(&[json::NamedLight { name: name.to_owned(), light, surfaces: None, about: None }])
         }
         Language::Glsl => shader::export(&light, name, Syntax::Glsl),
+        Language::GlslUniforms => shader::with_uniforms(&light, name),
         Language::Wgsl => shader::export(&light, name, Syntax::Wgsl),
         Language::CFloat => shader::export(&light, name, Syntax::C),
         Language::CFixed => fixed::export(&light, name),

@@ -35,3 +35,30 @@ pub(crate) fn export(light: &AnyLight, name: &str, syntax: Syntax) -> Result<Str
         }
     })
 }
+
+/// Returns GLSL in which the numbers of a light are uniforms, so that it can move, zoom and change its
+/// colour. Tables and the numbers of the attenuation stay constants.
+pub(crate) fn with_uniforms(light: &AnyLight, name: &str) -> Result<String, ExportError> {
+    let mut text = export(light, name, Syntax::Glsl)?;
+    let mut declared = Vec::new();
+    for line in text.clone().lines() {
+        // `const highp vec3 luminaire_key_Axis = vec3(0.0, 0.0, 1.0); // unit vector along the beam`
+        let Some((name_of, value)) =
+            line.strip_prefix("const highp ").and_then(|rest| rest.split_once(" = "))
+        else {
+            continue;
+        };
+        let ((kind, own), Some((value, doc))) =
+            (name_of.split_once(' ').unwrap_or_default(), value.split_once("; // "))
+        else {
+            continue;
+        };
+        let public = own.replace("luminaire_", "").to_ascii_lowercase();
+        text = text.replace(line, &format!("uniform highp {kind} {own}; // {doc}: {value}"));
+        declared.push((own.to_owned(), public));
+    }
+    for (own, public) in declared {
+        text = text.replace(&own, &public);
+    }
+    Ok(text)
+}

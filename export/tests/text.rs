@@ -285,6 +285,32 @@ fn the_build_scripts_of_drawn_lights_compile() -> Result<(), Box<dyn std::error:
     panic!("{told}");
 }
 
+/// With its uniforms as constants, and their own names, the shader is that of the constants.
+#[test]
+fn uniforms_are_the_constants_of_the_other_shader() {
+    let angle = Angle::degrees(40.0);
+    let cone = Cone::soft(angle).and_then(|cone| cone.with_cutoff(Angle::degrees(30.0))).expect("a cone");
+    let light = SpotLight::new([0.5; 3], [0.0, -1.0, 0.25], cone).expect("a light");
+    let [constant, mut uniform] = [Language::Glsl, Language::GlslUniforms]
+        .map(|language| export(light, "key", language).expect("a shader"));
+    assert!(
+        uniform.contains("uniform highp vec3 key_position; // position: vec3(0.5, 0.5, 0.5)"),
+        "{uniform}"
+    );
+    for name in ["Position", "Axis", "Outer", "Cutoff", "Slope", "Intensity"] {
+        uniform =
+            uniform.replace(&format!("key_{}", name.to_ascii_lowercase()), &format!("luminaire_key_{name}"));
+    }
+    let back = |line: &str| match line.strip_prefix("uniform ").and_then(|rest| rest.split_once("; // ")) {
+        Some((name, rest)) => {
+            let (doc, value) = rest.rsplit_once(": ").expect("a value");
+            format!("const {name} = {value}; // {doc}")
+        }
+        None => line.to_owned(),
+    };
+    assert_eq!(uniform.lines().map(back).collect::<Vec<_>>(), constant.lines().collect::<Vec<_>>());
+}
+
 #[test]
 fn what_cannot_be_exported_is_named() {
     let cone = Cone::soft(Angle::degrees(40.0)).expect("a cone");
@@ -334,7 +360,7 @@ fn every_language_has_a_name() {
     }
     assert!(C_HEADERS.iter().all(|(_, text)| !text.contains('`')));
     let told = "pascal".parse::<Language>().expect_err("a refusal").to_string();
-    assert!(told.starts_with("language = pascal: expected one of json, glsl, wgsl"), "{told}");
+    assert!(told.starts_with("language = pascal: expected one of json, glsl, glsl-uniforms, wgsl"), "{told}");
     let axis = Vec3::new(0.0, -1.0, 0.0);
     let light =
         SpotLight::new([0.0; 3], axis, Cone::soft(Angle::degrees(40.0)).expect("a cone")).expect("a light");
