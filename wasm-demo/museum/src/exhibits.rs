@@ -6,7 +6,6 @@ mod filament_lumens;
 mod gltf;
 mod godot_cutoff;
 mod godot_rim;
-mod half_float;
 mod learn_opengl;
 mod micromath_power;
 mod open_fixture_library;
@@ -29,10 +28,9 @@ use luminaire::{
 use luminaire_oracle::{self as oracle, hard, linear, smooth, soft, step};
 
 /// Every exhibit.
-pub const ALL: [Exhibit; 14] = [
+pub const ALL: [Exhibit; 13] = [
     gltf::EXHIBIT,
     three_cosine::EXHIBIT,
-    half_float::EXHIBIT,
     learn_opengl::EXHIBIT,
     embedded_3dgfx::EXHIBIT,
     micromath_power::EXHIBIT,
