@@ -10,6 +10,5 @@ mod half_a_code;
 mod haze;
 mod haze_search;
 mod limits;
-mod narrow;
 mod powers;
 mod stability;

@@ -64,69 +64,10 @@ fn every_whole_exponent_keeps_its_figures() {
     }
 }
 
-/// The non-integer exponents that are tested.
-const EXPONENTS: [f32; 12] = [1e-3, 0.1, 0.25, 0.5, 0.75, 0.999, 1.5, 2.2, 7.5, 33.3, 268.5, 1_023.9];
-
 /// Width of the strip in which a real power with an exponent under 1 is not compared, because its
 /// slope has no bound there: 1/510 of the half angle, at the edge of a power and on the axis of an
 /// inverted power.
 const STRIP: f64 = 1.0 / 510.0;
-
-#[test]
-fn every_real_exponent_keeps_its_figures() {
-    let mut worst = [0.0_f64; 5];
-    let mut note = |i: usize, error: f64| worst[i] = worst[i].max(oracle::counted(error));
-    for exponent in EXPONENTS {
-        let p = f64::from(exponent);
-        let (power, rim) =
-            (RealPower::new(exponent).expect("sound"), InvertedRealPower::new(exponent).expect("sound"));
-        note(0, relative(power.beam_versine(), lost(0.5, p)));
-        note(0, relative(power.field_versine(), lost(0.1, p)));
-        for (found, value) in [(rim.beam_versine(), 0.5_f64), (rim.field_versine(), 0.9)] {
-            let exact = (value.ln() / p).exp();
-            // A value that f32 cannot represent is compared with 0.
-            note(1, if exact > 1e-30 { relative(found, exact) } else { found.into() });
-        }
-        for u in [1e-7_f32, 1e-4, 0.003, 0.1, 0.7, 1.0] {
-            let x = f64::from(u);
-            let of_power = -((p + 1.0) * (-x).ln_1p()).exp_m1() / (p + 1.0);
-            note(2, relative(power.integral(u), of_power));
-            note(3, relative(rim.integral(u), x - x.powf(p + 1.0) / (p + 1.0)));
-        }
-        for hotspot in [0.0_f32, 1e-4, 0.01, 0.5] {
-            let h = f64::from(hotspot);
-            let edge = (1.0 - STRIP).powi(2);
-            let begin = ((h.sqrt() + STRIP).powi(2) - h) / (1.0 - h);
-            let [mut of_power, mut of_rim] = [if p < 1.0 { 1.0 } else { 0.0_f64 }; 2];
-            let between = (0..=100_000).map(|i| h + (1.0 - h) * (f64::from(i) / 1e5).powi(3));
-            for v in between.chain([edge.max(h), h + begin * (1.0 - h)]) {
-                let (u, t) = ((v - h) / (1.0 - h), (1.0 - v) / (1.0 - h));
-                let slope = |x: f64| 2.0 * p * x.powf(p - 1.0) * v.sqrt() / (1.0 - h);
-                if p >= 1.0 || v <= edge {
-                    of_power = of_power.max(slope(t));
-                }
-                if p >= 1.0 || u >= begin * (1.0 - 1e-12) {
-                    of_rim = of_rim.max(slope(u));
-                }
-            }
-            note(
-                4,
-                relative(power.steepness(hotspot), of_power).max(relative(rim.steepness(hotspot), of_rim)),
-            );
-        }
-    }
-    const FIGURES: [(&str, f64); 5] = [
-        ("beam and field of a real power", 1e-7),
-        ("beam and field of an inverted real power", 6e-8),
-        ("integral of a real power", 6e-8),
-        ("integral of an inverted real power", 6e-8),
-        ("steepness of both, searched", 8e-6),
-    ];
-    for ((name, bound), worst) in FIGURES.into_iter().zip(worst) {
-        println!("{name:32} {worst:.2e}");
-        bounds::check(name, worst, bound).expect("within its bound");
-    }
-}
 
 /// The largest error of a falloff's intensity in a cone of 180 degrees, between two versines given
 /// as fractions of the outer one. `REFUSE` if the format refuses the cone.

@@ -3,13 +3,9 @@
 
 mod lights;
 
-use fastrand::Rng;
-use luminaire::number::Light16;
 use luminaire::{
-    Angle, Cone, Error, Fx16, Scalar, SpotLight, Vec3,
+    Angle, Cone, Error, Fx16, Scalar, SpotLight,
     codegen::{Source, as_source},
-    falloff::Soft,
-    light::CompiledSpotLight,
     projector::{Projection, Shadow},
 };
 
@@ -50,24 +46,6 @@ fn a_generated_constant_has_the_bits_of_the_compiled_value() {
         assert_eq!(name, compiled_name);
         assert_eq!(constant.source(), *compiled, "{name}");
     }
-}
-
-const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
-
-#[test]
-fn a_generated_light_lights_as_the_compiled_one() {
-    let compiled = lights::key().expect("a sound light");
-    assert_eq!(KEY, compiled);
-    let mut rng = Rng::with_seed(36);
-    let mut lit = 0;
-    for _ in 0..100_000 {
-        let point = Vec3::new(rng.f32(), rng.f32(), rng.f32()).map(|c| Fx16::length(8.0 * c - 4.0));
-        let normal = Vec3::new(Fx16::ZERO, Fx16::ONE, Fx16::ZERO);
-        let light = KEY.irradiance(point, normal);
-        assert_eq!(light, compiled.irradiance(point, normal));
-        lit += u32::from(light > Light16::ZERO);
-    }
-    assert!(lit > 1_000, "only {lit} points are lit");
 }
 
 /// The depths of a shadow map are written as a slice that lives as long as the program.

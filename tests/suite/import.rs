@@ -5,18 +5,15 @@
 //! `cargo test --test suite import:: -- --nocapture --test-threads 1` prints the differences and
 //! the errors.
 
-use fastrand::Rng;
 use luminaire::{
-    Fx16, Fx32, SpotLight, Vec3,
+    SpotLight, Vec3,
     attenuation::{AnyAttenuation, Attenuation},
     falloff::{AnyFalloff, Falloff},
     import::{self, Difference, Imported, OpenGlLight},
 };
 use support::{
-    assert_that, bounds,
-    format::Format,
+    assert_that,
     imports::{self, ORIGIN},
-    oracle::DVec3,
     originals::Original,
     sweep,
 };
@@ -192,77 +189,6 @@ fn a_difference_of_the_place_is_a_boundless_slope() {
         boundless += u32::from(is_boundless);
     }
     assert!(boundless >= 16, "only {boundless} lights have a boundless slope");
-}
-
-/// Distance from the edge of a cone, in radians, from which on a point is certainly on the right
-/// side of the edge, as in the other tests.
-fn blur<S: Format>(radians: f64) -> f64 {
-    f64::from(S::DIRECTION_ERROR) * (3.0 + 8.0 * radians) + 4e-7 * radians
-}
-
-/// The largest error of a compiled light in excess of the stated difference, if the format holds
-/// the light.
-fn excess<S: Format>(
-    Imported { light, difference }: imports::Import,
-    original: &Original,
-    rng: &mut Rng,
-) -> Option<f64> {
-    let compiled = light.compile::<S>().ok()?;
-    let outer = original.outer.acos();
-    // A steep decay exceeds the brightest light of a format next to its position.
-    let is_decay = matches!(light.attenuation(), AnyAttenuation::WindowedDecay(_));
-    let [nearest, farthest] = if is_decay {
-        compared(original)
-    } else {
-        [original.stop.max(0.1), original.range.unwrap_or(50.0).min(50.0)]
-    };
-    let mut worst = f64::NEG_INFINITY;
-    for _ in 0..3_000 * sweep::effort() {
-        let off_axis = outer * 1.2 * rng.f64();
-        let distance = nearest * (1.1 * farthest / nearest).powf(rng.f64());
-        let way = sweep::direction_off(rng, DVec3::NEG_Y, off_axis);
-        let place = sweep::on_grid(distance * way);
-        let (way, distance) = (place.normalize(), place.length());
-        let strip = if difference.place > 0.0 { outer / 510.0 } else { 0.0 };
-        let at_the_edge = ((-way.y).acos() - outer).abs() < blur::<S>(outer) + strip;
-        let at_the_end = original.range.is_some_and(|range| (distance / range - 1.0).abs() < 1e-3);
-        let is_beyond = original.range.is_none() && distance > farthest;
-        if at_the_edge || at_the_end || is_beyond || distance < nearest {
-            continue;
-        }
-        let normal = sweep::single(-way).map(S::from_f32);
-        let incidence = (-way.dot(S::exact_normal(normal))).clamp(0.0, 1.0);
-        let exact = original.light(-way.y, distance) * incidence;
-        let found = S::exact_light(compiled.irradiance(sweep::single(place).map(S::length), normal));
-        let on_axis = (original.distance)(distance).max(fall(&light, distance));
-        let error = (found - exact).abs() - f64::from(difference.most()) * on_axis;
-        worst = worst.max(error / on_axis.max(1.0));
-    }
-    Some(worst)
-}
-
-/// Every light, in every format that holds it, has at most the stated difference plus the error of
-/// the format.
-#[test]
-fn compiled_lights_are_the_originals() {
-    fn assert_format<S: Format>(bound: f64, least_held: usize) {
-        let mut rng = Rng::with_seed(92);
-        let lights: Vec<_> = imports::exact().into_iter().chain(imports::near()).collect();
-        let (mut worst, mut held) = ((f64::NEG_INFINITY, String::new()), 0);
-        for (import, original) in &lights {
-            let Some(excess) = excess::<S>(*import, original, &mut rng) else { continue };
-            held += 1;
-            if excess > worst.0 {
-                worst = (excess, original.name.clone());
-            }
-        }
-        println!("{}: {held} of {} held, {:.2e} at {}", S::NAME, lights.len(), worst.0, worst.1);
-        assert!(held >= least_held, "{}: only {held} are held", S::NAME);
-        bounds::check(&format!("{} {}", S::NAME, worst.1), worst.0, bound).expect("within its bound");
-    }
-    assert_format::<f32>(4e-5, 286);
-    assert_format::<Fx32>(2.2e-6, 286);
-    assert_format::<Fx16>(8e-3, 284);
 }
 
 /// Compares the reference code of the extension, including its `max(0.001, ...)`, with the light

@@ -5,25 +5,6 @@ use support::{assert_that, imports};
 
 use crate::import::{distance_difference, fall, on_axis};
 
-/// Decays and ranges of lights in published Godot projects and three.js programs, and steep ones.
-#[test]
-fn a_decay_is_that_of_the_original() {
-    for (decay, range) in
-        [(0.5, 6.0), (0.6, 30.0), (0.7, 9.0), (1.1, 5.0), (1.4, 22.0), (1.8, 100.0), (2.2, 9.0), (16.0, 9.0)]
-    {
-        for (import, original) in
-            [imports::godot(45.0, 0.5, range, decay), imports::three(0.6, 0.3, range, decay)]
-        {
-            let far = f64::from(range);
-            for i in 0..100 {
-                let distance = far * 16.0_f64.powf(f64::from(i) / 100.0 - 1.0);
-                let ratio = fall(&import.light, distance) / (original.distance)(distance);
-                assert!((ratio - 1.0).abs() <= 1e-6, "{} at {distance}: {ratio}, expected 1", original.name);
-            }
-        }
-    }
-}
-
 /// Without a constant coefficient the light grows without a bound towards the light: nearer than
 /// 0.001 it is that of 0.001.
 #[test]

@@ -241,38 +241,6 @@ fn point_lights_keep_their_flux() {
     }
 }
 
-/// Cones designed from beam and field angle, and the errors of these angles in the resulting cone.
-fn two_angle_errors<P: Falloff>(design: impl Fn(Angle, Angle) -> Option<Cone<P>>) -> f64 {
-    let mut worst = 0.0_f64;
-    for beam in [0.5_f32, 7.0, 20.0, 60.0] {
-        for step in 0..=440_u16 {
-            let ratio = 1.01 + 0.01 * f64::from(step);
-            let versine = ratio * oracle::versine(f64::from(beam) / 2.0);
-            if versine > 0.6 {
-                break;
-            }
-            let field = (2.0 * half_degrees(versine)) as f32;
-            let Some(cone) = design(Angle::degrees(beam), Angle::degrees(field)) else { continue };
-            worst = worst.max(relative(cone.beam().to_degrees(), beam.into()));
-            worst = worst.max(relative(cone.field().to_degrees(), field.into()));
-        }
-    }
-    worst
-}
-
-#[test]
-fn two_angles_keep_their_figures() {
-    let fitted = two_angle_errors(|beam, field| Cone::from_beam_and_field(beam, field).ok());
-    assert_figure("beam and field angle at once", fitted);
-    let sloped = two_angle_errors(|beam, field| {
-        let (least, most) = Cone::edge_slopes(beam, field).ok()?;
-        // The ends of the interval may be level where they are a half: there f32 finds the angle to
-        // fewer digits.
-        Cone::from_beam_field_and_slope(beam, field, least + 0.5 * (most - least)).ok()
-    });
-    assert_figure("beam and field angle with a slope", sloped);
-}
-
 #[test]
 fn axes_and_ranges_keep_their_figures() {
     let cone = Cone::from_outer(Step, sweep::half(20.0)).expect("sound");

@@ -72,28 +72,6 @@ fn sixty_four_knots_hold_a_published_file_within_a_linear_code() {
     }
 }
 
-/// At the measured angles a table returns the measured values in every format, on the axis exactly.
-#[test]
-fn a_published_file_comes_back_in_every_format() {
-    fn assert_format<S: Format>(table: Table<'_>, most: f64) {
-        let cone = Cone::from_outer(table, Angle::degrees(180.0)).expect("a sound angle");
-        let falloff = cone.compile::<S>().expect("held");
-        let worst = (0..36_u8)
-            .map(|i| {
-                let versine = oracle::versine(2.5 * f64::from(i)) as f32;
-                (falloff.at(falloff.versine(versine)).exact() - f64::from(published()[usize::from(i)])).abs()
-            })
-            .fold(0.0, f64::max);
-        println!("{}: {:.2} linear codes", S::NAME, 255.0 * worst);
-        assert_that!(worst <= most, S::NAME, worst);
-        assert_eq!(falloff.at(falloff.versine(0.0)), S::ONE);
-        assert_eq!(falloff.at(falloff.versine(1.0)), S::ZERO);
-    }
-    let mut knots = [Knot::default(); 64];
-    let (table, _) = Table::from_angles(&published(), Angle::degrees(180.0), &mut knots).expect("sound data");
-    in_every_format!(assert_format(table, 0.5 / 255.0));
-}
-
 /// Curves that no fixture has, with one knot and more.
 #[test]
 fn a_stated_difference_is_what_a_dense_search_finds() {

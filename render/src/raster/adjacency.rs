@@ -153,22 +153,10 @@ fn numbers(mesh: &Mesh) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        Outline,
-        scenes::solids::{capsule, cone, sphere, torus, vase},
-    };
+    use crate::scenes::solids::{cone, torus};
 
     fn edges(mesh: &Mesh) -> Vec<MeshEdge> {
         Adjacency::new(mesh).edges
-    }
-
-    #[test]
-    fn closed_meshes_have_no_border() {
-        for mesh in [sphere(0.5), torus(0.5, 0.2), cone(0.5, 1.0), capsule(0.2, 0.5), vase()] {
-            let edges = edges(&mesh.moved(luminaire::Vec3::new(0.3, 0.1, 7.0)));
-            let open = edges.iter().filter(|edge| edge.triangles[1] == NONE).count();
-            assert!(edges.len() > 50 && open == 0, "{open} of {} edges are at a border", edges.len());
-        }
     }
 
     #[test]
@@ -176,24 +164,5 @@ mod tests {
         assert!(edges(&torus(0.5, 0.2)).iter().all(|edge| !edge.is_crease));
         // The foot of a cone is the only crease; at the apex the shading is smooth around the axis.
         assert_eq!(edges(&cone(0.5, 1.0)).iter().filter(|edge| edge.is_crease).count(), 56);
-    }
-
-    #[test]
-    fn a_sheet_has_a_border_and_no_edge_inside() {
-        let sheet = Mesh::extrude(&Outline::start(0.0, 0.0).line_to(1.0, 0.0), 1.0, 5);
-        let edges = edges(&sheet);
-        assert!(edges.len() == 12 && edges.iter().all(|edge| edge.triangles[1] == NONE), "{edges:?}");
-    }
-
-    /// From outside, the silhouette of a box has six edges at a corner and four at a face.
-    #[test]
-    fn a_box_shows_its_silhouette() {
-        let adjacency = Adjacency::new(&Mesh::cuboid(2.0, 2.0, 2.0));
-        for (eye, silhouette, creases) in [([5.0, 7.0, 6.0], 6, 3), ([0.1, 0.5, 9.0], 4, 0)] {
-            let mut counts = [0; 2];
-            let show = |edge: VisibleEdge| counts[usize::from(edge.is_crease)] += 1;
-            adjacency.seen_from(eye.into(), &mut Vec::new(), show);
-            assert_eq!(counts, [silhouette, creases], "from {eye:?}");
-        }
     }
 }

@@ -5,11 +5,7 @@ use crate::{Camera, Display, Scene};
 use alloc::vec::Vec;
 use core::f32::consts::TAU;
 use glam::Vec2;
-use luminaire::{
-    Error,
-    dynamic::{Effect, Effects},
-    projector::Fixture,
-};
+use luminaire::{Error, projector::Fixture};
 
 /// A scene with its camera, fixtures and display.
 #[derive(Clone, PartialEq, Debug)]
@@ -42,19 +38,6 @@ impl Setup {
     /// A time that is not finite, if something in the scene moves.
     pub fn fixtures_at(&self, seconds: f32) -> Result<Vec<Fixture>, Error> {
         self.fixtures.iter().map(|fixture| fixture.at(seconds)).collect()
-    }
-
-    /// Returns the effects that the picture needs at a time in seconds.
-    ///
-    /// # Errors
-    /// The same errors as [`fixtures_at`](Self::fixtures_at).
-    pub fn effects_at(&self, seconds: f32) -> Result<Effects, Error> {
-        let fixtures = self.fixtures_at(seconds)?;
-        let mut plan = self.scene.plan();
-        if self.display.is_dithered {
-            plan = plan.with(Effect::Dither);
-        }
-        Ok(fixtures.iter().fold(plan, |plan, fixture| plan.with_fixture(fixture)).effects())
     }
 
     /// Returns the camera at a time in seconds, for optional camera motion. In most scenes the

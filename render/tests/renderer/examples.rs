@@ -1,40 +1,6 @@
-//! The effects that each example needs.
+//! What each example states of itself.
 
 use luminaire_render::scenes::Example;
-
-/// The effects of each example at any time, with the names of the price list.
-const CALLED_FOR: [(Example, &str); 9] = [
-    (Example::BareSpot, "diffuse, spot, soft, inverse-square"),
-    (Example::Pocket, "diffuse, spot, soft, inverse-square, dither"),
-    (Example::Tree, "ambient, diffuse, spot, soft, unattenuated"),
-    (Example::ThreePoint, "ambient, diffuse, spot, quadratic, cubic, inverse-square, shadow"),
-    (Example::Grid, "diffuse, spot, soft, inverse-square"),
-    (Example::WideGrid, "diffuse, spot, soft, inverse-square"),
-    (Example::Turntable, "ambient, diffuse, specular, spot, soft, inverse-square"),
-    (Example::Show, "diffuse, spot, soft, hard, inverse-square, gobo, haze"),
-    (
-        Example::Gallery,
-        "ambient, diffuse, specular, directional, point, spot, soft, hard, linear, smooth, step, quadratic, cubic, power, \
-         inverted-power, real-power, inverted-real-power, table, hotspot, cutoff, unattenuated, inverse-square, polynomial, \
-         smooth-range, window, range",
-    ),
-];
-
-#[test]
-fn each_example_calls_for_what_it_shows() {
-    assert_eq!(CALLED_FOR.map(|(example, _)| example), Example::ALL);
-    for (example, effects) in CALLED_FOR {
-        let setup = example.setup().unwrap();
-        for seconds in [0.0, 1.3, 100.0] {
-            assert_eq!(
-                setup.effects_at(seconds).unwrap().to_string(),
-                effects,
-                "{} at {seconds}",
-                example.name()
-            );
-        }
-    }
-}
 
 #[test]
 fn as_many_lights_hang_as_the_summaries_say() {

@@ -242,7 +242,7 @@ fn where_nothing_has_changed_nothing_is_done() {
 }
 
 #[test]
-fn paint_and_ambient_light_draw_no_triangle() {
+fn a_changed_scene_is_drawn_and_paint_and_ambient_light_draw_no_triangle() {
     let painted = |albedo| {
         let mut scene = Scene::new();
         scene.add(Mesh::cuboid(2.0, 1.0, 1.0), Material::new(albedo).unwrap()).unwrap();
@@ -251,10 +251,12 @@ fn paint_and_ambient_light_draw_no_triangle() {
     let (red, blue) = (painted(Rgb::new(0.8, 0.1, 0.1)), painted(Rgb::new(0.1, 0.1, 0.8)));
     let mut dim = blue.clone();
     dim.set_ambient(Rgb::new(0.1, 0.1, 0.1)).unwrap();
+    let mut more = dim.clone();
+    more.add(Mesh::cuboid(1.0, 2.0, 1.0), Material::default()).unwrap();
     let setup = turntable(4).unwrap();
     let fixtures = setup.fixtures_at(0.0).unwrap();
     let mut renderer = Renderer::<f32>::new(SIZE.0, SIZE.1).unwrap();
-    for (scene, triangles) in [(&red, 12), (&blue, 0), (&dim, 0)] {
+    for (scene, triangles) in [(&red, 12), (&blue, 0), (&dim, 0), (&more, 24)] {
         assert!(renderer.draw_geometry(scene, &setup.camera));
         assert!(renderer.draw_light(&fixtures).unwrap());
         let account = renderer.account();

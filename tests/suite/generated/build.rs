@@ -23,6 +23,5 @@ fn main() -> Result<(), Box<dyn Error>> {
     lights::all(&mut listing)?;
     let out = env::var("OUT_DIR")?;
     fs::write(Path::new(&out).join("constants.rs"), format!("[\n{}]\n", listing.0))?;
-    fs::write(Path::new(&out).join("key.rs"), as_source(&lights::key()?).to_string())?;
     Ok(())
 }

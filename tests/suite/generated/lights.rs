@@ -21,7 +21,6 @@ use luminaire::{
     display::{Exposure, Gray4, Ramp, Rgb565, Rgb565Ramp},
     draw::Gradient,
     haze::Haze,
-    light::CompiledSpotLight,
     projector::{Gobo, Projection, Shadow},
 };
 
@@ -41,13 +40,6 @@ const INTENSITIES: [f32; 3] = [1e-6, 16.0, 1e9];
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.0);
 const PANES: Gobo<'static> = Gobo::of(&[0, 255, 0, 255, 1, 254, 7, 128, 0]);
 const KNOTS: [Knot; 2] = [Knot::from_bits(0, 65_535, -65_535), Knot::from_bits(32_768, 32_768, -32_768)];
-
-/// The light that a test also checks by itself.
-pub(crate) fn key() -> Result<CompiledSpotLight<Fx16, Soft>, Error> {
-    SpotLight::new(PLACES[0], AXES[1], Cone::from_field(Soft, Angle::degrees(36.0))?)?
-        .with_intensity(16.0)?
-        .compile()
-}
 
 /// Every value: models that are chosen at run time in every format, and those that are types in one,
 /// because their source is generic over the format.

@@ -1,15 +1,11 @@
 //! The exhibits, in the order of a visit.
 
 mod aurora;
-mod bevy;
 mod embedded_3dgfx;
-mod filament_clamp;
 mod filament_lumens;
-mod full_angle;
 mod gltf;
 mod godot_cutoff;
 mod godot_rim;
-mod half_float;
 mod learn_opengl;
 mod micromath_power;
 mod open_fixture_library;
@@ -32,12 +28,9 @@ use luminaire::{
 use luminaire_oracle::{self as oracle, hard, linear, smooth, soft, step};
 
 /// Every exhibit.
-pub const ALL: [Exhibit; 17] = [
+pub const ALL: [Exhibit; 13] = [
     gltf::EXHIBIT,
-    filament_clamp::EXHIBIT,
-    bevy::EXHIBIT,
     three_cosine::EXHIBIT,
-    half_float::EXHIBIT,
     learn_opengl::EXHIBIT,
     embedded_3dgfx::EXHIBIT,
     micromath_power::EXHIBIT,
@@ -48,6 +41,5 @@ pub const ALL: [Exhibit; 17] = [
     tinygl::EXHIBIT,
     three_ies::EXHIBIT,
     filament_lumens::EXHIBIT,
-    full_angle::EXHIBIT,
     open_fixture_library::EXHIBIT,
 ];

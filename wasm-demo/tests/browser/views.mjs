@@ -11,14 +11,6 @@ const side = (number) => ask((number) => window.luminaire.comparison.sides[numbe
 const largest = async (number) => (await side(number)).largest;
 const sides = () => ask(() => JSON.stringify(window.luminaire.comparison.sides));
 
-quick("every view of the navigation can be opened", async () => {
-  for (const view of VIEWS) {
-    await open(`#${view}?play=none`);
-    const found = await ask(() => [document.querySelectorAll("main > :not([hidden])").length, document.querySelector(".views [aria-current]").hash]);
-    assert.deepEqual(found, [1, `#${view}`]);
-  }
-});
-
 quick("a narrow beam parts the cosine form from the versine form", async () => {
   await open(FORMS);
   assert.deepEqual([await shows("comparison"), await shows("view")], [true, false]);

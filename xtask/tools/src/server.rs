@@ -14,9 +14,6 @@ use std::time::Duration;
 use anyhow::{Result, anyhow};
 use percent_encoding::percent_decode_str;
 
-/// Number of requests that are answered at the same time.
-const CALLS: usize = 64;
-
 /// The longest time that a client may let the server wait for a byte.
 const PATIENCE: Duration = Duration::from_secs(10);
 
@@ -46,8 +43,7 @@ pub const HEADERS: &str = "Allow: GET, HEAD\r\n\
 /// Status and words of a refusal.
 type Refusal = (&'static str, &'static str);
 
-const MALFORMED: Refusal = ("400 Bad Request", "this is no HTTP");
-const TOO_LARGE: Refusal = ("431 Request Header Fields Too Large", "the headers are too many or too long");
+const MALFORMED: Refusal = ("400 Bad Request", "this is no HTTP, or has too many headers");
 
 /// A running server, which ends with the program.
 #[derive(Debug)]
@@ -79,11 +75,9 @@ impl Server {
                     thread::sleep(Duration::from_millis(50));
                     continue;
                 };
-                // The folder's reference count is one more than the number of requests being answered.
-                let is_full = Arc::strong_count(&folder) > CALLS;
                 let folder = Arc::clone(&folder);
                 // If no thread can be started, the request is dropped; a later one may succeed.
-                let _ = thread::Builder::new().spawn(move || answer(&stream, is_full, &folder, headers));
+                let _ = thread::Builder::new().spawn(move || answer(&stream, &folder, headers));
             }
         });
         Ok(Self { port, accepting })
@@ -102,11 +96,10 @@ impl Server {
 }
 
 /// Answers one request. A client that sends nothing in time gets no response.
-fn answer(mut stream: &TcpStream, is_full: bool, folder: &Path, headers: &str) -> io::Result<()> {
+fn answer(mut stream: &TcpStream, folder: &Path, headers: &str) -> io::Result<()> {
     stream.set_read_timeout(Some(PATIENCE))?;
     stream.set_write_timeout(Some(PATIENCE))?;
-    let call =
-        if is_full { Err(("503 Service Unavailable", "too many calls at once")) } else { call(stream)? };
+    let call = call(stream)?;
     let is_head = matches!(call, Ok((true, _)));
     let found = call.and_then(|(_, path)| {
         let body = content(folder, &path).ok_or(("404 Not Found", "there is no such file"))?;
@@ -136,17 +129,14 @@ fn call(mut stream: &TcpStream) -> io::Result<Result<(bool, PathBuf), Refusal>> 
             return Ok(call);
         }
     }
-    Ok(Err(TOO_LARGE))
+    Ok(Err(MALFORMED))
 }
 
 /// Parses the head of a request. Returns `None` while it is incomplete.
 fn parse(head: &[u8]) -> Result<Option<(bool, PathBuf)>, Refusal> {
     let mut headers = [httparse::EMPTY_HEADER; MOST_HEADERS];
     let mut request = httparse::Request::new(&mut headers);
-    let status = request.parse(head).map_err(|error| match error {
-        httparse::Error::TooManyHeaders => TOO_LARGE,
-        _ => MALFORMED,
-    })?;
+    let status = request.parse(head).map_err(|_| MALFORMED)?;
     let (true, Some(method), Some(target)) = (status.is_complete(), request.method, request.path) else {
         return Ok(None);
     };
@@ -282,8 +272,8 @@ mod tests {
             (hosted("Host: \r\n"), "400"),
             (hosted(""), "400"),
             (hosted(&format!("{local}Host: evil.example\r\n")), "400"),
-            (hosted(&format!("{local}{}", "A: b\r\n".repeat(70))), "431"),
-            (hosted(&format!("{local}A: {}\r\n", "b".repeat(4 << 20))), "431"),
+            (hosted(&format!("{local}{}", "A: b\r\n".repeat(70))), "400"),
+            (hosted(&format!("{local}A: {}\r\n", "b".repeat(4 << 20))), "400"),
             (b"GET /\r\n\r\n".to_vec(), "400"),
             (b"GET /\xff HTTP/1.1\r\n\r\n".to_vec(), "400"),
             (b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03".to_vec(), "400"),
@@ -291,19 +281,6 @@ mod tests {
             let answer = send(&server, &bytes);
             let found = answer.split(' ').nth(1);
             assert_eq!(found, Some(status), "{}", String::from_utf8_lossy(&bytes[..bytes.len().min(80)]));
-        }
-    }
-
-    #[test]
-    fn calls_over_the_limit_are_refused_until_others_end() {
-        let (_folder, server) = served();
-        let mut held: Vec<_> =
-            (0..CALLS).map(|_| TcpStream::connect(("127.0.0.1", server.port)).unwrap()).collect();
-        assert!(ask(&server, "GET /").starts_with("HTTP/1.1 503"));
-        held.truncate(CALLS / 2);
-        // The server needs some time to see that the connections are closed. The others stay silent.
-        while !ask(&server, "GET /").ends_with("the page") {
-            thread::sleep(Duration::from_millis(50));
         }
     }
 }

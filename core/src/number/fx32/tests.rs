@@ -1,46 +1,9 @@
 //! Errors of the stages, over every argument where that is possible.
 
 use super::{set_up::inner, *};
-use crate::number::{
-    Fx16,
-    fx16::{Gain16, Offset16},
-    proofs::model::Constants,
-};
+use crate::number::{Fx16, fx16::Gain16, proofs::model::Constants};
 
 extern crate std;
-
-/// Tests the stated errors of the direction and of its length, over offsets of every size and
-/// direction. Three components that are off by one unit each turn the direction by at most
-/// `sqrt(3)` units.
-#[test]
-fn a_fine_direction_keeps_its_stated_error() {
-    let (mut off, mut stretched) = (0.0_f64, 0.0_f64);
-    // `ways` have components of any length. `dropped` have components of which the estimate
-    // drops as much as possible.
-    let ways = (0..200_000_u32).map(|i| {
-        let part = |factor: u32| i.wrapping_add(1).wrapping_mul(factor) as i32 >> (1 + i % 12);
-        Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))
-    });
-    let dropped = (0..200_000_u32).map(|i| {
-        let part = |factor: u32| (((1 << 14) + (i.wrapping_mul(factor) >> 18)) << 16) as i32 - 1;
-        Vec3::new(part(0x9e37_79b9), part(0x85eb_ca6b), part(0xc2b2_ae35))
-            .map(|c| if i % 2 == 0 { c } else { 1 - c })
-    });
-    for way in ways.chain(dropped) {
-        let exact = way.map(f64::from);
-        let length = (exact.x * exact.x + exact.y * exact.y + exact.z * exact.z).sqrt();
-        let wide = Offset32::between(Vec3::default(), way.map(Length::from_bits)).ray();
-        for ray in [Fx16::fine_ray(&Offset16::new(way)), wide] {
-            let found = ray.direction.map(|c| f64::from(c) / f64::from(1 << 30));
-            let squared = found.x * found.x + found.y * found.y + found.z * found.z;
-            let error = found.zip(exact, |f, e| (f / squared.sqrt() - e / length).abs());
-            off = off.max(error.x).max(error.y).max(error.z);
-            stretched = stretched.max((squared.sqrt() - 1.0).abs());
-        }
-    }
-    assert!(off * f64::from(1 << 30) <= 3_f64.sqrt(), "a component is off by {off:.1e}");
-    assert!(stretched <= 2.4e-8, "the length is off by {stretched:.1e}");
-}
 
 /// Every sample converts to the nearest fraction, and 65,535 converts to exactly 1.
 #[test]
@@ -54,24 +17,6 @@ fn the_share_of_a_sample_is_the_nearest() {
         );
     }
     assert_eq!(Fine::of_value(65_535 << 15), Fine::ONE);
-}
-
-/// Tests a table with the largest number of samples, which fall evenly.
-#[test]
-fn the_longest_table_is_sampled_to_its_end() {
-    static SAMPLES: [u16; 65_536] = {
-        let mut samples = [0; 65_536];
-        let mut i = 0;
-        while i < 65_536 {
-            samples[i] = 65_535 - i as u16;
-            i += 1;
-        }
-        samples
-    };
-    for t in [0, 1 << 15, 1 << 29, 1 << 30, 3 << 29, (1 << 31) - 1, 1 << 31] {
-        let found = Fraction::<Fx16>::sample(Fine(t), &SAMPLES);
-        assert!(found.0.abs_diff(t) <= 1 << 16, "{found:?}, expected {t} within 2^16");
-    }
 }
 
 /// A product of distance and slope has up to 46 bits, of which the lower 15 are dropped.

@@ -422,14 +422,6 @@ fn a_map_is_drawn_again_only_if_scene_or_light_have_changed() {
 }
 
 #[test]
-fn nothing_at_all_casts_no_shadow() {
-    let projection = Projection::of(&stage::lights().unwrap()[0]).unwrap();
-    let map = drawn::<Fx16>(&scene([]), &projection, 16);
-    let target = Vec3::new(-0.2, 0.65, -0.2).map(Fx16::length);
-    assert_eq!(map.shadow().unwrap().visibility(target), Fx16::ONE);
-}
-
-#[test]
 fn sides_that_are_too_small_or_too_large_are_refused() {
     for side in [0, 15, 2049] {
         assert_eq!(ShadowMap::<f32>::new(side).unwrap_err(), SizeError::ShadowSide(side));

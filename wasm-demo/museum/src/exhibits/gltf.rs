@@ -26,13 +26,8 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
 };
 
 fn beam(degrees: f32) -> Result<Beam, Error> {
-    cone(degrees, 0.001)
-}
-
-/// A soft cone, and the same cone with a span of cosines of at least `least`.
-pub(super) fn cone(degrees: f32, least: f32) -> Result<Beam, Error> {
     let view = View::spot_on_wall(degrees.into());
-    let faulty = clamped_span(least, 0.0, degrees.to_radians());
+    let faulty = clamped_span(0.001, 0.0, degrees.to_radians());
     let exact = oracle::Cone::new(soft, oracle::versine(degrees.into()));
     Beam::of_cone(view, Cone::from_outer(Soft, HalfAngle::degrees(degrees))?, exact, move |seen| {
         faulty(seen.cosine())
