@@ -106,7 +106,8 @@ mod tests {
     use crate::project;
 
     /// The recorded picture has the light by the quick evaluation of 16 bits, which is estimated
-    /// here as for every other evaluation.
+    /// here as for every other evaluation: point by point, where the picture takes means between every
+    /// eighth point and is cheaper by up to a third.
     #[test]
     fn the_estimate_of_a_picture_is_near_the_recorded_one() {
         let record = read(&project::root().join("docs"), "prices.json").unwrap();
@@ -123,7 +124,7 @@ mod tests {
                 let point = price(figures, "lit-inverse-square", "fx16-quick", unit).unwrap();
                 let estimated = number(&chip["rest"]["fx16-quick"][unit]) + number(&list["reached"]) * point;
                 let error = estimated / counted - 1.0;
-                assert!(error.abs() < 0.1, "{name}: {estimated} {unit}, {counted} were counted");
+                assert!((-0.1..0.35).contains(&error), "{name}: {estimated} {unit}, {counted} were counted");
             }
         }
     }
