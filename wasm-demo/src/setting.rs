@@ -3,7 +3,7 @@
 use crate::{
     design::{Design, Mark},
     edge::{self, FITTED},
-    fixture,
+    fixture, own_cone,
     refusal::Refusal,
 };
 use luminaire::{
@@ -25,6 +25,8 @@ pub(crate) struct Setting {
     /// The number of the light in the scene. Copies of a light share it.
     pub(crate) of: usize,
     pub(crate) is_on: bool,
+    /// The cone of a light of a file, in place of that of the scene.
+    pub(crate) own: Option<Cone<AnyFalloff>>,
     pub(crate) design: Design,
     pub(crate) edge: Option<AnyFalloff>,
     /// The fixture whose published angle is the angle of the design.
@@ -44,6 +46,7 @@ impl Setting {
         Self {
             of: light,
             is_on: true,
+            own: None,
             design: Design::default(),
             edge: None,
             fixture: None,
@@ -79,8 +82,8 @@ impl Setting {
         }
     }
 
-    /// Sets a choice by its name: the `edge`, `color`, `fixture`, or `reading` of its angle. A fixture
-    /// brings its published flux; everything else conserves the flux.
+    /// Sets a choice by its name: the `edge`, `color`, `fixture`, `reading` of its angle, or own `cone`, which
+    /// replaces edge and angles. A fixture brings its published flux; everything else conserves the flux.
     pub(crate) fn set_choice(
         &mut self,
         name: &str,
@@ -99,7 +102,20 @@ impl Setting {
                 let mark = Mark::named(value)?;
                 self.reshape(original, &|setting, _| setting.set_reading(mark))?;
             }
-            _ => return Err(Refusal::name("choice of a light", name, "edge, color, fixture or reading")),
+            "cone" => self.reshape(original, &|setting, _| {
+                let own =
+                    own_cone::read(value).ok_or_else(|| Refusal::name("cone", value, "one of an address"))?;
+                let (own, design) = (Some(own), Design::default());
+                *setting = Self { own, design, edge: None, fixture: None, ..*setting };
+                Ok(())
+            })?,
+            _ => {
+                return Err(Refusal::name(
+                    "choice of a light",
+                    name,
+                    "edge, color, fixture, reading or cone",
+                ));
+            }
         }
         Ok(())
     }
@@ -272,7 +288,7 @@ impl Setting {
 
     /// Returns the cone of the light whose own cone is `original`.
     pub(crate) fn cone(&self, original: Cone<AnyFalloff>) -> Result<Cone<AnyFalloff>, Error> {
-        self.design.cone(self.edge, original)
+        self.design.cone(self.edge, self.own.unwrap_or(original))
     }
 
     fn emitting(&self, light: AnyLight, intensity: f32) -> Result<AnyLight, Error> {

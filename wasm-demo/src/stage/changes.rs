@@ -107,6 +107,26 @@ impl Stage {
         self.change_original(light, |setting, original| setting.set_choice(name, value, original, full_scale))
     }
 
+    /// Gives a light the cone of a light of a file, as an address has it, the colour, and the intensity in
+    /// candela or as a multiple of full scale at 1 metre. The place and the aim stay.
+    #[wasm_bindgen(js_name = putLight)]
+    pub fn put_light(
+        &mut self,
+        light: usize,
+        cone: &str,
+        color: &str,
+        intensity: f32,
+        is_candela: bool,
+    ) -> Result<(), Refusal> {
+        let full_scale = full_scale(self.state.scene);
+        let intensity = if is_candela { intensity } else { full_scale * intensity };
+        self.change_original(light, |setting, original| {
+            setting.set_choice("cone", cone, original, full_scale)?;
+            setting.set_choice("color", color, original, full_scale)?;
+            setting.set_number("intensity", intensity, original, full_scale)
+        })
+    }
+
     /// Multiplies the angles of a light by a factor and conserves its flux.
     #[wasm_bindgen(js_name = zoomLight)]
     pub fn zoom_light(&mut self, light: usize, factor: f32) -> Result<(), Refusal> {

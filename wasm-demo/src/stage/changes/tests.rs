@@ -9,7 +9,10 @@ use crate::{
     light::{DialEnds, LightState},
     state::EXPOSURES,
 };
-use luminaire::dynamic::{Effect, Effects};
+use luminaire::{
+    dynamic::{Effect, Effects},
+    falloff::AnyFalloff,
+};
 use luminaire_fixtures::FIXTURES;
 use luminaire_render::{Renderer, scenes::Example};
 
@@ -225,6 +228,30 @@ fn a_fixture_brings_its_lumens() {
     stage.expose_for(0).unwrap();
     let shown = light(&stage, 0).lux.unwrap() * stage.state().exposure.exp2() / 1000.0;
     assert!((0.9..1.1).contains(&shown), "{shown} of full scale");
+}
+
+#[test]
+fn a_light_of_a_file_replaces_edge_angles_and_intensity_and_keeps_its_place() {
+    let mut stage = stage(Example::ThreePoint);
+    choice(&mut stage, "fixture", FIXTURES[0].name).unwrap();
+    stage.place_light(0, 1.0, 2.0, 3.0).unwrap();
+    let cone = "knots/0/0.03/0.03/0/65535/-10000/30000/56379/-51984";
+    for (intensity, is_candela) in [(5000.0, true), (5.0, false)] {
+        stage.put_light(0, cone, "#ff8000", intensity, is_candela).unwrap();
+        let state = light(&stage, 0);
+        let words = [state.edge, state.own_edge, state.fixture, state.color];
+        assert_eq!(words, ["own", "table", "", "#ff8000"]);
+        assert_eq!((state.intensity, state.position), (5000.0, vec![1.0, 2.0, 3.0]));
+    }
+    assert!(light(&stage, 0).beam < 28.2 && stage.address().contains(cone), "{}", stage.address());
+    // A table lives as long as the program, but no longer text is read twice.
+    let cones = [0; 2].map(|_| crate::own_cone::read(cone).unwrap().falloff());
+    let [AnyFalloff::Table(one), AnyFalloff::Table(other)] = cones else { panic!("not two tables") };
+    assert!(std::ptr::eq(one.knots(), other.knots()), "each picture takes memory");
+    let before = stage.state().clone();
+    assert!(stage.put_light(0, "soft/0/0.1/0.1", "#ffffff", -1.0, true).is_err());
+    assert!(stage.put_light(0, "knots/0/0.1/0.1/1/2", "#ffffff", 1.0, true).is_err());
+    assert_eq!(stage.state(), &before);
 }
 
 #[test]
