@@ -1,7 +1,7 @@
 //! The JavaScript class of a file of another tool: its lights, for the page.
 
 use crate::{light::hex_of, own_cone, plain::plain, refusal::Refusal};
-use luminaire::{Cone, dynamic::AnyLight, falloff::AnyFalloff};
+use luminaire::{Angle, Cone, dynamic::AnyLight, falloff::AnyFalloff, projector::Projection};
 use luminaire_exchange::{self as exchange, Curve, Definition, Lamp, Lamps, Residual, Use, share};
 use wasm_bindgen::prelude::*;
 use web_sys::js_sys::{Array, Float32Array};
@@ -74,7 +74,7 @@ plain! {
     /// largest one that was found, its angle and both shares there.
     fn light(lamp: &Lamp, usage: Use, curve: Option<&Curve>) -> FileLight {
         "name": "string" = lamp.name.clone(),
-        "cone": "string" = cone(lamp).map_or(String::new(), |cone| own_cone::write(&cone)),
+        "cone": "string" = staged(lamp, curve).map_or(String::new(), |cone| own_cone::write(&cone)),
         "color": "string" = hex_of(lamp.light.color()),
         "intensity": "number" = lamp.light.intensity(),
         "isCandela": "boolean" = usage.is_photometric,
@@ -87,13 +87,33 @@ plain! {
         "distance": "number" = lamp.difference.distance,
         "measured": "Float32Array" = numbers(lamp.measured.iter().flat_map(shares)),
         "fitted": "Float32Array" = numbers(fitted(lamp, curve)),
-        "notes": "string[]" = lamp.notes.iter().map(JsValue::from).collect::<Array>(),
+        "notes": "string[]" = notes(lamp, curve),
     }
 }
 
 /// The cone of a spotlight.
 fn cone(lamp: &Lamp) -> Option<Cone<AnyFalloff>> {
     if let AnyLight::Spot(spot) = &lamp.light { Some(spot.cone()) } else { None }
+}
+
+/// The cone for a light of the stage, whose shadow map and gobo span all of it: a table ends where it is half
+/// a code, and no cone is wider than a map can be.
+fn staged(lamp: &Lamp, curve: Option<&Curve>) -> Option<Cone<AnyFalloff>> {
+    let cone = cone(lamp)?;
+    let table = curve.filter(|_| matches!(cone.falloff(), AnyFalloff::Table(_)));
+    let faint = table.and_then(|curve| curve.angle(0.5 / 255.0, Definition::Ies));
+    let faint = faint.map(|full| Angle::degrees(full as f32)).filter(|full| *full < Projection::WIDEST);
+    let end = faint.unwrap_or(Projection::WIDEST);
+    if end < cone.outer() { cone.with_cutoff(end).ok() } else { Some(cone) }
+}
+
+/// What was assumed or left out, with what the stage leaves out.
+fn notes(lamp: &Lamp, curve: Option<&Curve>) -> Array {
+    let cut = staged(lamp, curve).filter(|staged| cone(lamp).is_some_and(|cone| cone != *staged));
+    let end = cut.map(|cut| {
+        format!("On the stage the light ends {:.1}° off the axis.", cut.outer().to_degrees() / 2.0)
+    });
+    lamp.notes.iter().chain(&end).map(JsValue::from).collect()
 }
 
 /// The beam angle and the field angle.

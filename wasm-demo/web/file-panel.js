@@ -80,7 +80,7 @@ export class FilePanel {
     const refused = file.refused();
     element("title").textContent = name;
     element("refused").textContent = refused.join("\n");
-    select("light").replaceChildren(...this.#lights.map(({ name }, i) => new Option(`${i + 1} ${name}`)));
+    select("light").replaceChildren(...this.#lights.map(({ name }, i) => new Option(`${i + 1} ${name}`, String(i))));
     element("lights").hidden = this.#lights.length < 2;
     element("chosen").hidden = this.#lights.length === 0;
     this.#place.hidden = false;
@@ -91,14 +91,15 @@ export class FilePanel {
   #show() {
     const light = this.#light;
     const isSpot = light.cone !== "";
-    element("fit").textContent = `${light.name}: ${fit(light)}`;
+    element("fit").textContent = `${light.name}${light.fit && `: ${light.fit}`}`;
+    element("residual").textContent = residual(light);
     find("file-curve", SVGElement).toggleAttribute("hidden", !isSpot);
     find("file-curve", SVGElement).replaceChildren(...(isSpot ? curve(light) : []));
     element("photometry").textContent = photometry(light);
     element("notes").textContent = [...(this.#file?.notes() ?? []), ...light.notes].join("\n");
     find("file-put", HTMLButtonElement).disabled = !isSpot;
     element("put-note").textContent = isSpot
-      ? "The selected light takes the cone, the colour and the intensity, and keeps its place, aim and attenuation."
+      ? "The selected light keeps its place, its aim and its attenuation."
       : "Only a spotlight can be put on the stage.";
     this.#showParameters();
   }
@@ -119,10 +120,10 @@ export class FilePanel {
  * How far the light is from that of the file, in words.
  * @param {FileLight} light
  */
-function fit({ fit, residual: [bound, found, at], distance }) {
-  if (fit) return `${fit}, within ${tidy(bound)} of 255 codes of the dots, which are measured; the largest found is ${tidy(found)} at ${degrees(at)}`;
-  if (bound === 0 && distance === 0) return "exact";
-  return `within ${tidy(bound)} of 255 codes over the angle and ${tidy(100 * distance)} % over the distance`;
+function residual({ fit, residual: [bound, found, at], distance }) {
+  if (fit) return `Within ${tidy(bound)} of 255 codes of the measured dots; the largest found is ${tidy(found)} at ${degrees(at)}.`;
+  if (bound === 0 && distance === 0) return "Exact.";
+  return `Within ${tidy(bound)} of 255 codes over the angle and ${tidy(100 * distance)} % over the distance.`;
 }
 
 /** @param {FileLight} light */
@@ -153,7 +154,7 @@ function curve({ measured, fitted, angles, residual: [, , at, from, to] }) {
     // The beam angle is stated above the drawing, and the field angle below it.
     ...[...angles].flatMap((angle, i) => [
       line("drop", x(angle / 2), BOX.top, x(angle / 2), BOX.bottom),
-      label("middle", x(angle / 2), i === 0 ? BOX.top - 8 : BOX.bottom + 16, degrees(angle / 2)),
+      label("middle", x(angle / 2), i === 0 ? BOX.top - 8 : BOX.bottom + 16, `${i === 0 ? "beam" : "field"} ±${degrees(angle / 2)}`),
     ]),
     label("end", BOX.right, BOX.bottom + 34, `to ${degrees(end)} off the axis`),
     ...pairs(measured).filter(([cx]) => cx <= BOX.right).map(([cx, cy]) => shape("circle", { cx, cy, r: 3 })),

@@ -412,7 +412,7 @@ export class StagePage {
   #put({ cone, color, intensity, isCandela }) {
     const refusal = refusalOf(() => this.#stage.putLight(this.#lights.selected, cone, color, intensity, isCandela));
     this.#changed();
-    return refusal || `Light ${element("panel-title").textContent} has it, and so has the link of the page.`;
+    return refusal || `Light ${element("panel-title").textContent} has it, and so has the link of the page. “Expose for it” below shows it at full scale.`;
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */
