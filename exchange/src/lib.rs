@@ -24,5 +24,5 @@ pub use crate::input::{numbers, read};
 pub use crate::lamp::{Lamp, Lamps, Place, placed};
 pub use crate::parameters::{Parameters, TOOLS, Use, parameters};
 pub use crate::refusal::Refusal;
-pub use crate::sheet::{Edge, Sheet, fixture};
+pub use crate::sheet::{Edge, Sheet, fixture, number};
 pub use crate::system::System;

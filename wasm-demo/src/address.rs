@@ -185,7 +185,7 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
 }
 
 /// Reads a light with its settings, or a range of lights.
-fn read_light(word: &str) -> Option<Vec<Setting>> {
+pub(crate) fn read_light(word: &str) -> Option<Vec<Setting>> {
     if let Some((first, last)) = word.split_once('-').filter(|_| !word.contains(':')) {
         let (first, last) = (first.parse::<usize>().ok()?, last.parse::<usize>().ok()?);
         let is_range = first < last && last - first < LIGHTS;
@@ -219,10 +219,7 @@ mod tests {
         state::EXPOSURES,
         viewpoint::Viewpoint,
     };
-    use luminaire::{
-        Cone,
-        falloff::{AnyFalloff, Knot, Soft, Table},
-    };
+    use luminaire::falloff::{AnyFalloff, Soft};
     use luminaire_fixtures::FIXTURES;
     use luminaire_render::Output;
 
@@ -232,14 +229,10 @@ mod tests {
         setting.is_on = random.bool();
         setting.edge = random.bool().then(|| random.choice(edge::all().collect::<Vec<_>>()).unwrap());
         setting.own = random.bool().then(|| {
-            // Any slope of a knot comes back.
-            let knots = vec![Knot::from_bits(random.u16(..), random.u16(..), random.i32(..)); 3];
-            let falloff = match random.usize(..=AnyFalloff::COUNT) {
-                AnyFalloff::COUNT => Table::from_knots(knots.leak()).map(AnyFalloff::from),
-                index => AnyFalloff::drawn(index, || random.f32()),
-            };
+            let index = random.usize(..AnyFalloff::COUNT);
+            let falloff = AnyFalloff::drawn(index, || random.f32()).unwrap_or(Soft.into());
             let outer = random.f32().max(1e-6);
-            Cone::from_versines(falloff.unwrap_or(Soft.into()), [random.f32() * outer, outer, outer]).unwrap()
+            luminaire::Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
         });
         let mark = if random.bool() { Beam } else { Field };
         match random.u8(..5) {

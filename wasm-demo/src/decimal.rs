@@ -7,11 +7,6 @@
 /// most 9 digits gives the nearest number, as the tests search; `None` if the text is no number or
 /// beyond the largest.
 pub(crate) fn read(text: &str) -> Option<f32> {
-    read_wide(text).map(|number| number as f32).filter(|number| number.is_finite())
-}
-
-/// Reads a number as [`read`] does, to within a few units in the last place; whole numbers up to 2^53 exactly.
-pub(crate) fn read_wide(text: &str) -> Option<f64> {
     /// More digits than these do not change the nearest number but at a tie.
     const DIGITS: u32 = 18;
     let (sign, digits) = text.strip_prefix('-').map_or((1.0, text), |digits| (-1.0, digits));
@@ -33,7 +28,7 @@ pub(crate) fn read_wide(text: &str) -> Option<f64> {
     }
     let power = 10_f64.powi(exponent.abs().min(400));
     let value = if exponent < 0 { mantissa as f64 / power } else { mantissa as f64 * power };
-    Some(sign * value)
+    Some((sign * value) as f32).filter(|number| number.is_finite())
 }
 
 /// Writes the numbers of one value of an address.

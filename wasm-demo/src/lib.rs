@@ -18,13 +18,7 @@
 //! - `files`: the readers of lights of other tools, loaded with the first file
 #![forbid(unsafe_code)]
 #![cfg_attr(
-    not(all(
-        feature = "stage",
-        feature = "fixed-point",
-        feature = "comparison",
-        feature = "code",
-        feature = "files"
-    )),
+    not(feature = "default"),
     allow(dead_code, unused_imports, reason = "each part uses some of what they share")
 )]
 

@@ -23,7 +23,10 @@ pub(crate) fn read(text: &str) -> Option<Cone<AnyFalloff>> {
         let known = read.iter().find(|(own, _)| own == text).map(|(_, cone)| *cone);
         known.or_else(|| {
             let (name, numbers) = text.split_once('/')?;
-            let numbers: Vec<_> = numbers.split('/').map(decimal::read_wide).collect::<Option<_>>()?;
+            // The slope of a knot has more bits than an `f32`.
+            let whole = |text: &str| text.parse::<i32>().ok().map(f64::from);
+            let number = |text| whole(text).or_else(|| decimal::read(text).map(f64::from));
+            let numbers: Vec<_> = numbers.split('/').map(number).collect::<Option<_>>()?;
             let (versines, parameters) = numbers.split_first_chunk()?;
             let falloff = words::falloff(name, parameters).ok()?;
             let cone = Cone::from_versines(falloff, versines.map(|versine: f64| versine as f32)).ok()?;

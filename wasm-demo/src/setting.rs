@@ -3,7 +3,7 @@
 use crate::{
     design::{Design, Mark},
     edge::{self, FITTED},
-    fixture, own_cone,
+    fixture,
     refusal::Refusal,
 };
 use luminaire::{
@@ -82,8 +82,8 @@ impl Setting {
         }
     }
 
-    /// Sets a choice by its name: the `edge`, `color`, `fixture`, `reading` of its angle, or own `cone`, which
-    /// replaces edge and angles. A fixture brings its published flux; everything else conserves the flux.
+    /// Sets a choice by its name: the `edge`, `color`, `fixture`, or `reading` of its angle. A fixture
+    /// brings its published flux; everything else conserves the flux.
     pub(crate) fn set_choice(
         &mut self,
         name: &str,
@@ -102,20 +102,7 @@ impl Setting {
                 let mark = Mark::named(value)?;
                 self.reshape(original, &|setting, _| setting.set_reading(mark))?;
             }
-            "cone" => self.reshape(original, &|setting, _| {
-                let own =
-                    own_cone::read(value).ok_or_else(|| Refusal::name("cone", value, "one of an address"))?;
-                let (own, design) = (Some(own), Design::default());
-                *setting = Self { own, design, edge: None, fixture: None, ..*setting };
-                Ok(())
-            })?,
-            _ => {
-                return Err(Refusal::name(
-                    "choice of a light",
-                    name,
-                    "edge, color, fixture, reading or cone",
-                ));
-            }
+            _ => return Err(Refusal::name("choice of a light", name, "edge, color, fixture or reading")),
         }
         Ok(())
     }
@@ -288,7 +275,14 @@ impl Setting {
 
     /// Returns the cone of the light whose own cone is `original`.
     pub(crate) fn cone(&self, original: Cone<AnyFalloff>) -> Result<Cone<AnyFalloff>, Error> {
-        self.design.cone(self.edge, self.own.unwrap_or(original))
+        let cone = self.design.cone(self.edge, self.own.unwrap_or(original))?;
+        let (Some(own), Some((mark, _)), None) = (self.own, self.design.one(), self.edge) else {
+            return Ok(cone);
+        };
+        // Its hotspot and its cutoff grow with its angles.
+        let versine = |cone: &Cone<_>| if mark == Mark::Beam { cone.beam() } else { cone.field() }.versine();
+        let factor = versine(&cone) / versine(&own);
+        Cone::from_versines(own.falloff(), own.versines().map(|versine| factor * versine))
     }
 
     fn emitting(&self, light: AnyLight, intensity: f32) -> Result<AnyLight, Error> {

@@ -5,7 +5,7 @@ import { Dial, joinNumber } from "./dial.js";
 import { element as find } from "./elements.js";
 import { refusalOf } from "./failure.js";
 import { findFixture, listFixtures } from "./fixture-list.js";
-import { amount, degrees, tidy } from "./numbers.js";
+import { degrees, tidy, whole } from "./numbers.js";
 import { plain } from "./plain.js";
 
 /** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
@@ -254,6 +254,12 @@ function photometry({ lumens, lux, throw: distance, unit }, fullScale) {
  * @param {number} value
  */
 const millimetres = (value) => String(Number(value.toFixed(3)) + 0);
+
+/**
+ * Three significant digits.
+ * @param {number} value
+ */
+const amount = (value) => (value < 100 ? String(tidy(Number(value.toPrecision(3)))) : whole(Number(value.toPrecision(3))));
 
 /**
  * Who moves the light, in words.

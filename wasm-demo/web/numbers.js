@@ -22,12 +22,6 @@ export const degrees = (value) => `${tidy(value)}°`.replace("-", "−");
 export const whole = (value) => Math.round(value).toLocaleString("en");
 
 /**
- * Three significant digits.
- * @param {number} value
- */
-export const amount = (value) => (value < 100 ? String(tidy(Number(value.toPrecision(3)))) : whole(Number(value.toPrecision(3))));
-
-/**
  * Formats a share in percent.
  * @param {number} share
  * @param {string} none for a share of 0

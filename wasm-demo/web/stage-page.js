@@ -39,9 +39,6 @@ const LONGEST_STEP = 0.25;
  */
 const REST = 150;
 
-/** The throw of a light that meets no surface, in metres. */
-const THROW = 4;
-
 export class StagePage {
   #stage;
   #pool;
@@ -123,7 +120,8 @@ export class StagePage {
     this.#lights = new LightList(stage);
     this.#panel = new LightPanel(stage);
     this.#legend = new MapLegend(stage, screen);
-    new FileSlot({ throwOf: () => this.#selected?.throw ?? THROW, put: (light) => this.#put(light) });
+    const throwOf = () => (stage.lightCount > 0 ? plain(stage.light(this.#lights.selected)).throw : undefined) ?? 4;
+    new FileSlot({ throwOf, put: (light) => this.#put(light) });
     this.#join();
     this.#joinSteps();
   }
@@ -395,24 +393,17 @@ export class StagePage {
     this.#panel.show(this.#lights.selected, source);
     aside(() => this.#curve?.draw(this.#lights.selected));
     aside(() => this.#handles?.show());
-    const light = this.#selected;
-    this.#price.show(light && { ...light, intensity: light.intensity / this.#stage.fullScale }, this.#stage.get("format"));
+    const { lightCount, fullScale } = this.#stage;
+    const light = this.#lights.selected < lightCount ? plain(this.#stage.light(this.#lights.selected)) : undefined;
+    this.#price.show(light && { ...light, intensity: light.intensity / fullScale }, this.#stage.get("format"));
     if (light) aside(() => this.#code.show({ job: this.#stage.job(), light: this.#lights.selected }));
   }
 
-  /** The selected light; undefined if there is none. */
-  get #selected() {
-    return this.#lights.selected < this.#stage.lightCount ? plain(this.#stage.light(this.#lights.selected)) : undefined;
-  }
-
-  /**
-   * Gives the selected light the cone, the colour and the intensity of a light of a file.
-   * @param {import("./file-panel.js").FileLight} light
-   */
-  #put({ cone, color, intensity, isCandela }) {
-    const refusal = refusalOf(() => this.#stage.putLight(this.#lights.selected, cone, color, intensity, isCandela));
+  /** @type {import("./file-panel.js").OnStage["put"]} */
+  #put({ settings, intensity, isCandela }) {
+    const refusal = refusalOf(() => this.#stage.putLight(this.#lights.selected, settings ?? "", intensity, isCandela));
     this.#changed();
-    return refusal || `Light ${element("panel-title").textContent} has it, and so has the link of the page. “Expose for it” below shows it at full scale.`;
+    return refusal || `Light ${element("panel-title").textContent} has it, and so has the link. “Expose for it” below shows it at full scale.`;
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */

@@ -272,11 +272,8 @@ export async function works() {
   if (await shows("view")) await isLit("a page that works");
 }
 
-/** The folder of files of other tools. */
-const FILES = new URL("../../../exchange/tests/files/", import.meta.url);
-
-/** Drops a file, by default one of that folder, and waits until it is shown or refused. */
-export async function give(name, text = readFileSync(new URL(name, FILES), "utf8")) {
+/** Drops a file, by default one of other tools that the reader's tests have, and waits until it is shown or refused. */
+export async function give(name, text = readFileSync(new URL(`../../../exchange/tests/files/${name}`, import.meta.url), "utf8")) {
   await ask((name, text) => {
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(new File([text], name));

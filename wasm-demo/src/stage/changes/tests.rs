@@ -7,12 +7,11 @@ use crate::{
     format::Format,
     job,
     light::{DialEnds, LightState},
+    own_cone,
     state::EXPOSURES,
 };
-use luminaire::{
-    dynamic::{Effect, Effects},
-    falloff::AnyFalloff,
-};
+use luminaire::dynamic::{Effect, Effects};
+use luminaire::falloff::AnyFalloff;
 use luminaire_fixtures::FIXTURES;
 use luminaire_render::{Renderer, scenes::Example};
 
@@ -231,27 +230,28 @@ fn a_fixture_brings_its_lumens() {
 }
 
 #[test]
-fn a_light_of_a_file_replaces_edge_angles_and_intensity_and_keeps_its_place() {
+fn a_light_of_a_file_keeps_its_shape_and_the_place_of_the_light() {
     let mut stage = stage(Example::ThreePoint);
-    choice(&mut stage, "fixture", FIXTURES[0].name).unwrap();
     stage.place_light(0, 1.0, 2.0, 3.0).unwrap();
-    let cone = "knots/0/0.03/0.03/0/65535/-10000/30000/56379/-51984";
-    for (intensity, is_candela) in [(5000.0, true), (5.0, false)] {
-        stage.put_light(0, cone, "#ff8000", intensity, is_candela).unwrap();
-        let state = light(&stage, 0);
-        let words = [state.edge, state.own_edge, state.fixture, state.color];
-        assert_eq!(words, ["own", "table", "", "#ff8000"]);
-        assert_eq!((state.intensity, state.position), (5000.0, vec![1.0, 2.0, 3.0]));
-    }
-    assert!(light(&stage, 0).beam < 28.2 && stage.address().contains(cone), "{}", stage.address());
-    // A table lives as long as the program, but no longer text is read twice.
-    let cones = [0; 2].map(|_| crate::own_cone::read(cone).unwrap().falloff());
-    let [AnyFalloff::Table(one), AnyFalloff::Table(other)] = cones else { panic!("not two tables") };
-    assert!(std::ptr::eq(one.knots(), other.knots()), "each picture takes memory");
+    let cone = "knots/0.01/0.03/0.03/0/65535/-2000000000/30000/56379/-51984";
+    stage.put_light(0, &format!(":o{cone}:cff8000"), 5000.0, true).unwrap();
+    let put = light(&stage, 0);
+    assert_eq!((put.own_edge, put.intensity, put.position[2]), ("table with a hotspot".into(), 5000.0, 3.0));
+    assert!(stage.address().contains(&format!(":o{cone}:cff8000:i5:p1/2/3")), "{}", stage.address());
+    stage.zoom_light(0, 0.5).unwrap();
+    let zoomed = light(&stage, 0);
+    assert!((2.0 * zoomed.field / put.field - 1.0).abs() < 1e-3, "a field angle of {}", zoomed.field);
+    assert!((zoomed.beam / zoomed.field * put.field / put.beam - 1.0).abs() < 1e-3, "{}", zoomed.beam);
+    // A table lives as long as the program: the one that is read for each picture is the same.
+    let knots = || match own_cone::read(cone).map(|cone| cone.falloff()) {
+        Some(AnyFalloff::Table(table)) => table.knots().as_ptr(),
+        other => panic!("expected a table, found {other:?}"),
+    };
+    assert_eq!(knots(), knots());
     let before = stage.state().clone();
-    assert!(stage.put_light(0, "soft/0/0.1/0.1", "#ffffff", -1.0, true).is_err());
-    assert!(stage.put_light(0, "knots/0/0.1/0.1/1/2", "#ffffff", 1.0, true).is_err());
-    assert_eq!(stage.state(), &before);
+    for (settings, peak) in [(":osoft/0/0.1/0.1", -1.0), (":oknots/0/0.1/0.1/1/2", 1.0)] {
+        assert!(stage.put_light(0, settings, peak, false).is_err() && *stage.state() == before, "{settings}");
+    }
 }
 
 #[test]
