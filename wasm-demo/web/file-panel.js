@@ -105,6 +105,6 @@ function curve({ points, drawn, beam, field }) {
     ...mark("field", field / 2, 0.1),
     label("end", BOX.right, BOX.bottom + 18, `to ${degrees(end)} off the axis`),
     shape("path", { class: "trace", d: `M${drawn.map(([angle, share]) => [across(angle), height(share)]).join("L")}` }),
-    ...points.map(([angle, share]) => shape("circle", { class: "dot", cx: across(angle), cy: height(share), r: 3.5 })),
+    ...points.map(([angle, share]) => shape("circle", { class: "dot", cx: across(angle), cy: height(share), r: 2.5 })),
   ];
 }
