@@ -151,14 +151,9 @@ impl Source {
             }
         };
         let throw = positive("throw", self.throw.unwrap_or(4.0))?;
-        let brightest = lamps.lamps.iter().map(|lamp| lamp.at(throw)).fold(0.0, f64::max);
-        let is_measured = matches!(lamps.system, System::Ies | System::Eulumdat | System::Gdtf | System::Ofl);
-        let full_scale = match self.full_scale {
-            Some(lux) => positive("full-scale", lux)?,
-            None if is_measured && brightest > 0.0 => brightest,
-            None => 1.0,
-        };
-        Ok(Use { throw, full_scale, is_photometric: lamps.system.is_photometric() })
+        let usage = lamps.usage(throw);
+        let lux = self.full_scale.map(|lux| positive("full-scale", lux)).transpose()?;
+        Ok(Use { full_scale: lux.unwrap_or(usage.full_scale), ..usage })
     }
 }
 

@@ -173,7 +173,7 @@ fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
         let mut known: Vec<_> = System::ALL.iter().flat_map(|system| system.extensions()).copied().collect();
         known.dedup();
         let value = if extension.is_empty() { "none" } else { &extension };
-        Refusal::new("extension", value, format_args!("one of {}, or --from with a system", known.join(", ")))
+        Refusal::new("extension", value, format_args!("one of {}", known.join(", ")))
     })
 }
 

@@ -189,4 +189,13 @@ impl Lamps {
     pub fn new(system: System) -> Self {
         Self { system, lamps: Vec::new(), refused: Vec::new(), notes: Vec::new() }
     }
+
+    /// Returns how the lights are used at a throw. Of photometry, what the brightest light gives there on its
+    /// axis is full scale.
+    pub fn usage(&self, throw: f64) -> Use {
+        let brightest = self.lamps.iter().map(|lamp| lamp.at(throw)).fold(0.0, f64::max);
+        let is_measured = matches!(self.system, System::Ies | System::Eulumdat | System::Gdtf | System::Ofl);
+        let full_scale = if is_measured && brightest > 0.0 { brightest } else { 1.0 };
+        Use { throw, full_scale, is_photometric: self.system.is_photometric() }
+    }
 }

@@ -24,5 +24,5 @@ pub use crate::input::{numbers, read};
 pub use crate::lamp::{Lamp, Lamps, Place, Use, placed};
 pub use crate::parameters::{Parameters, TOOLS, parameters};
 pub use crate::refusal::Refusal;
-pub use crate::sheet::{Edge, Sheet, fixture};
+pub use crate::sheet::{Edge, Sheet, fixture, number};
 pub use crate::system::System;

@@ -132,7 +132,7 @@ fn lit(cone: Cone<AnyFalloff>, intensity: f32) -> Result<AnyLight, Refusal> {
 }
 
 /// Returns a value with its unit, at least three digits, and commas between the thousands.
-fn number(value: f32, unit: &str) -> String {
+pub fn number(value: f32, unit: &str) -> String {
     let decimals = usize::from(value < 100.0) + usize::from(value < 10.0);
     let digits = format!("{value:.decimals$}");
     let (whole, rest) = digits.split_at(digits.find('.').unwrap_or(digits.len()));

@@ -8,7 +8,7 @@
 use crate::{
     decimal::{numbers, read, read_numbers},
     design::Design,
-    edge, fixture,
+    edge, fixture, own_cone,
     parameter::{self, Kind, PARAMETERS},
     refusal::Refusal,
     setting::{Setting, channels},
@@ -24,13 +24,18 @@ const VERSION: &str = "1";
 /// A setting of a light: its letter, how it is written, and how it is read into a light.
 type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, Setting) -> Option<Setting>);
 
-/// The settings of a light: `x` off, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
+/// The settings of a light: `x` off, `o` own cone, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
 /// `i` intensity as a multiple of full scale at 1 metre, `p` position, `t` target.
-const SETTINGS: [Letter; 9] = [
+const SETTINGS: [Letter; 10] = [
     (
         'x',
         |light| (!light.is_on).then(String::new),
         |text, light| text.is_empty().then_some(Setting { is_on: false, ..light }),
+    ),
+    (
+        'o',
+        |light| Some(own_cone::write(&light.own?)),
+        |text, light| Some(Setting { own: Some(own_cone::read(text)?), ..light }),
     ),
     (
         'b',
@@ -180,7 +185,7 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
 }
 
 /// Reads a light with its settings, or a range of lights.
-fn read_light(word: &str) -> Option<Vec<Setting>> {
+pub(crate) fn read_light(word: &str) -> Option<Vec<Setting>> {
     if let Some((first, last)) = word.split_once('-').filter(|_| !word.contains(':')) {
         let (first, last) = (first.parse::<usize>().ok()?, last.parse::<usize>().ok()?);
         let is_range = first < last && last - first < LIGHTS;
@@ -214,6 +219,7 @@ mod tests {
         state::EXPOSURES,
         viewpoint::Viewpoint,
     };
+    use luminaire::falloff::{AnyFalloff, Soft};
     use luminaire_fixtures::FIXTURES;
     use luminaire_render::Output;
 
@@ -222,6 +228,12 @@ mod tests {
         let vector = |random: &mut fastrand::Rng| Vec3::new(number(random), number(random), number(random));
         setting.is_on = random.bool();
         setting.edge = random.bool().then(|| random.choice(edge::all().collect::<Vec<_>>()).unwrap());
+        setting.own = random.bool().then(|| {
+            let index = random.usize(..AnyFalloff::COUNT);
+            let falloff = AnyFalloff::drawn(index, || random.f32()).unwrap_or(Soft.into());
+            let outer = random.f32().max(1e-6);
+            luminaire::Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
+        });
         let mark = if random.bool() { Beam } else { Field };
         match random.u8(..5) {
             0 => setting.design = Design::of(mark, number(random)),

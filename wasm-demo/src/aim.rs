@@ -90,8 +90,12 @@ impl Stage {
         let on = Setting { is_on: true, ..*setting }.applied(original, 1.0)?;
         let on = on.light();
         let own_edge = match original.light() {
-            AnyLight::Spot(spot) => spot.cone().falloff().effect().name(),
-            _ => "",
+            AnyLight::Spot(spot) => {
+                let cone = setting.own.unwrap_or(spot.cone());
+                let hotspot = if cone.versines()[0] > 0.0 { " with a hotspot" } else { "" };
+                cone.falloff().effect().name().to_owned() + hotspot
+            }
+            _ => String::new(),
         };
         // The aim of a light that the scene moves is that at this time.
         let now = self.lit(light)?;
@@ -104,7 +108,7 @@ impl Stage {
             reading: setting.reading().name().to_owned(),
             zoom: setting.fixture.and(setting.design.one()).map(|(_, degrees)| degrees),
             edge: setting.edge_name().to_owned(),
-            own_edge: own_edge.to_owned(),
+            own_edge,
             intensity: candela,
             unit: if matches!(on, AnyLight::Directional(_)) { "lx" } else { "cd" }.to_owned(),
             lumens: lumens_of(on, candela),

@@ -15,9 +15,10 @@
 //! - `fixed-point`: the painters of pictures in fixed point, loaded with the first such picture
 //! - `comparison`: the comparison and the museum, loaded when one of them is first requested
 //! - `code`: the exporter of lights, loaded when its drawer is opened
+//! - `files`: the readers of lights of other tools, loaded with the first file
 #![forbid(unsafe_code)]
 #![cfg_attr(
-    not(all(feature = "stage", feature = "fixed-point", feature = "comparison", feature = "code")),
+    not(feature = "default"),
     allow(dead_code, unused_imports, reason = "each part uses some of what they share")
 )]
 
@@ -54,6 +55,8 @@ mod edge;
 #[cfg(feature = "painter")]
 mod equality;
 mod false_colour;
+#[cfg(feature = "files")]
+mod file;
 #[cfg(feature = "state")]
 mod fixture;
 #[cfg(feature = "comparison")]
@@ -67,6 +70,8 @@ mod light;
 mod map;
 #[cfg(feature = "comparison")]
 mod museum;
+#[cfg(feature = "state")]
+mod own_cone;
 #[cfg(feature = "painter")]
 mod painter;
 mod panic;
@@ -103,6 +108,8 @@ pub use comparison::Comparison;
 pub use composite::Composite;
 #[cfg(feature = "stage")]
 pub use divided::Divided;
+#[cfg(feature = "files")]
+pub use file::LightFile;
 #[cfg(feature = "state")]
 pub use light::{DialEnds, LightState};
 #[cfg(feature = "comparison")]

@@ -25,6 +25,8 @@ pub(crate) struct Setting {
     /// The number of the light in the scene. Copies of a light share it.
     pub(crate) of: usize,
     pub(crate) is_on: bool,
+    /// The cone of a light of a file, in place of that of the scene.
+    pub(crate) own: Option<Cone<AnyFalloff>>,
     pub(crate) design: Design,
     pub(crate) edge: Option<AnyFalloff>,
     /// The fixture whose published angle is the angle of the design.
@@ -44,6 +46,7 @@ impl Setting {
         Self {
             of: light,
             is_on: true,
+            own: None,
             design: Design::default(),
             edge: None,
             fixture: None,
@@ -272,7 +275,14 @@ impl Setting {
 
     /// Returns the cone of the light whose own cone is `original`.
     pub(crate) fn cone(&self, original: Cone<AnyFalloff>) -> Result<Cone<AnyFalloff>, Error> {
-        self.design.cone(self.edge, original)
+        let cone = self.design.cone(self.edge, self.own.unwrap_or(original))?;
+        let (Some(own), Some((mark, _)), None) = (self.own, self.design.one(), self.edge) else {
+            return Ok(cone);
+        };
+        // Its hotspot and its cutoff grow with its angles.
+        let versine = |cone: &Cone<_>| if mark == Mark::Beam { cone.beam() } else { cone.field() }.versine();
+        let factor = versine(&cone) / versine(&own);
+        Cone::from_versines(own.falloff(), own.versines().map(|versine| factor * versine))
     }
 
     fn emitting(&self, light: AnyLight, intensity: f32) -> Result<AnyLight, Error> {

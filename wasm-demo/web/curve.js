@@ -13,7 +13,7 @@ import { label, line, shape } from "./shapes.js";
 const SAMPLES = 241;
 
 /** The drawing's box, in the units of the SVG's viewBox. */
-const BOX = { left: 52, right: 428, top: 12, bottom: 180 };
+export const BOX = { left: 52, right: 428, top: 12, bottom: 180 };
 const MIDDLE = (BOX.left + BOX.right) / 2;
 const HALF = (BOX.right - BOX.left) / 2;
 const WIDTH = 440;
@@ -34,7 +34,7 @@ const STEPS = [1.01, 1.1];
  * Vertical positions of intensities.
  * @param {number} intensity
  */
-const height = (intensity) => BOX.bottom + (BOX.top - BOX.bottom) * intensity;
+export const height = (intensity) => BOX.bottom + (BOX.top - BOX.bottom) * intensity;
 
 /**
  * Returns a tick distance of 1, 2 or 5 times a power of ten, for two to five ticks on a side.
@@ -156,7 +156,7 @@ const describe = ({ name, beam, field, outer }) =>
   `none from ${degrees(outer / 2)}`;
 
 /** The lines of full, half, tenth and no intensity. */
-function levels() {
+export function levels() {
   return [1, 0.5, 0.1, 0].flatMap((level) => [
     line("level", BOX.left, height(level), BOX.right, height(level)),
     label("end", BOX.left - 8, height(level) + 4, `${100 * level} %`),

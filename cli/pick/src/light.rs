@@ -6,7 +6,7 @@ use luminaire::falloff::{AnyFalloff, Cubic, Falloff, FittedFalloff, Formula, Har
 use luminaire::{Angle, Cone, Error, Rgb, SpotLight};
 use luminaire_export::check_text;
 use luminaire_oracle as oracle;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::refusal::Refusal;
 use crate::target::named;
@@ -36,7 +36,8 @@ named! {
 /// Angles are full angles in degrees. One of beam, field and outer angle determines the cone. If
 /// both beam and field angle are given, the falloff is fitted to both angles, and `edge` has no
 /// effect. Without any of these angles, the field angle is 36 degrees.
-#[derive(Clone, PartialEq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Light {
     /// The name in texts and in the comment of the code: what [`check_text`] accepts.
     pub name: String,

@@ -107,6 +107,23 @@ impl Stage {
         self.change_original(light, |setting, original| setting.set_choice(name, value, original, full_scale))
     }
 
+    /// Gives a light the settings of an address, such as the cone and the colour of a file, and a peak in candela
+    /// or as a multiple of full scale at 1 metre. Its place, its aim and its switch stay.
+    #[wasm_bindgen(js_name = putLight)]
+    pub fn put_light(
+        &mut self,
+        light: usize,
+        settings: &str,
+        peak: f32,
+        is_candela: bool,
+    ) -> Result<(), Refusal> {
+        let Setting { of, is_on, position, target, .. } = *self.setting(light)?;
+        let read = address::read_light(&format!("{of}{settings}"));
+        let put = read.ok_or_else(|| Refusal::name("light", settings, "the settings of an address"))?;
+        let intensity = Some(if is_candela { peak / full_scale(self.state.scene) } else { peak });
+        self.change_light(light, |light| *light = Setting { is_on, position, target, intensity, ..put[0] })
+    }
+
     /// Multiplies the angles of a light by a factor and conserves its flux.
     #[wasm_bindgen(js_name = zoomLight)]
     pub fn zoom_light(&mut self, light: usize, factor: f32) -> Result<(), Refusal> {

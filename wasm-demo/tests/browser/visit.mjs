@@ -272,10 +272,21 @@ export async function works() {
   if (await shows("view")) await isLit("a page that works");
 }
 
+/** Drops a file, by default one of other tools that the reader's tests have, and waits until it is shown or refused. */
+export async function give(name, text = readFileSync(new URL(`../../../exchange/tests/files/${name}`, import.meta.url), "utf8")) {
+  await ask((name, text) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], name));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, name, text);
+  await until(() => !document.getElementById("file-told").textContent.startsWith("Reading"));
+}
+
 /** Opens every panel and drawer, also those that are loaded when they are in view. */
 async function openAll() {
   await ask(() => document.getElementById("price").scrollIntoView());
   await exists("#price-picked b");
+  await give("spot.ies");
   await ask(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
   await until(() => [...document.querySelectorAll("details pre")].every((pre) => pre.textContent));
 }

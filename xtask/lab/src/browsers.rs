@@ -20,7 +20,7 @@ use tools::{command, install, project};
 use crate::expected;
 
 /// The files of the page's tests in `wasm-demo/tests/browser`: one for each kind of promise.
-const TESTS: [&str; 7] = ["access", "failure", "lights", "page", "stage", "views", "workers"];
+const TESTS: [&str; 8] = ["access", "failure", "files", "lights", "page", "stage", "views", "workers"];
 
 /// The test of every engine but the first.
 const ENGINES: &str = "engines";

@@ -106,8 +106,8 @@ mod tests {
     use crate::project;
 
     /// The recorded picture has the light by the quick evaluation of 16 bits, which is estimated
-    /// here as for every other evaluation: point by point, where the picture takes means between every
-    /// eighth point and is cheaper by up to a third.
+    /// here as for every other evaluation: point by point, where the picture lights rows and is
+    /// cheaper by up to a third.
     #[test]
     fn the_estimate_of_a_picture_is_near_the_recorded_one() {
         let record = read(&project::root().join("docs"), "prices.json").unwrap();

@@ -1,0 +1,111 @@
+//! The JavaScript class of a file of another tool: its lights, for the page.
+
+use crate::{light::hex_of, own_cone, refusal::Refusal};
+use luminaire::{Cone, dynamic::AnyLight, falloff::AnyFalloff};
+use luminaire_exchange::{
+    Curve, Definition, Lamp, Lamps, Residual, Use, fits, number, parameters, read, share,
+};
+use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
+
+/// Largest difference of a cheaper cone from measured intensities in linear codes, as for the command.
+const TOLERANCE: f64 = 1.0;
+
+/// A file of another tool with its lights.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct LightFile(Lamps, Use);
+
+#[wasm_bindgen]
+impl LightFile {
+    /// Reads a file. `throw` is the distance in metres of the surface that counts. Throws what the reader
+    /// refuses, in its words.
+    #[wasm_bindgen(constructor)]
+    pub fn new(name: &str, bytes: &[u8], throw: f64) -> Result<Self, Refusal> {
+        let lamps = read(name, bytes, None, TOLERANCE)?;
+        let usage = lamps.usage(throw);
+        Ok(Self(lamps, usage))
+    }
+
+    /// Returns the lights and the notes of the file as JSON.
+    pub fn told(&self) -> String {
+        let refused = self.0.refused.iter().map(|refusal| format!("Refused: {refusal}"));
+        let notes: Vec<_> = refused.chain(self.0.notes.iter().cloned()).collect();
+        let lights: Vec<_> = self.0.lamps.iter().map(|lamp| told(lamp, self.1)).collect();
+        json!({ "lights": lights, "notes": notes }).to_string()
+    }
+
+    /// Returns the parameters of a light in a tool, a line each, and after them sentences about their
+    /// difference and about the tool. Throws in words that there are none.
+    pub fn parameters(&self, light: usize, tool: &str) -> Result<Vec<String>, Refusal> {
+        let lamps = &self.0.lamps;
+        let lamp = lamps.get(light).ok_or_else(|| Refusal::light(light, lamps.len()))?;
+        let found = parameters(lamp, tool.parse()?, self.1)?;
+        let Residual { bound, degrees, .. } = found.angle;
+        let lines: String = found.values.iter().map(|(key, value)| format!("{key}={value}\n")).collect();
+        let told = format!(
+            "Within {bound:.2} of 255 codes over the angle, most at {degrees:.1}°, and {:.2} over the distance.",
+            found.distance
+        );
+        let told = [format!("# system: {tool}\n{lines}"), told];
+        Ok(told.into_iter().chain(found.notes.into_iter().map(String::from)).collect())
+    }
+}
+
+/// What the page shows of a light: sentences, curves of angles off the axis in degrees and shares of the
+/// largest intensity, and its settings for an address.
+fn told(lamp: &Lamp, usage: Use) -> Value {
+    let cone = if let AnyLight::Spot(spot) = &lamp.light { Some(spot.cone()) } else { None };
+    let (curve, fit, Use { throw, is_photometric, .. }) = (lamp.curve(), lamp.fits.last(), usage);
+    let angle = |share| curve.as_ref().and_then(|curve| curve.angle(share, Definition::Ies));
+    let Residual { found, bound, degrees, .. } = fit.map(|fit| fit.residual).unwrap_or_default();
+    let [off, far] = [255.0 * lamp.difference.angle, 100.0 * lamp.difference.distance];
+    let difference = match fit {
+        Some(_) => format!(
+            "Within {bound:.2} of 255 codes of the measured dots; the largest found is {found:.2} at {degrees:.2}°."
+        ),
+        None if off == 0.0 && far == 0.0 => "Exact.".to_owned(),
+        None => format!("Within {off:.2} of 255 codes over the angle and {far:.1} % over the distance."),
+    };
+    let [cd, lx] = if is_photometric { ["cd", "lx"] } else { ["of full scale"; 2] };
+    let axis = |curve: &Curve| curve.at(0.0) / curve.peak().0.max(f64::MIN_POSITIVE);
+    let lux = lamp.at(throw) * curve.as_ref().map_or(1.0, axis);
+    let flux = curve.as_ref().filter(|_| is_photometric).map(|curve| number(curve.lumens() as f32, "lm"));
+    let cone_angles =
+        angle(0.5).zip(angle(0.1)).map(|(beam, field)| format!("beam {beam:.2}°, field {field:.2}°"));
+    let peak = format!("Peak {}", number(lamp.light.intensity(), cd));
+    let lit = format!("{} at {throw:.2} m", number(lux as f32, lx));
+    let photometry: Vec<_> = [Some(peak), flux, cone_angles, Some(lit)].into_iter().flatten().collect();
+    // A tail of faint light would make the drawing narrow.
+    let end = curve.as_ref().map_or(0.0, Curve::end).min(angle(0.1).unwrap_or(180.0)).max(degrees);
+    let angles = (0..=210).map(|i| f64::from(i) / 200.0 * end);
+    let points = lamp.measured.iter().flat_map(|curve| {
+        curve.points().iter().map(|point| [point.0, point.1 / curve.peak().0]).filter(|point| point[0] <= end)
+    });
+    let table = fit.filter(|fit| fit.name == "table").and(lamp.measured.as_ref());
+    let color = hex_of(lamp.light.color()).replace('#', ":c");
+    let settings = |cone: &Cone<_>| format!(":o{}{color}", own_cone::write(cone));
+    json!({
+        "name": lamp.name,
+        "fit": fit.map(|fit| fit.name),
+        "settings": cone.map(|cone| settings(&table.and_then(ended).unwrap_or(cone))),
+        "intensity": lamp.light.intensity(),
+        "isCandela": is_photometric,
+        "beam": angle(0.5),
+        "field": angle(0.1),
+        "difference": difference,
+        "photometry": photometry.join(", "),
+        "points": points.collect::<Vec<_>>(),
+        "drawn": cone.map(|cone| angles.map(|angle| [angle, share(&cone, angle)]).collect::<Vec<_>>()),
+        "notes": lamp.notes,
+    })
+}
+
+/// Returns the cheapest cone for measured intensities without the tail that is under half a code: a shadow map
+/// has the whole cone.
+fn ended(curve: &Curve) -> Option<Cone<AnyFalloff>> {
+    let end = curve.angle(0.5 / 255.0, Definition::Ies)? / 2.0;
+    let lit = curve.points().iter().copied().take_while(|point| point.0 < end);
+    let curve = Curve::new(lit.chain([(end, curve.at(end))]).collect())?;
+    Some(fits(&curve, TOLERANCE).ok()?.last()?.cone)
+}

@@ -1,0 +1,67 @@
+// A light of a file of another tool: dropped, shown with its curve and its parameters, and put on the stage.
+import {
+  ask, assert, change, count, enter, exists, give, isDisabled, isWritten, number, open, press, quick, requests, shows, sum,
+  until, value, words, works,
+} from "./visit.mjs";
+
+const ONE = "#stage?scene=bare-spot&play=none";
+
+quick("a measured light is shown, its parameters are copied, and it lights the stage", async () => {
+  const script = `Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => void (window.copied = text) } })`;
+  await open(ONE, { script });
+  assert.deepEqual(requests.filter((name) => /file-panel|files/.test(name)), [], "files that are loaded before a file is dropped");
+  await give("spot.ies");
+  assert.deepEqual([await words("file-told"), await words("file-fit")], ["spot.ies: 1 light.", "Spot 12: table"]);
+  assert.match(await words("file-difference"), /^Within 0\.\d+ of 255 codes .* at 0\.16°\.$/);
+  assert.match(await words("file-photometry"), /^Peak 2,000 cd, 140 lm, beam 10\.79°, field 29\.76°, [\d.]+ lx at [\d.]+ m$/);
+  assert.deepEqual([await count("#file .dot"), await count("#file .trace"), await count("#file .drop")], [4, 1, 2]);
+  await enter("file-tool", "godot");
+  assert.match(await words("file-parameters-told"), /^Within [\d.]+ of 255 codes over the angle/);
+  await press("file-copy");
+  await until(() => document.getElementById("file-copied").textContent === "Copied.");
+  assert.match(await ask(() => window.copied), /^# system: godot\nspot_angle=[\d.]+\n(\w+=[\d.]+\n)+$/);
+  const before = await sum();
+  await change("the light of the file", () => press("file-put"));
+  assert.deepEqual([await number("light-intensity-number"), await number("light-beam-number")], [2000, 10.79]);
+  const [address, after] = [await isWritten(/:oknots\/0\//), await sum()];
+  await change("a narrower beam", () => enter("light-beam-number", 5));
+  for (let step = 0; step < 2; step += 1) await change("undo", () => press("undo"));
+  assert.equal(await sum(), before);
+  await open(address);
+  assert.equal(await sum(), after, `the light of ${address}`);
+});
+
+quick("a broken file gives the message of its reader, and the page works", async () => {
+  await open(ONE);
+  for (const [name, text, told] of [
+    ["spot.ies", "IESNA:LM-63-1995\nTILT=NONE\n1 2", /^spot\.ies: line \d+.*expected/],
+    ["picture.png", "", /^picture\.png: extension = png: expected one of gltf, .*ldt/],
+  ]) {
+    await give(name, text);
+    assert.match(await words("file-told"), told);
+    assert.ok(!(await shows("file")));
+    await works();
+  }
+  await give("spot.ies");
+  assert.ok(await shows("file"));
+});
+
+quick("lights of a scene are chosen, and the page reads its own JSON", async () => {
+  await open(ONE);
+  await give("three.gltf");
+  await enter("file-light", 1);
+  assert.deepEqual([await shows("file-curve"), await isDisabled("file-put")], [false, true]);
+  await give("three.json");
+  assert.equal(await words("file-difference"), "Exact.");
+  await change("the light of three.js", () => press("file-put"));
+  const state = async () => [await sum(), await number("light-intensity-number"), await value("light-color")];
+  const after = await state();
+  await ask(() => document.querySelector("#code summary").click());
+  await exists("#code-text:not(:empty)");
+  await enter("code-language", "json");
+  const text = await ask(() => document.getElementById("code-text").textContent);
+  await change("another cone", () => enter("light-field", 0.7));
+  await give("light.json", text);
+  await change("the light before", () => press("file-put"));
+  assert.deepEqual([after[2], await state()], ["#ff8000", after]);
+});
