@@ -14,7 +14,7 @@ use luminaire::falloff::{AnyFalloff, IntegerPower, Smooth, Soft, Step};
 use luminaire::import::{self, Difference, Imported, OpenGlLight};
 use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
 
-use crate::fit::versine;
+use crate::fit::{of_versine, versine};
 use crate::lamp::Lamp;
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
@@ -34,10 +34,15 @@ pub(crate) fn lamp(system: System, mut record: Record) -> Result<Lamp, Refusal> 
 
 /// Returns the light of a record whose place is known.
 pub(crate) fn convert(system: System, record: &mut Record) -> Result<Lamp, Refusal> {
-    let [red, green, blue] = record.triple("color", [1.0; 3])?;
-    // A channel over 1 is more light, not another colour.
-    let strongest = red.max(green).max(blue).max(1.0);
-    let [red, green, blue] = [red, green, blue].map(|channel| (channel / strongest) as f32);
+    let (key, least) = match (system, record.kind) {
+        (System::Pbrt, Kind::Directional) => ("L", f64::MIN_POSITIVE),
+        (System::Pbrt, _) => ("I", f64::MIN_POSITIVE),
+        _ => ("color", 1.0),
+    };
+    let channels = record.triple(key, [1.0; 3])?;
+    // A channel over 1 is more light, not another colour; in pbrt the channels are the intensity.
+    let strongest = channels.into_iter().fold(least, f64::max);
+    let [red, green, blue] = channels.map(|channel| (channel / strongest) as f32);
     let color = Rgb::new(red, green, blue);
     if record.kind == Kind::Directional {
         let intensity = sun(system, record)? * strongest;
@@ -61,7 +66,7 @@ pub(crate) fn convert(system: System, record: &mut Record) -> Result<Lamp, Refus
         System::Bevy => bevy(record),
         System::Babylon => babylon(record),
         System::Ies | System::Eulumdat | System::Gdtf | System::Ofl | System::Luminaire => {
-            Err(Refusal::new("system", system, "a file"))
+            Err(Refusal::new("system", system, "a file of it, or a tool with numbers"))
         }
     }?;
     let intensity = (f64::from(light.intensity()) * strongest) as f32;
@@ -83,10 +88,9 @@ fn sun(system: System, record: &mut Record) -> Result<f64, Refusal> {
     match system {
         System::Usd => {
             // The sun is a disk of this full angle; with `normalize`, the intensity is the irradiance.
-            let angle = record.within("angle", 0.53, 0.0, 360.0)?;
-            let sine = (angle / 2.0).min(90.0).to_radians().sin();
-            let brightness = usd_brightness(record)?;
-            Ok(if is_set(record, "normalize")? || sine == 0.0 {
+            let sine = (record.within("angle", 0.53, 0.0, 180.0)? / 2.0).to_radians().sin();
+            let brightness = exposed(record, "intensity", 50_000.0)?;
+            Ok(if is_set(record, "normalize", "0")? || sine == 0.0 {
                 brightness
             } else {
                 brightness * PI * sine * sine
@@ -94,8 +98,8 @@ fn sun(system: System, record: &mut Record) -> Result<f64, Refusal> {
         }
         System::Godot => record.get("light_energy", 1.0),
         System::Bevy => record.get("illuminance", 10_000.0),
-        System::Blender => record.get("energy", 1.0),
-        System::Pbrt => pbrt_strength(record, "L"),
+        System::Blender => exposed(record, "energy", 1.0),
+        System::Pbrt => pbrt_scale(record, ["L", "illuminance"], 1.0),
         System::Unreal => record.get("Intensity", 10.0),
         _ => record.get("intensity", 1.0),
     }
@@ -105,12 +109,8 @@ fn vector(v: glam::DVec3) -> Vec3<f32> {
     Vec3::new(v.x as f32, v.y as f32, v.z as f32)
 }
 
-fn at(record: &Record) -> [Vec3<f32>; 2] {
-    [vector(record.position), vector(record.axis)]
-}
-
-fn is_set(record: &mut Record, key: &str) -> Result<bool, Refusal> {
-    Ok(match record.word(key, "0").to_ascii_lowercase().as_str() {
+fn is_set(record: &mut Record, key: &str, default: &str) -> Result<bool, Refusal> {
+    Ok(match record.word(key, default).to_ascii_lowercase().as_str() {
         "0" | "false" => false,
         "1" | "true" => true,
         other => return Err(Refusal::new(key, other, "0, 1, false or true")),
@@ -134,19 +134,34 @@ fn square(inner: f64, outer: f64, least: f64) -> Result<(Cone<AnyFalloff>, f64),
     let edge = versine(outer);
     let full = edge - (edge - versine(inner.min(outer))).max(least);
     let on_axis = if full < 0.0 { (edge / least).powi(2) } else { 1.0 };
-    Ok((cone(Soft.into(), full.max(0.0).of_versine(), outer)?, on_axis))
+    Ok((cone(Soft.into(), of_versine(full.max(0.0)), outer)?, on_axis))
 }
 
+/// The units of a cone: its name, and what turns a number into a half angle in radians.
+type Unit = (&'static str, f64);
+const HALF_RADIANS: Unit = ("radians (half angle)", 1.0);
+const FULL_RADIANS: Unit = ("radians (full angle)", 0.5);
+const HALF_DEGREES: Unit = ("degrees (half angle)", PI / 180.0);
+const FULL_DEGREES: Unit = ("degrees (full angle)", PI / 360.0);
+
 /// Returns a half angle in radians of a value, at most 90 degrees.
-fn half(record: &mut Record, key: &str, default: f64, unit: f64, least: f64) -> Result<f64, Refusal> {
+fn half(record: &mut Record, key: &str, default: f64, (name, unit): Unit) -> Result<f64, Refusal> {
     let (most, value) = (FRAC_PI_2 / unit, record.get(key, default)?);
     // The last digit of a right angle that was written with few of them.
-    if value >= least && value <= most * (1.0 + 1e-6) {
+    if value > 0.0 && value <= most * (1.0 + 1e-6) {
         return Ok((value * unit).min(FRAC_PI_2));
     }
-    let expected =
-        format!("a number from {least} to {most}: the kernel's spotlights end at 90 degrees off the axis");
-    Err(Refusal::new(key, value, expected))
+    let expected = format!(
+        "over 0 and at most {:.6} {name}: the kernel's spotlights end at 90 degrees off the axis",
+        (most * 1e6).round() / 1e6
+    );
+    let degrees = value.to_radians();
+    let remedy = if unit >= 0.5 && degrees > 0.0 && degrees <= most {
+        format!("; {value} degrees are {degrees:.6} radians")
+    } else {
+        String::new()
+    };
+    Err(Refusal::new(key, value, expected + &remedy))
 }
 
 fn spot(
@@ -156,8 +171,8 @@ fn spot(
     attenuation: impl Into<AnyAttenuation>,
     angle: f64,
 ) -> Result<Spot, Refusal> {
-    let [position, axis] = at(record);
-    let light = SpotLight::new(position, axis, cone)?.with_intensity(intensity as f32)?;
+    let light = SpotLight::new(vector(record.position), vector(record.axis), cone)?
+        .with_intensity(intensity as f32)?;
     let difference = Difference { angle: angle.min(1.0) as f32, ..Difference::default() };
     Ok(Imported { light: light.with_attenuation(attenuation.into()), difference })
 }
@@ -177,24 +192,22 @@ fn gltf(record: &mut Record) -> Result<Spot, Refusal> {
     let range = record.optional("range")?.map(|range| range as f32);
     let light = import::Gltf {
         inner_cone_angle: record.get("innerConeAngle", 0.0)? as f32,
-        outer_cone_angle: half(record, "outerConeAngle", FRAC_PI_4, 1.0, 0.0)? as f32,
+        outer_cone_angle: half(record, "outerConeAngle", FRAC_PI_4, HALF_RADIANS)? as f32,
         range,
         intensity: record.get("intensity", 1.0)? as f32,
     };
-    let [position, axis] = at(record);
-    Ok(light.import(position, axis)?)
+    Ok(light.import(vector(record.position), vector(record.axis))?)
 }
 
 fn three(record: &mut Record) -> Result<Spot, Refusal> {
     let light = import::Three {
-        angle: half(record, "angle", PI / 3.0, 1.0, 0.0)? as f32,
+        angle: half(record, "angle", PI / 3.0, HALF_RADIANS)? as f32,
         penumbra: record.get("penumbra", 0.0)? as f32,
         distance: record.get("distance", 0.0)? as f32,
         decay: record.get("decay", 2.0)? as f32,
         intensity: record.get("intensity", 1.0)? as f32,
     };
-    let [position, axis] = at(record);
-    Ok(light.import(position, axis)?)
+    Ok(light.import(vector(record.position), vector(record.axis))?)
 }
 
 fn godot(record: &mut Record) -> Result<Spot, Refusal> {
@@ -202,14 +215,13 @@ fn godot(record: &mut Record) -> Result<Spot, Refusal> {
     let [range, attenuation] =
         if is_point { ["omni_range", "omni_attenuation"] } else { ["spot_range", "spot_attenuation"] };
     let light = import::Godot {
-        spot_angle: half(record, "spot_angle", 45.0, PI / 180.0, 0.0)?.to_degrees() as f32,
+        spot_angle: half(record, "spot_angle", 45.0, HALF_DEGREES)?.to_degrees() as f32,
         spot_angle_attenuation: record.get("spot_angle_attenuation", 1.0)? as f32,
         spot_range: record.get(range, 5.0)? as f32,
         spot_attenuation: record.get(attenuation, 1.0)? as f32,
         light_energy: record.get("light_energy", 1.0)? as f32,
     };
-    let [position, axis] = at(record);
-    Ok(light.import(position, axis)?)
+    Ok(light.import(vector(record.position), vector(record.axis))?)
 }
 
 fn opengl(record: &mut Record) -> Result<Spot, Refusal> {
@@ -225,8 +237,7 @@ fn opengl(record: &mut Record) -> Result<Spot, Refusal> {
         quadratic_attenuation: record.get("quadratic_attenuation", 0.0)? as f32,
         intensity: record.get("intensity", 1.0)? as f32,
     };
-    let [position, axis] = at(record);
-    let Imported { light, difference } = light.import(position, axis)?;
+    let Imported { light, difference } = light.import(vector(record.position), vector(record.axis))?;
     Ok(match light {
         OpenGlLight::Spot(light) => Imported { light, difference },
         OpenGlLight::Point(point) => {
@@ -261,19 +272,17 @@ fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
         range: record.get("range", f64::from(f32::MAX).sqrt())? as f32,
         intensity: record.get("intensity", 1.0)? as f32,
     };
-    let [position, axis] = at(record);
-    Ok(light.import(position, axis)?)
+    Ok(light.import(vector(record.position), vector(record.axis))?)
 }
 
 /// Blender's spotlight (`spot_light_attenuation` of Cycles and EEVEE): smoothstep over the versine, from
 /// the edge to `1 - blend` of its versine.
 fn blender(record: &mut Record) -> Result<Spot, Refusal> {
-    let outer = half(record, "spot_size", PI / 4.0, 0.5, 0.0)?;
+    let outer = half(record, "spot_size", PI / 4.0, FULL_RADIANS)?;
     let blend = record.within("spot_blend", 0.15, 0.0, 1.0)?;
-    let inner = ((1.0 - blend) * versine(outer)).of_versine();
+    let inner = of_versine((1.0 - blend) * versine(outer));
     // The flux of a point light of this power, whatever the cone lets through.
-    let intensity =
-        record.get("energy", 10.0)? * record.within("exposure", 0.0, -64.0, 64.0)?.exp2() / (4.0 * PI);
+    let intensity = exposed(record, "energy", 10.0)? / (4.0 * PI);
     record.note(
         "the intensity is in watts per steradian; Blender's exporter of glTF multiplies by 683 for candela",
     );
@@ -284,10 +293,9 @@ fn blender(record: &mut Record) -> Result<Spot, Refusal> {
     Ok(imported)
 }
 
-/// Returns the radiance of a light of UsdLux.
-fn usd_brightness(record: &mut Record) -> Result<f64, Refusal> {
-    let default = if record.kind == Kind::Directional { 50_000.0 } else { 1.0 };
-    Ok(record.get("intensity", default)? * record.within("exposure", 0.0, -64.0, 64.0)?.exp2())
+/// Returns a strength times a power of 2.
+fn exposed(record: &mut Record, key: &str, default: f64) -> Result<f64, Refusal> {
+    Ok(record.get(key, default)? * record.within("exposure", 0.0, -64.0, 64.0)?.exp2())
 }
 
 /// A sphere or a disk of UsdLux as a point, with the cone of its shaping: smoothstep in the angle, times
@@ -295,24 +303,14 @@ fn usd_brightness(record: &mut Record) -> Result<f64, Refusal> {
 fn usd(record: &mut Record) -> Result<Spot, Refusal> {
     let is_disk = record.word("disk", "0") == "1";
     let radius = record.within("radius", 0.5, 0.0, 1e9)?;
-    let area = if is_disk { PI * radius * radius } else { 4.0 * PI * radius * radius };
     // A sphere of this radiance looks like a disk of its cross section from everywhere.
-    let seen = PI * radius * radius;
-    let is_normalized = is_set(record, "normalize")?;
-    let is_point = is_set(record, "treatAsPoint")?;
-    let size = match (is_normalized, is_point) {
-        (true, _) if area > 0.0 => seen / area,
-        (true, _) => {
-            if is_disk {
-                1.0
-            } else {
-                0.25
-            }
-        }
-        (false, true) if seen == 0.0 => 1.0,
-        (false, _) => seen,
+    let size = match (is_set(record, "normalize", "0")?, is_set(record, "treatAsPoint", "0")?) {
+        (true, _) if is_disk => 1.0,
+        (true, _) => 0.25,
+        (false, true) if radius == 0.0 => 1.0,
+        (false, _) => PI * radius * radius,
     };
-    let intensity = usd_brightness(record)? * size;
+    let intensity = exposed(record, "intensity", 1.0)? * size;
     if radius > 0.0 {
         record.note(format!(
             "a source of radius {radius} became a point: only surfaces that face it get the same light nearby"
@@ -326,8 +324,8 @@ fn usd(record: &mut Record) -> Result<Spot, Refusal> {
     }
     let lowest = if focus > 0.0 { angle.min(90.0) } else { angle };
     if !(lowest > 0.0 && lowest <= 90.0) {
-        let expected = "a number over 0 and at most 90, or 180 for none: the kernel's spotlights end at 90 degrees \
-                        off the axis";
+        let expected = "over 0 and at most 90 degrees (half angle), or 180 for none: the kernel's spotlights end \
+                        at 90 degrees off the axis";
         return Err(Refusal::new("shaping:cone:angle", angle, expected));
     }
     let (outer, edge) = (lowest.to_radians(), angle.to_radians());
@@ -355,7 +353,7 @@ fn x3d(record: &mut Record) -> Result<Spot, Refusal> {
         3.2.. => (FRAC_PI_4, FRAC_PI_2),
         _ => (FRAC_PI_2, FRAC_PI_4),
     };
-    let outer = half(record, "cutOffAngle", outer, 1.0, 0.0)?;
+    let outer = half(record, "cutOffAngle", outer, HALF_RADIANS)?;
     let beam = record.get("beamWidth", beam)?;
     let [a, b, c] = record.triple("attenuation", [1.0, 0.0, 0.0])?;
     let range = record.within("radius", 100.0, 0.0, 1e9)? as f32;
@@ -377,10 +375,14 @@ fn x3d(record: &mut Record) -> Result<Spot, Refusal> {
     spot(record, cone, intensity, attenuation, difference)
 }
 
-/// Returns the factor of a light of pbrt, with the largest channel of its colour.
-fn pbrt_strength(record: &mut Record, color: &str) -> Result<f64, Refusal> {
+/// Returns the factor of a light of pbrt on its colour: `scale`, or what gives a luminous flux or an
+/// illuminance over a solid angle.
+fn pbrt_scale(record: &mut Record, [color, photometric]: [&str; 2], solid: f64) -> Result<f64, Refusal> {
+    let scale = record.get("scale", 1.0)?;
+    // In pbrt, 0 is none, and the number is that of the luminance.
+    let Some(total) = record.optional(photometric)?.filter(|total| *total > 0.0) else { return Ok(scale) };
     let [red, green, blue] = record.triple(color, [1.0; 3])?;
-    Ok(record.get("scale", 1.0)? * red.max(green).max(blue))
+    Ok(scale * total / (solid * (0.2126 * red + 0.7152 * green + 0.0722 * blue)))
 }
 
 /// The spotlight of pbrt: smoothstep in the cosine in version 4, the fourth power of a line in version 3.
@@ -391,14 +393,11 @@ fn pbrt(record: &mut Record) -> Result<Spot, Refusal> {
         "4" => Smooth.into(),
         _ => return Err(Refusal::new("version", version, "3 or 4")),
     };
-    let outer = half(record, "coneangle", 30.0, PI / 180.0, 0.0)?;
+    let outer = half(record, "coneangle", 30.0, HALF_DEGREES)?;
     let delta = record.within("conedeltaangle", 5.0, 0.0, outer.to_degrees())?.to_radians();
-    let mut intensity = pbrt_strength(record, "I")?;
     let cone = cone(falloff, outer - delta, outer)?;
-    if let Some(power) = record.optional("power")? {
-        let steradians = if record.kind == Kind::Point { 4.0 * PI } else { f64::from(cone.lumens(1.0)) };
-        intensity = record.get("scale", 1.0)? * power / steradians;
-    }
+    let solid = if record.kind == Kind::Point { 4.0 * PI } else { f64::from(cone.lumens(1.0)) };
+    let intensity = pbrt_scale(record, ["I", "power"], solid)?;
     spot(record, cone, intensity, InverseSquare, 0.0)
 }
 
@@ -406,7 +405,8 @@ fn pbrt(record: &mut Record) -> Result<Spot, Refusal> {
 /// window `(1 - (d/r)^4)^2`.
 fn unreal(record: &mut Record) -> Result<Spot, Refusal> {
     let inner = record.within("InnerConeAngle", 0.0, 0.0, 89.0)?.to_radians();
-    let outer = half(record, "OuterConeAngle", 44.0, PI / 180.0, 0.0)?.max(inner + 0.001);
+    let outer = half(record, "OuterConeAngle", 44.0, HALF_DEGREES)?;
+    let outer = outer.clamp(inner + 0.001, 89_f64.to_radians() + 0.001);
     let range = record.within("AttenuationRadius", 1000.0, 0.1, 1e9)? / 100.0;
     let given = record.get("Intensity", 5000.0)?;
     let units = record.word("IntensityUnits", "Unitless");
@@ -421,7 +421,7 @@ fn unreal(record: &mut Record) -> Result<Spot, Refusal> {
     if !is_point && units.to_ascii_lowercase().starts_with("lumen") {
         record.note("Unreal spreads lumens evenly over the cone; the falloff then loses some of them");
     }
-    if record.word("bUseInverseSquaredFalloff", "True").eq_ignore_ascii_case("false") {
+    if !is_set(record, "bUseInverseSquaredFalloff", "1")? {
         let expected = "True: the kernel has no power of the square of the distance";
         return Err(Refusal::new("bUseInverseSquaredFalloff", "False", expected));
     }
@@ -436,7 +436,7 @@ fn unreal(record: &mut Record) -> Result<Spot, Refusal> {
 /// The spotlight of Unity's Universal Render Pipeline: the square of a line in the cosine, full angles,
 /// and the inverse square with the window `(1 - (d/r)^4)^2`.
 fn unity(record: &mut Record) -> Result<Spot, Refusal> {
-    let outer = half(record, "spotAngle", 30.0, PI / 360.0, 0.0)?;
+    let outer = half(record, "spotAngle", 30.0, FULL_DEGREES)?;
     let inner = record.within("innerSpotAngle", 21.8, 0.0, 180.0)?.to_radians() / 2.0;
     let range = record.within("range", 10.0, 0.001, 1e9)? as f32;
     // The unit in which the inspector shows the intensity; the shaders have none.
@@ -452,7 +452,7 @@ fn unity(record: &mut Record) -> Result<Spot, Refusal> {
 
 /// Bevy's spotlight: glTF's cone, and the flux of a point light of this intensity in lumens.
 fn bevy(record: &mut Record) -> Result<Spot, Refusal> {
-    let outer = half(record, "outer_angle", FRAC_PI_4, 1.0, 0.0)?;
+    let outer = half(record, "outer_angle", FRAC_PI_4, HALF_RADIANS)?;
     let inner = record.within("inner_angle", 0.0, 0.0, PI)?;
     let range = record.within("range", 20.0, 0.001, 1e9)? as f32;
     let intensity = record.get("intensity", 1_000_000.0)? / (4.0 * PI);
@@ -463,7 +463,7 @@ fn bevy(record: &mut Record) -> Result<Spot, Refusal> {
 
 /// The three laws of Babylon's spotlight, which its materials choose: `standard`, `physical` and `gltf`.
 fn babylon(record: &mut Record) -> Result<Spot, Refusal> {
-    let outer = half(record, "angle", PI / 3.0, 0.5, 0.0)?;
+    let outer = half(record, "angle", PI / 3.0, FULL_RADIANS)?;
     let range = record.optional("range")?.filter(|&range| range < 1e30).map(|range| range as f32);
     let given = record.get("intensity", 1.0)?;
     let mode = record.word("intensityMode", "0").to_ascii_lowercase();
@@ -485,19 +485,22 @@ fn babylon(record: &mut Record) -> Result<Spot, Refusal> {
             // 1 % at the edge of the cone, and light beyond it.
             let kappa = 100_f64.ln() / versine(outer);
             let glow = |angle: f64| (-kappa * versine(angle)).exp();
-            let end = (65_535_f64.ln() / kappa).min(1.0).of_versine();
+            let end = of_versine(65_535_f64.ln() / kappa);
             let (cone, difference) = tabulated(0.0, end, &glow)?;
             // What the law leaves behind 90 degrees off the axis is lost.
             spot(record, cone, intensity, InverseSquare, difference.max(glow(end)))
         }
         "0" | "3" | "default" | "standard" => {
+            if law.starts_with(['0', 'd']) {
+                record.note("the law is that of standard materials; physical ones show falloffType=1");
+            }
             let light = import::OpenGl {
                 spot_cutoff: outer.to_degrees() as f32,
                 spot_exponent: exponent as f32,
                 ..import::OpenGl::default()
             };
-            let [position, axis] = at(record);
-            let OpenGlLight::Spot(light) = light.import(position, axis)?.light else {
+            let imported = light.import(vector(record.position), vector(record.axis))?;
+            let OpenGlLight::Spot(light) = imported.light else {
                 return Err(Refusal::new("angle", 2.0 * outer, "less than a full turn"));
             };
             let attenuation: AnyAttenuation = match range {
@@ -515,16 +518,5 @@ fn babylon(record: &mut Record) -> Result<Spot, Refusal> {
             Ok(imported)
         }
         _ => Err(Refusal::new("falloffType", law, "default, physical, gltf or standard")),
-    }
-}
-
-/// The half angle of a versine.
-trait OfVersine {
-    fn of_versine(self) -> f64;
-}
-
-impl OfVersine for f64 {
-    fn of_versine(self) -> f64 {
-        2.0 * (self / 2.0).sqrt().asin()
     }
 }

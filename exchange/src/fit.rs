@@ -53,6 +53,11 @@ pub(crate) fn versine(half: f64) -> f64 {
     2.0 * (half / 2.0).sin().powi(2)
 }
 
+/// Returns the half angle of a versine, at most a quarter turn.
+pub(crate) fn of_versine(versine: f64) -> f64 {
+    2.0 * (versine.min(1.0) / 2.0).sqrt().asin()
+}
+
 /// The polynomials, the cheapest first: the order of their counts of instructions in the records of
 /// `luminaire pick`.
 const NAMES: [&str; 8] = [

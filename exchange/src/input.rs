@@ -18,7 +18,7 @@ use crate::text::decode;
 /// Without a system, the extension of the name decides, and of JSON the content. A text that begins with
 /// `# system: NAME` has a value `key=value` in each line, and may have `# kind: point`. `tolerance` is the
 /// largest difference in linear codes at which a cheaper cone takes the place of a measured light's
-/// table.
+/// table, in [0, 255].
 ///
 /// # Errors
 /// A name without a known extension; a file that its reader does not accept. A light of a file that
@@ -44,7 +44,7 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
 }
 
 /// Returns the lights of a scene in the words of its system.
-fn scene(system: System, bytes: &[u8]) -> Result<Found, Refusal> {
+pub(crate) fn scene(system: System, bytes: &[u8]) -> Result<Found, Refusal> {
     if system == System::Usd && [&b"PXR-USDC"[..], b"PK"].iter().any(|head| bytes.starts_with(head)) {
         return Err(Refusal::new("file", "a binary stage", "text: usdcat -o file.usda FILE"));
     }
@@ -106,8 +106,14 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
     if system == System::Godot && (record.has("omni_range") || record.has("omni_attenuation")) {
         record.kind = Kind::Point;
     }
-    record.position = record.triple("position", [0.0; 3])?.into();
-    record.axis = record.triple("axis", [0.0, -1.0, 0.0])?.into();
+    for (key, default) in [("position", [0.0; 3]), ("axis", [0.0, -1.0, 0.0])] {
+        // Only of a colour or a polynomial, one number stands for three.
+        if let Ok(Some(one)) = record.optional(key) {
+            return Err(Refusal::new(key, one, "three numbers"));
+        }
+        let triple = record.triple(key, default)?.into();
+        *(if key == "axis" { &mut record.axis } else { &mut record.position }) = triple;
+    }
     let mut probe = record.clone();
     let lamp = convert::convert(system, &mut probe)?;
     // A key that was not read is one that the system does not have, or a misspelt one.
@@ -138,21 +144,22 @@ fn zoomed(lamps: Lamps) -> Lamps {
 }
 
 fn photometry(system: System, read: read::photometry::Photometry, tolerance: f64) -> Result<Lamps, Refusal> {
+    if !(0.0..=255.0).contains(&tolerance) {
+        return Err(Refusal::new("fit", tolerance, "a number from 0 to 255 linear codes"));
+    }
     let lamps = measured::lamps(&read.name, &read.curve, read.difference, tolerance)?;
     Ok(Lamps { lamps, notes: read.notes, ..Lamps::new(system) })
 }
 
 fn own(text: &str) -> Result<Lamps, Refusal> {
-    let lights =
-        json::read(text).map_err(|error| Refusal::new(error.parameter, error.value, error.expected))?;
     let lamp =
         |named: json::NamedLight| Lamp { surfaces: named.surfaces, ..Lamp::new(named.name, named.light) };
-    let lamps = lights.into_iter().map(lamp).collect();
+    let lamps = json::read(text)?.into_iter().map(lamp).collect();
     Ok(Lamps { lamps, ..Lamps::new(System::Luminaire) })
 }
 
 /// Returns the system of a file, by its name and of JSON by its content.
-fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
+pub(crate) fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
     let extension = Path::new(name).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     let extension = extension.to_ascii_lowercase();
     let has = |word: &str| bytes.windows(word.len()).any(|window| window == word.as_bytes());
@@ -171,6 +178,7 @@ fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
     }
     System::ALL.iter().copied().find(|system| system.extensions().contains(&&*extension)).ok_or_else(|| {
         let mut known: Vec<_> = System::ALL.iter().flat_map(|system| system.extensions()).copied().collect();
+        known.sort_unstable();
         known.dedup();
         let value = if extension.is_empty() { "none" } else { &extension };
         Refusal::new("extension", value, format_args!("one of {}", known.join(", ")))
@@ -187,9 +195,8 @@ mod tests {
     #[test]
     fn values_of_scenes_reach_their_conversion() {
         // The version of a scene, the unit of a sun, which is always lux, and an ambient part, which the
-        // kernel's lights do not have; and the exponent of a law of Unreal that is refused.
-        const WITHOUT_EFFECT: [&str; 4] =
-            ["version", "intensityMode", "ambientIntensity", "LightFalloffExponent"];
+        // kernel's lights do not have.
+        const WITHOUT_EFFECT: [&str; 3] = ["version", "intensityMode", "ambientIntensity"];
         let mut seen = 0;
         for entry in
             ["real", "files"].map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder))

@@ -24,8 +24,8 @@ pub(crate) fn lamps(
     for (upward, name) in [(false, name.to_owned()), (true, format!("{name} (upward)"))] {
         let Some(half) = hemisphere(curve, upward) else { continue };
         let share = half.peak().0 / peak;
-        // An instrument's noise is no light.
-        if 255.0 * share <= tolerance / 2.0 {
+        // An instrument's noise is no light; the half with the peak is.
+        if share < 1.0 && 255.0 * share <= tolerance / 2.0 {
             continue;
         }
         let fits = fit::fits(&half, tolerance)?;
@@ -39,7 +39,7 @@ pub(crate) fn lamps(
         lamp.fits = fits;
         lamps.push(lamp);
     }
-    if lamps.is_empty() { Err(Refusal::new("intensities", "0", "a light with light")) } else { Ok(lamps) }
+    if lamps.is_empty() { Err(Refusal::new("intensities", "0", "a light")) } else { Ok(lamps) }
 }
 
 /// Returns the half of a curve up to 90 degrees off the axis, or off the opposite axis.

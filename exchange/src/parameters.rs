@@ -7,7 +7,7 @@ use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Falloff, Formula};
 
 use crate::curve::Curve;
-use crate::fit::{self, Residual, versine};
+use crate::fit::{self, Residual, of_versine, versine};
 use crate::lamp::{Lamp, Use};
 use crate::refusal::Refusal;
 use crate::search;
@@ -152,7 +152,7 @@ impl<'a> Target<'a> {
         let cone = spot.cone();
         let end = f64::from(cone.outer().to_degrees()) / 2.0;
         let [inner, outer, _] = cone.versines().map(f64::from);
-        let degrees = |u: f64| (2.0 * ((inner + u * (outer - inner)) / 2.0).sqrt().asin()).to_degrees();
+        let degrees = |u: f64| of_versine(inner + u * (outer - inner)).to_degrees();
         let places: Vec<f64> = match cone.falloff().formula() {
             Formula::Knots(knots) => {
                 knots.iter().map(|knot| f64::from(knot.to_bits().0) / 65_536.0).collect()
@@ -249,7 +249,8 @@ impl Describe for Law {
 /// Returns the parameters of a light in a tool.
 ///
 /// # Errors
-/// A system without parameters to write, or a directional light, which has an intensity alone.
+/// A system without parameters to write, a directional light, which has an intensity alone, or a throw
+/// at which the light has ended.
 pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, Refusal> {
     if !TOOLS.contains(&tool) {
         let names: Vec<_> = TOOLS.iter().map(|tool| tool.name()).collect();
@@ -259,22 +260,16 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
         AnyLight::Spot(spot) => spot.attenuation(),
         AnyLight::Point(point) => point.attenuation(),
         AnyLight::Directional(_) => {
-            return Err(Refusal::new(
-                "light",
-                "directional",
-                "a spotlight or a point light: of a directional light only the direction and the intensity count",
-            ));
+            let expected = "a spotlight or a point light: of a directional light only the direction and the \
+                            intensity count; --light chooses one light of a file";
+            return Err(Refusal::new("light", "directional", expected));
         }
     };
     let mut law = Law::default();
     attenuation.describe(&mut law);
-    let (values, notes) = (Vec::new(), Vec::new());
-    let mut parameters = Parameters { tool, values, angle: Residual::default(), distance: 0.0, notes };
     let target = Target::new(lamp);
-    let (free, angle) =
-        target.as_ref().map_or(([FRAC_PI_2, 0.0, 1.0], Residual::default()), |target| target.fitted(tool));
-    parameters.angle = angle;
     let is_spot = target.is_some();
+    let (free, angle) = target.map_or(([FRAC_PI_2, 0.0, 1.0], Residual::default()), |own| own.fitted(tool));
 
     // The law of the tool, and the intensity with the same light at the throw.
     let throw = usage.throw;
@@ -283,180 +278,144 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
         (System::Three | System::Godot, "decay") => law.numbers[0],
         _ => 2.0,
     };
-    let range = law.range.filter(|_| !matches!(tool, System::Blender | System::Usd | System::OpenGl));
     // A tool that cannot do without a range gets one that takes less than 0.1 codes at 2 throws.
-    let range = range
-        .or(matches!(tool, System::Godot | System::Unreal | System::Unity | System::Bevy)
-            .then_some(throw * 20.0));
-    let polynomial = match law.law.as_str() {
-        "constant" => [1.0, 0.0, 0.0],
-        "polynomial" if matches!(tool, System::OpenGl | System::Direct3d) => {
-            [law.numbers[0], law.numbers[1], law.numbers[2]]
-        }
+    let range = match tool {
+        System::Blender | System::Usd | System::OpenGl => None,
+        System::Godot | System::Unreal | System::Unity | System::Bevy => law.range.or(Some(throw * 20.0)),
+        _ => law.range,
+    };
+    let polynomial = match (law.law.as_str(), tool) {
+        ("constant", _) => [1.0, 0.0, 0.0],
+        ("polynomial", System::OpenGl | System::Direct3d) => [law.numbers[0], law.numbers[1], law.numbers[2]],
         _ => [0.0, 0.0, 1.0],
     };
+    let [constant, linear, quadratic] = polynomial;
     let falls = |d: f64| {
         let window = |power: i32| range.map_or(1.0, |range| (1.0 - (d / range).powi(4)).max(0.0).powi(power));
         match tool {
-            System::OpenGl => 1.0 / (polynomial[0] + d * (polynomial[1] + d * polynomial[2])),
             System::Direct3d if range.is_some_and(|range| d > range) => 0.0,
-            System::Direct3d => 1.0 / (polynomial[0] + d * (polynomial[1] + d * polynomial[2])),
+            System::OpenGl | System::Direct3d => 1.0 / (constant + d * (linear + d * quadratic)),
             System::Gltf => window(1) / (d * d),
             _ => window(2) * d.powf(-decay),
         }
     };
     let intensity = f64::from(lamp.light.intensity());
     let at_throw = intensity * attenuation.exact(throw);
-    let on_axis = if is_spot { Family::of(tool).on_axis(free) } else { 1.0 };
-    let candela = at_throw / falls(throw);
+    if intensity > 0.0 && !(at_throw > 0.0 && falls(throw) > 0.0) {
+        let expected = format_args!("a distance below the range, {}", law.range.unwrap_or_default());
+        return Err(Refusal::new("throw", throw, expected));
+    }
+    let candela = at_throw / falls(throw).max(f64::MIN_POSITIVE);
+    let difference = |d: f64| {
+        let difference = candela * falls(d) - intensity * attenuation.exact(d);
+        255.0 * difference.abs() / at_throw.max(f64::MIN_POSITIVE)
+    };
     let distances = (0..512).map(|i| throw * 16_f64.powf(f64::from(i) / 511.0));
-    parameters.distance = distances
-        .map(|d| {
-            255.0 * (candela * falls(d) - intensity * attenuation.exact(d)).abs()
-                / at_throw.max(f64::MIN_POSITIVE)
-        })
-        .fold(0.0, f64::max);
+    let distance = distances.map(difference).fold(0.0, f64::max);
 
-    write(
-        &mut parameters,
-        is_spot,
-        free,
-        Strength { candela: candela / on_axis, usage },
-        decay,
-        range,
-        polynomial,
-    );
-    Ok(parameters)
+    let peak = candela / if is_spot { Family::of(tool).on_axis(free) } else { 1.0 };
+    let (cone, rest) = values(tool, free, peak, usage, [decay, range.unwrap_or_default()], polynomial);
+    let cone = cone.into_iter().filter(|_| is_spot);
+    let mut values: Vec<_> = cone.chain(rest).map(|(key, value)| (key, digits(value))).collect();
+    let notes = match tool {
+        System::Blender if usage.is_photometric => {
+            vec!["the energy in watts counts 683 lumens a watt, as Blender's exporter of glTF does"]
+        }
+        System::Unreal => vec!["from Unreal's shaders as published, not checked against a running engine"],
+        System::Unity => {
+            vec!["for the Universal Render Pipeline, from its shaders, not checked against a running engine"]
+        }
+        System::OpenGl => vec!["the intensity is a factor of GL_DIFFUSE, which may be over 1"],
+        System::Direct3d => vec!["the intensity is a factor of Diffuse, which may be over 1"],
+        _ => Vec::new(),
+    };
+    if tool == System::Unreal {
+        values.push(("IntensityUnits", "Candelas".to_owned()));
+    }
+    if !is_spot {
+        let of_points = |key| match key {
+            "spot_range" => "omni_range",
+            "spot_attenuation" => "omni_attenuation",
+            _ => key,
+        };
+        values.iter_mut().for_each(|(key, _)| *key = of_points(key));
+    }
+    Ok(Parameters { tool, values, angle, distance, notes })
 }
 
-/// How bright the light is.
-#[derive(Clone, Copy)]
-struct Strength {
+type Rows = Vec<(&'static str, f64)>;
+
+/// Returns the values of the cone and the other ones, in the names and units of the tool. A range of 0
+/// is none.
+fn values(
+    tool: System,
+    [outer, inner, exponent]: Free,
     candela: f64,
     usage: Use,
+    [decay, range]: [f64; 2],
+    [constant, linear, quadratic]: [f64; 3],
+) -> (Rows, Rows) {
+    let shown = candela / usage.full_scale;
+    let watts = 4.0 * PI * candela / if usage.is_photometric { 683.0 } else { 1.0 };
+    match tool {
+        System::Blender => (
+            vec![("spot_size", 2.0 * outer), ("spot_blend", 1.0 - versine(inner) / versine(outer))],
+            vec![("energy", watts)],
+        ),
+        System::Three => (
+            vec![("angle", outer), ("penumbra", 1.0 - inner / outer)],
+            vec![("decay", decay), ("distance", range), ("intensity", candela)],
+        ),
+        System::Godot => (
+            vec![("spot_angle", outer.to_degrees()), ("spot_angle_attenuation", 1.0 / exponent)],
+            vec![("spot_range", range), ("spot_attenuation", decay), ("light_energy", shown)],
+        ),
+        System::Unreal => (
+            vec![("InnerConeAngle", inner.to_degrees()), ("OuterConeAngle", outer.to_degrees())],
+            vec![("AttenuationRadius", 100.0 * range), ("Intensity", candela)],
+        ),
+        System::Unity => (
+            vec![("innerSpotAngle", 2.0 * inner.to_degrees()), ("spotAngle", 2.0 * outer.to_degrees())],
+            vec![("range", range), ("intensity", shown)],
+        ),
+        System::Bevy => (
+            vec![("inner_angle", inner), ("outer_angle", outer)],
+            vec![("range", range), ("intensity", 4.0 * PI * candela)],
+        ),
+        System::Gltf => (
+            vec![("innerConeAngle", inner), ("outerConeAngle", outer)],
+            [("range", range), ("intensity", candela)].into_iter().skip(usize::from(range == 0.0)).collect(),
+        ),
+        System::Usd => (
+            vec![("shaping:cone:angle", outer.to_degrees()), ("shaping:cone:softness", 1.0 - inner / outer)],
+            vec![("normalize", 1.0), ("radius", 0.01), ("intensity", 4.0 * candela)],
+        ),
+        System::OpenGl => (
+            vec![("spot_cutoff", outer.to_degrees()), ("spot_exponent", exponent)],
+            vec![
+                ("constant_attenuation", constant),
+                ("linear_attenuation", linear),
+                ("quadratic_attenuation", quadratic),
+                ("intensity", shown),
+            ],
+        ),
+        _ => (
+            vec![("theta", 2.0 * inner), ("phi", 2.0 * outer), ("falloff", exponent)],
+            vec![
+                ("attenuation0", constant),
+                ("attenuation1", linear),
+                ("attenuation2", quadratic),
+                // Direct3D's largest range, for none.
+                ("range", if range > 0.0 { range } else { f64::from(f32::MAX).sqrt() }),
+                ("intensity", shown),
+            ],
+        ),
+    }
 }
 
-/// Writes the parameters in the names and units of the tool.
-fn write(
-    parameters: &mut Parameters,
-    is_spot: bool,
-    [outer, inner, exponent]: Free,
-    Strength { candela, usage }: Strength,
-    decay: f64,
-    range: Option<f64>,
-    polynomial: [f64; 3],
-) {
-    let Parameters { tool, values, notes, .. } = parameters;
-    // Seven digits, without an exponent and without zeros at the end.
-    let digits = |value: f64| {
-        let digits = (6.0 - value.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
-        let text = format!("{value:.digits$}");
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    };
-    let mut put = |key, value: f64| values.push((key, digits(value)));
-    let far = range.unwrap_or_default();
-    match tool {
-        System::Blender => {
-            if is_spot {
-                put("spot_size", 2.0 * outer);
-                put("spot_blend", 1.0 - versine(inner) / versine(outer));
-            }
-            put("energy", 4.0 * PI * candela / if usage.is_photometric { 683.0 } else { 1.0 });
-            if usage.is_photometric {
-                notes
-                    .push("the energy in watts counts 683 lumens a watt, as Blender's exporter of glTF does");
-            }
-        }
-        System::Three => {
-            if is_spot {
-                put("angle", outer);
-                put("penumbra", 1.0 - inner / outer);
-            }
-            put("decay", decay);
-            put("distance", far);
-            put("intensity", candela);
-        }
-        System::Godot => {
-            if is_spot {
-                put("spot_angle", outer.to_degrees());
-                put("spot_angle_attenuation", 1.0 / exponent);
-            }
-            put(if is_spot { "spot_range" } else { "omni_range" }, far);
-            put(if is_spot { "spot_attenuation" } else { "omni_attenuation" }, decay);
-            put("light_energy", candela / usage.full_scale);
-        }
-        System::Unreal => {
-            if is_spot {
-                put("InnerConeAngle", inner.to_degrees());
-                put("OuterConeAngle", outer.to_degrees());
-            }
-            put("AttenuationRadius", 100.0 * far);
-            put("Intensity", candela);
-            values.push(("IntensityUnits", "Candelas".to_owned()));
-            notes.push("from Unreal's shaders as published, not checked against a running engine");
-        }
-        System::Unity => {
-            if is_spot {
-                put("innerSpotAngle", 2.0 * inner.to_degrees());
-                put("spotAngle", 2.0 * outer.to_degrees());
-            }
-            put("range", far);
-            put("intensity", candela / usage.full_scale);
-            notes.push(
-                "for the Universal Render Pipeline, from its shaders, not checked against a running engine",
-            );
-        }
-        System::Bevy => {
-            if is_spot {
-                put("inner_angle", inner);
-                put("outer_angle", outer);
-            }
-            put("range", far);
-            put("intensity", 4.0 * PI * candela);
-        }
-        System::Gltf => {
-            if is_spot {
-                put("innerConeAngle", inner);
-                put("outerConeAngle", outer);
-            }
-            if far > 0.0 {
-                put("range", far);
-            }
-            put("intensity", candela);
-        }
-        System::Usd => {
-            if is_spot {
-                put("shaping:cone:angle", outer.to_degrees());
-                put("shaping:cone:softness", 1.0 - inner / outer);
-            }
-            put("normalize", 1.0);
-            put("radius", 0.01);
-            put("intensity", 4.0 * candela);
-        }
-        System::OpenGl => {
-            if is_spot {
-                put("spot_cutoff", outer.to_degrees());
-                put("spot_exponent", exponent);
-            }
-            put("constant_attenuation", polynomial[0]);
-            put("linear_attenuation", polynomial[1]);
-            put("quadratic_attenuation", polynomial[2]);
-            put("intensity", candela / usage.full_scale);
-            notes.push("the intensity is a factor of GL_DIFFUSE, which may be over 1");
-        }
-        _ => {
-            if is_spot {
-                put("theta", 2.0 * inner);
-                put("phi", 2.0 * outer);
-                put("falloff", exponent);
-            }
-            put("attenuation0", polynomial[0]);
-            put("attenuation1", polynomial[1]);
-            put("attenuation2", polynomial[2]);
-            // Direct3D's largest range, for none.
-            put("range", if far > 0.0 { far } else { f64::from(f32::MAX).sqrt() });
-            put("intensity", candela / usage.full_scale);
-            notes.push("the intensity is a factor of Diffuse, which may be over 1");
-        }
-    }
+/// Returns a number with seven digits, without an exponent and without zeros at the end.
+fn digits(value: f64) -> String {
+    let digits = (6.0 - value.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -20,8 +20,15 @@ pub(crate) mod usd;
 pub(crate) mod x3d;
 mod xml;
 
-use crate::record::Record;
+use std::fmt::Display;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
+
+/// The most lights of a file, which bounds the time and the memory.
+const LIGHTS: usize = 10_000;
 
 /// What a reader of scenes finds. A light that cannot be read does not hide the others.
 #[derive(Debug, Default)]
@@ -30,4 +37,41 @@ pub(crate) struct Found {
     pub(crate) refused: Vec<Refusal>,
     /// What holds for the whole file: what was left out.
     pub(crate) notes: Vec<String>,
+}
+
+impl Found {
+    /// Adds a light of a node, moved by the transform from the node to the world, or its refusal.
+    ///
+    /// # Errors
+    /// More than 10,000 lights.
+    pub(crate) fn add(
+        &mut self,
+        place: impl Display,
+        light: Result<(Record, DAffine3), Refusal>,
+    ) -> Result<(), Refusal> {
+        if self.records.len() + self.refused.len() >= LIGHTS {
+            let expected = format_args!("at most {LIGHTS}: export a part of the scene");
+            return Err(Refusal::new("lights", "more", expected));
+        }
+        let placed = light.and_then(|(mut record, world)| {
+            record.position = world.transform_point3(record.position);
+            let axis = world.transform_vector3(record.axis);
+            let is_point = record.kind == Kind::Point;
+            // Not normalized: its square may overflow. A point light may have none.
+            record.axis = if is_point { DVec3::NEG_Z } else { axis / axis.abs().max_element() };
+            if !(record.position.is_finite() && record.axis.is_finite()) {
+                let value = format_args!("{} along {}", record.position, record.axis);
+                return Err(Refusal::new("position", value, "finite numbers, and an axis that is not 0"));
+            }
+            if !(world.matrix3.transpose() * world.matrix3).abs_diff_eq(DMat3::IDENTITY, 1e-4) {
+                record.note("its nodes scale: lengths such as a radius or a range are those of the file");
+            }
+            Ok(record)
+        });
+        match placed {
+            Ok(record) => self.records.push(record),
+            Err(refusal) => self.refused.push(refusal.at(place)),
+        }
+        Ok(())
+    }
 }

@@ -131,7 +131,7 @@ impl Record {
         match self.value(key) {
             None => Ok(default),
             Some(Value::Numbers(numbers)) if numbers.len() == 1 => Ok([numbers[0]; 3]),
-            Some(Value::Numbers(numbers)) if numbers.len() >= 3 => Ok([numbers[0], numbers[1], numbers[2]]),
+            Some(Value::Numbers(numbers)) if numbers.len() == 3 => Ok([numbers[0], numbers[1], numbers[2]]),
             Some(other) => Err(Refusal::new(key, shown(&other), "three numbers")),
         }
     }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use luminaire_export::printable;
+use luminaire_export::{ExportError, printable};
 
 /// A rejected value of a file or of a command: its place, its name, and the accepted values.
 ///
@@ -53,10 +53,13 @@ fn cut(text: &impl fmt::Display) -> String {
 
 impl From<luminaire::Error> for Refusal {
     fn from(error: luminaire::Error) -> Self {
-        let text = error.to_string();
-        let (value, expected) = text.split_once(": expected ").unwrap_or((&text, ""));
-        let value = value.split_once(" = ").map_or(value, |(_, value)| value);
-        Self::new(error.parameter, value, expected)
+        ExportError::from(error).into()
+    }
+}
+
+impl From<ExportError> for Refusal {
+    fn from(ExportError { parameter, value, expected }: ExportError) -> Self {
+        Self::new(parameter, value, expected)
     }
 }
 

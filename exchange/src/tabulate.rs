@@ -3,6 +3,7 @@
 use luminaire::falloff::{Knot, Table};
 use luminaire::{Angle, Cone};
 
+use crate::fit::{of_versine, versine};
 use crate::refusal::Refusal;
 
 /// A falloff that is defined by a function of the angle, between an inner and an outer half angle.
@@ -63,14 +64,12 @@ impl Shape<'_> {
 
     /// Returns the half angle in radians at a place between the versines of both angles.
     fn angle(&self, place: f64) -> f64 {
-        let versine = |half: f64| 2.0 * (half / 2.0).sin().powi(2);
-        let (inner, outer) = (versine(self.inner), versine(self.outer));
-        2.0 * ((inner + (outer - inner) * place / f64::from(EDGE)) / 2.0).sqrt().min(1.0).asin()
+        let [inner, outer] = [self.inner, self.outer].map(versine);
+        of_versine(inner + (outer - inner) * place / f64::from(EDGE))
     }
 
     fn place(&self, angle: f64) -> f64 {
-        let versine = |half: f64| 2.0 * (half / 2.0).sin().powi(2);
-        let (inner, outer) = (versine(self.inner), versine(self.outer));
+        let [inner, outer] = [self.inner, self.outer].map(versine);
         (versine(angle) - inner) / (outer - inner) * f64::from(EDGE)
     }
 

@@ -3,6 +3,7 @@
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::fs;
 use std::path::Path;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use fastrand::Rng;
@@ -43,6 +44,9 @@ fn inputs() -> usize {
 
 /// Reads an input in bounded memory, and tests that a refusal is short.
 fn survives(name: &str, bytes: &[u8], system: System) {
+    // The tests run in threads of one heap.
+    static ALONE: Mutex<()> = Mutex::new(());
+    let _alone = ALONE.lock().expect("the other test");
     let before = USED.load(Relaxed);
     MOST.store(before, Relaxed);
     let lamps = read(name, bytes, Some(system), 1.0);

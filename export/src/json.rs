@@ -385,7 +385,11 @@ pub fn from_angles(
             return Err(ExportError::new("falloff", "given", expected));
         }
         [Some(beam), Some(field), None] => {
-            let cone = Cone::from_beam_and_field(beam, field)?;
+            let cone = Cone::from_beam_and_field(beam, field).map_err(|error| {
+                let ExportError { parameter, value, expected } = error.into();
+                let remedy = "or one of the two alone; the beam angle (50 %) is below the field angle (10 %)";
+                ExportError { parameter, value, expected: format!("{expected}, {remedy}") }
+            })?;
             cone.with_falloff(cone.falloff().into())
         }
         [.., Some(outer)] => {

@@ -1,10 +1,10 @@
 //! glTF 2.0, as JSON and as GLB: the lights of `KHR_lights_punctual`.
 
-use glam::{DAffine3, DQuat, DVec3};
+use glam::{DAffine3, DQuat};
 use serde::de::IgnoredAny;
 
 use super::Found;
-use super::json::{add, fill, index, list, matrix, named, objects, parse, vector, word, world};
+use super::json::{fill, index, list, matrix, named, objects, parse, vector, word, world};
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
 use crate::text::decode;
@@ -39,21 +39,21 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
             match index("children", *child, nodes.len()) {
                 // With a second parent, a node becomes its own parent: a cycle, which `world` refuses.
                 Ok(child) => parents[child] = Some(if parents[child].is_none() { parent } else { child }),
-                Err(refusal) => add(&mut found, format_args!("nodes[{parent}]"), Err(refusal))?,
+                Err(refusal) => found.add(format_args!("nodes[{parent}]"), Err(refusal))?,
             }
         }
     }
     let mut shown = scenes;
     match file.scene.map(|scene| index("scene", *scene, scenes.len())) {
         Some(Ok(scene)) => shown = &scenes[scene..=scene],
-        Some(Err(refusal)) => add(&mut found, "file", Err(refusal))?,
+        Some(Err(refusal)) => found.add("file", Err(refusal))?,
         None => {}
     }
     let mut roots = vec![scenes.is_empty(); nodes.len()];
     for root in shown.iter().flat_map(|scene| list(&scene.nodes)) {
         match index("nodes", *root, nodes.len()) {
             Ok(root) => roots[root] = true,
-            Err(refusal) => add(&mut found, "scenes", Err(refusal))?,
+            Err(refusal) => found.add("scenes", Err(refusal))?,
         }
     }
     let punctual = extensions.KHR_lights_punctual.unwrap_or_default();
@@ -72,17 +72,16 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
         }
         let record = index("light", *own, lights.len()).and_then(|own| {
             used[own] = true;
-            let record = lights[own].record(node.name.as_deref(), own)?;
-            world.map(|world| (record, world, world.matrix3 * DVec3::NEG_Z))
+            Ok((lights[own].record(node.name.as_deref(), own)?, world?))
         });
-        add(&mut found, format_args!("nodes[{at}]"), record)?;
+        found.add(format_args!("nodes[{at}]"), record)?;
     }
     for (at, light) in lights.iter().enumerate().filter(|(at, _)| !used[*at]) {
         let record = light.record(None, at).map(|mut record| {
             record.note("no node of the scene uses it: it is at the origin and shines along -z");
-            (record, DAffine3::IDENTITY, DVec3::NEG_Z)
+            (record, DAffine3::IDENTITY)
         });
-        add(&mut found, "no node", record)?;
+        found.add("no node", record)?;
     }
     Ok(found)
 }
@@ -124,75 +123,5 @@ fn json(bytes: &[u8]) -> Result<&[u8], Refusal> {
             Ok(&bytes[20..][..own as usize])
         }
         _ => Err(Refusal::new("header", format_args!("{words:?}"), "that of a whole GLB 2: export it again")),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn files_of_three_js_have_the_lights_that_three_js_has() {
-        let json = include_bytes!("../../tests/files/three.gltf");
-        let binary = include_bytes!("../../tests/files/three.glb");
-        let mut lights = read(json).unwrap().records;
-        assert_eq!(lights, read(binary).unwrap().records);
-        let kinds: Vec<_> = lights.iter().map(|light| (light.name.as_str(), light.kind)).collect();
-        assert_eq!(kinds, [("spot", Kind::Spot), ("point", Kind::Point), ("sun", Kind::Directional)]);
-        assert!(lights.iter().all(|light| light.position.abs_diff_eq(DVec3::new(0.0, 4.0, -2.0), 1e-9)));
-        let axis = lights[0].axis.normalize();
-        assert!(axis.abs_diff_eq(DVec3::new(-0.877_582_562, -0.479_425_539, 0.0), 1e-8), "found {axis}");
-        assert!(lights[0].notes[0].contains("scaled") && !lights[1].has("range"));
-        assert_eq!(lights[0].get("outerConeAngle", 0.0), Ok(0.5));
-        assert_eq!(lights[0].triple("color", [0.0; 3]), Ok([1.0, 0.215_860_500_103_244_15, 0.0]));
-        for file in [&json[..], binary] {
-            assert!((0..file.len()).all(|length| read(&file[..length]).is_err()));
-        }
-    }
-
-    #[test]
-    fn read_takes_the_default_scene_of_version_2_and_places_by_rotation_and_translation() {
-        let file = r#"{"asset":{"version":"2.0"},"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot"}]},
-            "EXT_lights_ies":{}},"scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}],"nodes":[
-            {"extensions":{"KHR_lights_punctual":{"light":0}}},
-            {"extensions":{"KHR_lights_punctual":{"light":0}},"rotation":[0,1,0,1],"translation":[1,2,3]}]}"#;
-        let found = read(file.as_bytes()).unwrap();
-        let [light] = &found.records[..] else { panic!("found {found:?}") };
-        assert_eq!(light.position, DVec3::new(1.0, 2.0, 3.0));
-        assert!(light.axis.abs_diff_eq(DVec3::NEG_X, 1e-9), "found {}", light.axis);
-        assert!(light.notes.is_empty() && found.notes[0].contains("EXT_lights_ies"));
-        assert!(read(file.replace("2.0", "1.0").as_bytes()).is_err());
-        assert!(read(b"glTF\x02\0\0\0\x14\0\0\0\x03\0\0\0JSON{}").is_err());
-    }
-
-    #[test]
-    fn read_refuses_wrong_nodes_and_lights_at_their_place_and_keeps_the_others() {
-        let chain: Vec<_> = (1..100_000).map(|child| format!("{{C[{child}]}}")).collect();
-        // `A`, `B`, `N`: with the lights 0, 1, -1; `C`: with children; `S`: with a scale.
-        for (nodes, refused) in [
-            ("{A},{N}", "nodes[1]: light = -1: expected a whole number from 0, below 2"),
-            ("{A},{B}", "nodes[1], lights[1]: range = -1: expected at least 0"),
-            ("{A}", "no node, lights[1]: range = -1"),
-            ("{C[2],A},{A}", "nodes[0]: children = 2"),
-            ("{C[1],A},{C[0]},{A}", "nodes[0]: parents"),
-            ("{C[2]},{C[2]},{A},{A}", "nodes[2]: parents"),
-            (&format!("{},{{A}},{{A}}", chain.join(",")), "nodes[99999]: parents = no end"),
-            ("{S[1e200,1e200,1e200],C[1]},{S[1e200,1,1],A},{A}", "nodes[1]: position"),
-            ("{S[1,1,0],A},{A}", "nodes[0]: position"),
-            ("{A}],\"scenes\":[{\"nodes\":[0,0.5]}", "scenes: nodes = 0.5"),
-            ("{A}],\"scene\":3,\"scenes\":[{\"nodes\":[0,0.5]}", "file: scene = 3"),
-        ] {
-            let nodes = nodes.replace('S', "\"scale\":").replace('C', "\"children\":");
-            let nodes = [("A", 0), ("B", 1), ("N", -1)].iter().fold(nodes, |nodes, (letter, light)| {
-                let punctual = format!("{{\"KHR_lights_punctual\":{{\"light\":{light}}}}}");
-                nodes.replace(letter, &format!("\"extensions\":{punctual}"))
-            });
-            let lights = r#"{"lights":[{"type":"spot"},{"type":"point","range":-1}]}"#;
-            let head = r#"{"asset":{"version":"2.0"},"extensions":{"KHR_lights_punctual":"#;
-            let found = read(format!("{head}{lights}}},\"nodes\":[{nodes}]}}").as_bytes()).unwrap();
-            let message = found.refused[0].to_string();
-            assert!(message.starts_with(refused), "expected {refused}, found {message}");
-            assert!(!found.records.is_empty(), "expected the other light of {nodes}");
-        }
     }
 }

@@ -1,19 +1,15 @@
 //! Scenes in JSON: bounded parsing, the values of lights, and the transforms of nodes.
 
-use std::fmt::Display;
-
-use glam::{DAffine3, DMat3, DMat4, DVec3};
+use glam::{DAffine3, DMat4, DVec3};
 use serde::de::DeserializeOwned;
 
-use super::Found;
-use crate::record::{Kind, Record, Value};
+use crate::record::{Record, Value};
 use crate::refusal::Refusal;
 
 /// The most objects and arrays of a file. The two bytes of an empty one become up to 128 of memory in
 /// a list, whose growth needs 50 MB (measured).
 const OBJECTS: usize = 250_000;
-/// The most lights of a file, and the most parents of a node, which bound the time.
-const LIGHTS: usize = 10_000;
+/// The most parents of a node, which bounds the time.
 const PARENTS: usize = 512;
 
 /// Reads a file.
@@ -119,54 +115,4 @@ pub(crate) fn world(
         node = parent;
     }
     Err(Refusal::new("parents", "no end", format_args!("at most {PARENTS}, one each, and no cycle")))
-}
-
-/// Adds a light at the end of a transform to the world, along an axis of the world; or its refusal.
-pub(crate) fn add(
-    found: &mut Found,
-    place: impl Display,
-    light: Result<(Record, DAffine3, DVec3), Refusal>,
-) -> Result<(), Refusal> {
-    if found.records.len() + found.refused.len() >= LIGHTS {
-        let expected = format_args!("at most {LIGHTS}: export a part of the scene");
-        return Err(Refusal::new("lights", "more", expected));
-    }
-    let placed = light.and_then(|(mut record, world, axis)| {
-        // Not normalized: its square may overflow.
-        let axis = if record.kind == Kind::Point { record.axis } else { axis / axis.abs().max_element() };
-        if !(world.is_finite() && axis.is_finite()) {
-            let value = format_args!("{} along {axis}", world.translation);
-            return Err(Refusal::new("position", value, "finite numbers, and an axis that is not 0"));
-        }
-        if !(world.matrix3.transpose() * world.matrix3).abs_diff_eq(DMat3::IDENTITY, 1e-3) {
-            record.note("its node is scaled, which moves it and changes neither intensity nor range");
-        }
-        (record.position, record.axis) = (world.translation, axis);
-        Ok(record)
-    });
-    match placed {
-        Ok(record) => found.records.push(record),
-        Err(refusal) => found.refused.push(refusal.at(place)),
-    }
-    Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use serde_json::Value;
-
-    use super::parse;
-
-    #[test]
-    fn parse_refuses_depth_and_number_of_objects_and_names_the_line() {
-        for (text, message) in [
-            ("[".repeat(200), "line 1, column 128: JSON = recursion limit exceeded: expected a scene"),
-            ("[]".repeat(250_001), "objects and arrays = 250001: expected at most 250000"),
-            ("{\n\"a\": x}".to_owned(), "line 2, column 6: JSON = expected value: expected a scene"),
-        ] {
-            let refusal = parse::<Value>(&text).unwrap_err().to_string();
-            assert!(refusal.starts_with(message), "expected {message}, found {refusal}");
-        }
-        assert!(parse::<Value>(&format!("\"\\\"{}\"", "[".repeat(250_001))).is_ok());
-    }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
+use glam::{DAffine3, DMat4, DVec3, DVec4};
 
 use super::Found;
 use crate::record::{Kind, Record, Value, linear};
@@ -227,10 +227,10 @@ pub(crate) fn lights(
                 (Ok(own), Some(parents @ [_, ..])) => {
                     paths.extend(parents.iter().rev().map(|&parent| (parent, own * below, depth + 1)));
                 }
-                (own, _) => match own.and_then(|own| placed(record.clone()?, own * below)) {
-                    Ok(record) => found.records.push(record),
-                    Err(refusal) => found.refused.push(refusal.at(format_args!("line {}", block.line))),
-                },
+                (own, _) => {
+                    let light = own.and_then(|own| Ok((record.clone()?, own * below)));
+                    found.add(format_args!("line {}", block.line), light)?;
+                }
             }
         }
     }
@@ -261,18 +261,4 @@ fn record(system: &System, block: &Block, kind: Kind) -> Record {
         }
     }
     record
-}
-
-/// Moves a light from its node to the world.
-fn placed(mut record: Record, world: DAffine3) -> Result<Record, Refusal> {
-    record.position = world.transform_point3(record.position);
-    record.axis = world.transform_vector3(record.axis);
-    if !(record.position.is_finite() && record.axis.is_finite()) {
-        return Err(Refusal::new("transform", "not finite", "finite numbers"));
-    }
-    let gram = world.matrix3.transpose() * world.matrix3;
-    if !gram.abs_diff_eq(DMat3::IDENTITY, 1e-4) {
-        record.note("its nodes scale: lengths such as a radius or a range are those of the file");
-    }
-    Ok(record)
 }

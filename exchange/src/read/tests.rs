@@ -1,21 +1,30 @@
+use std::fs;
+
 use glam::DVec3;
 
-use super::{Found, godot, pbrt, unity, unreal, usd, x3d};
+use super::Found;
+use crate::input::{recognised, scene};
 use crate::refusal::Refusal;
 
-type Reader = fn(&str) -> Result<Found, Refusal>;
-const READERS: [(&str, Reader); 7] = [
-    ("tscn", godot::read),
-    ("pbrt", pbrt::read),
-    ("prefab", unity::read),
-    ("t3d", unreal::read),
-    ("usda", usd::read),
-    ("x3d", x3d::read),
-    ("wrl", x3d::read),
+const FILES: [&str; 10] = [
+    "lights.tscn",
+    "lights.pbrt",
+    "lights.prefab",
+    "lights.t3d",
+    "lights.usda",
+    "lights.x3d",
+    "lights.wrl",
+    "three.gltf",
+    "three.json",
+    "babylon.babylon",
 ];
 
-fn file(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/tests/files/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+fn file(name: &str) -> Vec<u8> {
+    fs::read(format!("{}/tests/files/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn read(name: &str, bytes: &[u8]) -> Result<Found, Refusal> {
+    scene(recognised(name, bytes)?, bytes)
 }
 
 /// Returns what was read: each light with its values and notes, then what was refused, then all notes.
@@ -38,21 +47,41 @@ fn shown(found: Result<Found, Refusal>) -> String {
 
 #[test]
 fn files_are_read_as_expected() {
-    for (name, read) in READERS {
-        let found = shown(read(&file(&format!("lights.{name}"))));
-        assert_eq!(found, file(&format!("expected.{name}.txt")), "{name}:\n{found}");
+    for name in FILES {
+        let found = shown(read(name, &file(name)));
+        let expected = format!("expected.{}.txt", name.trim_start_matches("lights."));
+        assert_eq!(found, String::from_utf8_lossy(&file(&expected)), "{name}:\n{found}");
     }
+    let [binary, json] = ["three.glb", "three.gltf"].map(|name| shown(read(name, &file(name))));
+    assert_eq!(binary, json);
 }
 
+/// Each row is an extension, a text and a part of what is read. `TEXT*N` repeats a text.
 #[test]
 fn what_cannot_be_read_is_stated() {
-    for row in file("refused.txt").lines() {
-        let [name, text, expected] = row.split(" | ").collect::<Vec<_>>().try_into().unwrap();
-        let (_, read) = READERS.into_iter().find(|(own, _)| *own == name).unwrap();
-        let found = shown(read(&text.replace("\\n", "\n")));
+    for row in String::from_utf8_lossy(&file("refused.txt")).lines() {
+        let [extension, text, expected] = row.split(" | ").collect::<Vec<_>>().try_into().unwrap();
+        let text = text.replace("\\n", "\n");
+        let found = shown(read(&format!("file.{extension}"), text.as_bytes()));
         assert!(found.contains(expected), "{row}\nfound:\n{found}");
     }
     let double = |i| format!("DEF A{} Group {{ USE A{i} USE A{i} }} ", i + 1);
     let doubled = (0..40).fold("#X3D V3.0\nDEF A0 PointLight { } ".to_owned(), |text, i| text + &double(i));
-    assert!(shown(x3d::read(&doubled)).contains("parents = of lights"));
+    let babylon = format!("{{\"lights\":[{}{{\"type\":0}}]}}", "{\"type\":0},".repeat(10_000));
+    let chain: Vec<_> = (1..1_000).map(|child| format!("{{\"children\":[{child}]}}")).collect();
+    let light = r#"{"KHR_lights_punctual":{"light":0,"lights":[{"type":"point"}]}}"#;
+    let (head, chain) = (r#"{"asset":{"version":"2.0"},"extensions":"#, chain.join(","));
+    let chained = format!("{head}{light},\"nodes\":[{chain},{{\"extensions\":{light}}}]}}");
+    let deep = r#"{"children":["#.repeat(200);
+    let deep = format!(r#"{{"metadata":{{"type":"Object"}},"object":{deep}"#);
+    let depths = [("json", deep), ("gltf", "[]".repeat(250_001)), ("gltf", chained)];
+    let expected =
+        ["recursion limit exceeded", "objects and arrays = 250001", "nodes[999]: parents = no end"];
+    for ((extension, text), expected) in depths.iter().zip(expected).chain([
+        (&("wrl", doubled), "lights = more: expected at most 10000"),
+        (&("babylon", babylon), "lights = more: expected at most 10000"),
+    ]) {
+        let found = shown(read(&format!("file.{extension}"), text.as_bytes()));
+        assert!(found.contains(expected), "{expected}, found:\n{found:.2000}");
+    }
 }
