@@ -3,7 +3,7 @@
 use luminaire::falloff::AnyFalloff;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
-use crate::source::{Source, Spot, vector};
+use crate::source::{ELSEWHERE, Source, Spot, vector};
 use crate::words::{self, Law, Target};
 
 /// What `luminaire --help` ends with.
@@ -30,7 +30,7 @@ pub(crate) enum Command {
     Export(Box<Export>),
 }
 
-/// The options of `pick`. Angles are full angles in degrees.
+/// The options of `pick`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Pick {
     /// cortex-m0, cortex-m3, cortex-m4f, rv32imc, cortex-m7, cortex-m33 or hazard3
@@ -47,10 +47,10 @@ pub(crate) struct Pick {
     #[arg(long)]
     codes: Option<f64>,
     /// soft or hard [default: soft]
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
     edge: Option<Edge>,
     /// none or inverse-square [default: inverse-square]
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
     attenuation: Option<Attenuation>,
     /// The nearest surface [default: 1, or the farthest if that is nearer]
     #[arg(long)]
@@ -105,7 +105,7 @@ pub(crate) struct Still {
     pub(crate) spot: Spot,
 }
 
-/// The options of `export`. Angles are full angles in degrees.
+/// The options of `export`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Export {
     /// json, glsl, glsl-uniforms, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16; the parameters of
@@ -118,20 +118,20 @@ pub(crate) struct Export {
     /// soft, hard, linear, smooth, step, quadratic=A, cubic=A,D, power=N, inverted-power=N,
     /// real-power=P, inverted-real-power=P or
     /// table=SAMPLES from 65535 on the axis, evenly spaced over the versine [default: soft]
-    #[arg(long, value_parser = words::falloff)]
+    #[arg(long, value_parser = words::falloff, conflicts_with_all = ELSEWHERE)]
     pub(crate) falloff: Option<AnyFalloff>,
     #[command(flatten)]
     pub(crate) spot: Spot,
     #[command(flatten)]
     pub(crate) source: Source,
-    /// An angle that ends the light before its falloff does
-    #[arg(long)]
+    /// A full angle in degrees that ends the light before its falloff does
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
     pub(crate) cutoff: Option<f32>,
     /// none, inverse-square, polynomial=A,B,C, decay=EXPONENT,CAP or smooth-range [default: inverse-square]
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
     pub(crate) attenuation: Option<Law>,
     /// The distance at which the light ends
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
     pub(crate) range: Option<f32>,
     /// How the light ends at its range: cut, gltf or square [default: cut]
     #[arg(long, requires = "range")]

@@ -5,6 +5,8 @@ use std::fmt::Write;
 use luminaire::dynamic::AnyLight;
 use luminaire_exchange::{Definition, Lamp, share};
 
+use crate::import::short;
+
 /// The width of a panel and its height, without margins.
 const WIDTH: f64 = 560.0;
 const HEIGHT: f64 = 240.0;
@@ -49,8 +51,9 @@ fn panel(out: &mut String, lamp: &Lamp) {
     let _ = writeln!(
         out,
         "<path d=\"M0,0V{HEIGHT}H{WIDTH}\" stroke=\"black\" fill=\"none\"/>\
-         <text x=\"{WIDTH}\" y=\"{}\" text-anchor=\"end\">{end:.0} degrees off the axis</text>",
-        HEIGHT + 18.0
+         <text x=\"{WIDTH}\" y=\"{}\" text-anchor=\"end\">{} degrees off the axis</text>",
+        HEIGHT + 18.0,
+        short(end)
     );
     if let Some(curve) = &lamp.measured {
         let peak = curve.peak().0;

@@ -2,60 +2,57 @@
 
 use std::fmt::Write;
 
-use luminaire_exchange::{Lamp, Place, Refusal, System, Use, parameters, write};
-use luminaire_export::json::{self, NamedLight};
-use luminaire_export::{ExportError, Language};
+use luminaire_exchange::{Lamp, Place, Refusal, Residual, System, Use, parameters, placed, write};
+use luminaire_export::{Language, json};
 
 use crate::arguments::Export;
 use crate::import::short;
 use crate::model;
+use crate::source::Loaded;
 use crate::words::Target;
-
-fn told(ExportError { parameter, value, expected }: ExportError) -> Refusal {
-    Refusal::new(parameter, value, expected)
-}
 
 /// Returns the text of all lights.
 pub(crate) fn export(options: &Export) -> Result<String, Refusal> {
-    let own = |name: &str| options.name.clone().unwrap_or_else(|| name.to_owned());
-    let Some(loaded) = options.source.load(&options.spot)? else {
-        let light = model::light(options).map_err(told)?;
-        let lamp = Lamp::new(own("light"), light);
-        let throw = options.source.throw.unwrap_or(4.0);
-        return written(&[lamp], Use { throw, full_scale: 1.0, is_photometric: false }, options);
+    let (lamps, usage) = match options.source.load(&options.spot)? {
+        None => {
+            let name = options.name.as_deref().unwrap_or("light");
+            let throw = options.source.throw.unwrap_or(4.0);
+            let usage = Use { throw, full_scale: 1.0, is_photometric: false };
+            (vec![Lamp::new(name, model::light(options)?)], usage)
+        }
+        Some(Loaded { lamps, usage }) => match lamps.refused.into_iter().next() {
+            None => (lamps.lamps, usage),
+            Some(refusal) => {
+                let expected = format!("{}; --light chooses one of the other lights", refusal.expected);
+                return Err(Refusal { expected, ..refusal });
+            }
+        },
     };
-    if let Some(refusal) = loaded.lamps.refused.first() {
-        return Err(refusal.clone());
-    }
-    written(&loaded.lamps.lamps, loaded.usage, options)
-}
-
-fn written(lamps: &[Lamp], usage: Use, options: &Export) -> Result<String, Refusal> {
     let mut names: Vec<String> = Vec::new();
-    for lamp in lamps {
-        let name = match (&options.name, lamps.len()) {
+    let mut lights = Vec::new();
+    for lamp in &lamps {
+        names.push(match (&options.name, lamps.len()) {
             (Some(name), 1) => name.clone(),
             (Some(name), _) => format!("{name}_{}", names.len() + 1),
-            (None, 1) if !matches!(options.to, Target::Tool(_)) => "light".to_owned(),
+            (None, 1) => "light".to_owned(),
             (None, _) => identifier(&lamp.name, &names),
-        };
-        names.push(name);
-    }
-    let mut lights = Vec::new();
-    for lamp in lamps {
-        lights.push(placed(lamp.named(usage)?, options)?);
+        });
+        let mut named = lamp.named(usage)?;
+        named.light = placed(named.light, Place { color: options.color, ..Place::default() })?;
+        lights.push(named);
     }
     match options.to {
         Target::Language(Language::Json) => {
             if let ([light], Some(name)) = (&mut lights[..], &options.name) {
                 light.name.clone_from(name);
             }
-            json::write(&lights).map_err(told)
+            Ok(json::write(&lights)?)
         }
         Target::Language(language) => {
             let sources = lights.iter().zip(&names).map(|(light, name)| {
-                let refused = |error| {
-                    if lights.len() > 1 { told(error).at(&light.name) } else { told(error) }
+                let refused = |error| match Refusal::from(error) {
+                    refusal if lights.len() > 1 => refusal.at(&light.name),
+                    refusal => refusal,
                 };
                 luminaire_export::export(light.light, name, language).map_err(refused)
             });
@@ -63,12 +60,12 @@ fn written(lamps: &[Lamp], usage: Use, options: &Export) -> Result<String, Refus
         }
         Target::Tool(tool) => {
             let mut text = String::new();
-            for lamp in lamps {
+            for lamp in &lamps {
                 tell(&mut text, lamp, tool, usage).map_err(|refusal| refusal.at(&lamp.name))?;
             }
             Ok(text)
         }
-        Target::Ies => match lamps {
+        Target::Ies => match &lamps[..] {
             [lamp] => {
                 let curve = lamp.curve().ok_or_else(|| Refusal::new("light", &lamp.name, "a spotlight"))?;
                 Ok(write::ies(&lamp.name, &curve))
@@ -76,15 +73,6 @@ fn written(lamps: &[Lamp], usage: Use, options: &Export) -> Result<String, Refus
             _ => Err(Refusal::new("lights", lamps.len(), "one light: choose it by --light")),
         },
     }
-}
-
-/// Returns a light at the position, with the axis, the intensity and the colour of the options.
-fn placed(mut named: NamedLight, options: &Export) -> Result<NamedLight, Refusal> {
-    let spot = &options.spot;
-    let place =
-        Place { position: spot.position, axis: spot.axis, intensity: spot.intensity, color: options.color };
-    named.light = luminaire_exchange::placed(named.light, place)?;
-    Ok(named)
 }
 
 /// Returns a name as an identifier that none of the others has.
@@ -109,23 +97,15 @@ fn tell(text: &mut String, lamp: &Lamp, tool: System, usage: Use) -> Result<(), 
     for (key, value) in &found.values {
         let _ = writeln!(text, "{key}={value}");
     }
-    let angle = found.angle;
+    let Residual { found: most, bound, degrees, measured, fitted } = found.angle;
+    let [most, bound, degrees, measured, fitted] = [most, bound, degrees, measured, fitted].map(short);
     let _ = writeln!(
         text,
-        "# over the angle: within {} of 255 codes (found {} at {} degrees off the axis: {} for {} of full scale)",
-        short(angle.bound),
-        short(angle.found),
-        short(angle.degrees),
-        short(angle.fitted),
-        short(angle.measured)
+        "# over the angle: within {bound} of 255 codes (found {most} at {degrees} degrees off the axis: {fitted} for \
+         {measured} of full scale)"
     );
-    let _ = writeln!(
-        text,
-        "# over the distance: {} codes found from {} to {}",
-        short(found.distance),
-        usage.throw,
-        16.0 * usage.throw
-    );
+    let (codes, throw) = (short(found.distance), usage.throw);
+    let _ = writeln!(text, "# over the distance: {codes} codes found from {throw} to {}", 16.0 * throw);
     for note in found.notes.iter().copied().chain(lamp.notes.iter().map(String::as_str)) {
         let _ = writeln!(text, "# {note}");
     }

@@ -4,80 +4,62 @@ use std::fmt::Write as _;
 use std::io::{IsTerminal, Write as _, stderr};
 
 use luminaire::dynamic::AnyLight;
+use luminaire::import::Difference;
 use luminaire_exchange::{Definition, Lamp, Lamps, Refusal, Residual, System, Use};
 use luminaire_export::json;
 use serde_json::{Value, json};
 
 use crate::arguments::Import;
 use crate::chart;
-use crate::source::open;
+use crate::source::{Loaded, open, save};
 
-/// A file with its lights.
+/// A file, or another source, with its lights.
 struct Input {
     name: String,
-    lamps: Result<Lamps, Refusal>,
+    is_file: bool,
+    loaded: Result<Loaded, Refusal>,
 }
 
 /// Returns the text of the lights, and whether no file and no light was refused.
 pub(crate) fn import(options: &Import) -> Result<(String, bool), Refusal> {
     let inputs = inputs(options)?;
-    let is_good = |input: &Input| input.lamps.as_ref().is_ok_and(|lamps| lamps.refused.is_empty());
-    let done = inputs.iter().all(is_good);
-    let mut all = Vec::new();
-    for Input { lamps, .. } in &inputs {
-        let Ok(lamps) = lamps else { continue };
-        let usage = options.source.usage(lamps)?;
-        all.extend(lamps.lamps.iter().map(|lamp| (lamp, usage)));
-    }
     if let Some(file) = &options.svg {
-        let lamps: Vec<_> = all.iter().map(|(lamp, _)| *lamp).collect();
-        let written = std::fs::write(file, chart::svg(&lamps));
-        written.map_err(|error| {
-            Refusal::new("svg", file, format_args!("a file that can be written: {error}"))
-        })?;
+        let loaded = inputs.iter().filter_map(|input| input.loaded.as_ref().ok());
+        let lamps: Vec<_> = loaded.flat_map(|loaded| &loaded.lamps.lamps).collect();
+        save("svg", file, chart::svg(&lamps))?;
     }
-    if options.json {
-        return Ok((document(&inputs, &all)?, done));
-    }
-    let mut text = String::new();
-    let mut counts = [0; 3];
-    for Input { name, lamps } in &inputs {
-        match lamps {
+    let (mut text, [mut files, mut lights, mut refused]) = (String::new(), [0; 3]);
+    for Input { name, is_file, loaded } in &inputs {
+        match loaded {
             Err(refusal) => {
-                counts[2] += 1;
+                refused += 1;
                 let _ = writeln!(text, "{}: refused\n  {refusal}", shown(name));
             }
-            Ok(lamps) => {
-                counts[0] += 1;
-                counts[1] += lamps.lamps.len();
-                counts[2] += lamps.refused.len();
-                let usage = options.source.usage(lamps)?;
-                tell(&mut text, name, lamps, usage);
+            Ok(Loaded { lamps, usage }) => {
+                files += 1;
+                lights += lamps.lamps.len();
+                refused += lamps.refused.len();
+                let system = if *is_file { format!(" ({})", lamps.system) } else { String::new() };
+                tell(&mut text, &(shown(name) + &system), lamps, *usage);
             }
         }
     }
-    let [files, lights, refused] = counts;
     if inputs.len() > 1 {
         let _ = writeln!(text, "{files} files with {lights} lights, {refused} refused");
     }
-    Ok((text, done))
+    Ok((if options.json { document(&inputs)? } else { text }, refused == 0))
 }
 
 fn inputs(options: &Import) -> Result<Vec<Input>, Refusal> {
     let source = &options.source;
     let system = source.from.as_ref().map(|from| from.parse::<System>());
     // With a tool, words with `=` are its numbers. A sheet needs neither.
-    let is_numbers = matches!(system, Some(Ok(_))) && source.values.iter().all(|word| word.contains('='));
+    let is_numbers = matches!(system, Some(Ok(_))) && source.values.iter().any(|word| word.contains('='));
     if is_numbers || source.values.is_empty() {
-        let Some(loaded) = source.load(&options.spot)? else {
-            return Err(Refusal::new(
-                "files",
-                "none",
-                "a file, --from with a tool and its numbers, --fixture, or --lumens and angles",
-            ));
-        };
+        let expected = "a file, --from with a tool and its numbers, --fixture, or --lumens and angles";
+        let loaded = source.load(&options.spot)?.ok_or_else(|| Refusal::new("files", "none", expected))?;
         let name = source.from.clone().or(source.fixture.clone()).unwrap_or_else(|| "data sheet".to_owned());
-        return Ok(vec![Input { name, lamps: Ok(loaded.lamps) }]);
+        return Ok(vec![Input { name, is_file: matches!(system, Some(Err(_))), loaded: Ok(loaded) }]);
     }
     let system = system.transpose()?;
     let (count, mut inputs) = (source.values.len(), Vec::new());
@@ -86,7 +68,9 @@ fn inputs(options: &Import) -> Result<Vec<Input>, Refusal> {
         if shows_progress && done % 16 == 0 {
             let _ = write!(stderr(), "\r{done} of {count} files");
         }
-        inputs.push(Input { name: file.clone(), lamps: open(file, system, source.fit) });
+        let lamps = open(file, system, source.fit).and_then(|lamps| source.chosen(lamps));
+        let loaded = lamps.and_then(|lamps| source.loaded(lamps, &options.spot));
+        inputs.push(Input { name: file.clone(), is_file: true, loaded });
     }
     if shows_progress {
         let _ = write!(stderr(), "\r\x1b[K");
@@ -94,33 +78,32 @@ fn inputs(options: &Import) -> Result<Vec<Input>, Refusal> {
     Ok(inputs)
 }
 
-/// Returns the lights as a document, with what was refused.
-fn document(inputs: &[Input], lamps: &[(&Lamp, Use)]) -> Result<String, Refusal> {
-    let mut lights = Vec::new();
-    for (lamp, usage) in lamps {
-        lights.push(lamp.named(*usage)?);
-    }
-    let mut refused = Vec::new();
-    for Input { name, lamps } in inputs {
-        let own: &[Refusal] = lamps.as_ref().map_or_else(std::slice::from_ref, |lamps| &lamps.refused);
-        refused.extend(own.iter().map(|refusal| {
-            json!({ "file": name, "place": refusal.place, "parameter": refusal.parameter, "value": refusal.value, "expected": refusal.expected })
+/// Returns the lights as a document, with their files and what was refused.
+fn document(inputs: &[Input]) -> Result<String, Refusal> {
+    let (mut lights, mut refused) = (Vec::new(), Vec::new());
+    for Input { name, loaded, .. } in inputs {
+        let own = match loaded {
+            Err(refusal) => std::slice::from_ref(refusal),
+            Ok(Loaded { lamps, usage }) => {
+                for lamp in &lamps.lamps {
+                    let mut light = lamp.named(*usage)?;
+                    light.about.get_or_insert_default()["from"] = name.as_str().into();
+                    lights.push(light);
+                }
+                &lamps.refused
+            }
+        };
+        refused.extend(own.iter().map(|Refusal { place, parameter, value, expected }| {
+            json!({ "file": name, "place": place, "parameter": parameter, "value": value, "expected": expected })
         }));
     }
     let refused = (!refused.is_empty()).then_some(Value::Array(refused));
-    json::write_with(&lights, refused)
-        .map_err(|error| Refusal::new(error.parameter, error.value, error.expected))
+    Ok(json::write_with(&lights, refused)?)
 }
 
 fn tell(text: &mut String, name: &str, lamps: &Lamps, usage: Use) {
     let count = lamps.lamps.len();
-    let _ = writeln!(
-        text,
-        "{} ({}): {count} light{}",
-        shown(name),
-        lamps.system,
-        if count == 1 { "" } else { "s" }
-    );
+    let _ = writeln!(text, "{name}: {count} light{}", if count == 1 { "" } else { "s" });
     for lamp in &lamps.lamps {
         describe(text, lamp, usage);
     }
@@ -134,84 +117,59 @@ fn tell(text: &mut String, name: &str, lamps: &Lamps, usage: Use) {
 
 fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
     let light = &lamp.light;
-    let kind = match light {
-        AnyLight::Spot(_) => "spot",
-        AnyLight::Point(_) => "point",
-        AnyLight::Directional(_) => "directional",
+    let (kind, unit) = match light {
+        AnyLight::Spot(_) => ("spot", " cd"),
+        AnyLight::Point(_) => ("point", " cd"),
+        AnyLight::Directional(_) => ("directional", " lux"),
     };
-    let unit = match (usage.is_photometric, light) {
-        (true, AnyLight::Directional(_)) => " lux",
-        (true, _) => " cd",
-        (false, _) => "",
-    };
-    let _ =
-        write!(text, "  {}: {kind}, intensity {}{unit}", shown(&lamp.name), short(light.intensity().into()));
+    let (unit, intensity) = (if usage.is_photometric { unit } else { "" }, short(light.intensity().into()));
+    let _ = write!(text, "  {}: {kind}, intensity {intensity}{unit}", shown(&lamp.name));
     if let AnyLight::Spot(spot) = light {
         let cone = spot.cone();
         let [beam, field, outer] =
             [cone.beam(), cone.field(), cone.outer()].map(|angle| short(angle.to_degrees().into()));
-        let _ = write!(
-            text,
-            ", beam {beam}, field {field}, ends at {outer} degrees, {}",
-            cone.falloff().effect().name()
-        );
+        let name = cone.falloff().effect().name();
+        let _ = write!(text, ", beam {beam}, field {field}, ends at {outer} degrees, {name}");
     }
-    let range = match light {
-        AnyLight::Spot(spot) => spot.attenuation().range(),
-        AnyLight::Point(point) => point.attenuation().range(),
-        AnyLight::Directional(_) => None,
-    };
-    if let Some(range) = range {
+    if let Some(range) = lamp.attenuation().and_then(|attenuation| attenuation.range()) {
         let _ = write!(text, ", range {}", short(range.into()));
     }
-    let difference = lamp.difference;
-    let told = if difference == luminaire::import::Difference::default() {
-        "exact".to_owned()
+    let Difference { angle, distance, .. } = lamp.difference;
+    let [codes, percent] = [255.0 * angle, 100.0 * distance].map(|part| short(part.into()));
+    let _ = if lamp.difference == Difference::default() {
+        writeln!(text, "\n    exact")
     } else {
-        let angle = short((255.0 * difference.angle).into());
-        format!(
-            "differs by up to {angle} of 255 codes over the angle and {} % over the distance",
-            short((100.0 * difference.distance).into())
+        writeln!(
+            text,
+            "\n    differs by up to {codes} of 255 codes over the angle and {percent} % over the distance"
         )
     };
-    let _ = writeln!(text, "\n    {told}");
     if let Some(curve) = &lamp.measured {
-        let angle =
-            |share, definition| curve.angle(share, definition).map_or_else(|| "none".to_owned(), short);
-        let [ies, cie] = [Definition::Ies, Definition::Cie].map(|own| [angle(0.5, own), angle(0.1, own)]);
-        let (peak, at) = curve.peak();
+        let angles = |definition| {
+            let angle = |share| curve.angle(share, definition).map_or_else(|| "none".to_owned(), short);
+            [angle(0.5), angle(0.1)]
+        };
+        let ([beam, field], cie, (peak, at)) =
+            (angles(Definition::Ies), angles(Definition::Cie), curve.peak());
+        let (peak, at, lumens, throw) = (short(peak), short(at), short(curve.lumens()), usage.throw);
         let _ = writeln!(
             text,
-            "    measured: {} cd at {} degrees off the axis, {} lm, beam {} and field {} degrees (of the axis: {} and {}), {} lux at {}",
-            short(peak),
-            short(at),
-            short(curve.lumens()),
-            ies[0],
-            ies[1],
-            cie[0],
-            cie[1],
-            short(curve.at(0.0) / usage.throw.powi(2)),
-            usage.throw
+            "    measured: {peak} cd at {at} degrees off the axis, {lumens} lm, beam {beam} and field {field} degrees \
+             (of the axis: {}), {} lux at {throw}",
+            cie.join(" and "),
+            short(curve.at(0.0) / throw.powi(2))
         );
     }
     if let Some((chosen, others)) = lamp.fits.split_last() {
         let Residual { found, bound, degrees, .. } = chosen.residual;
+        let ([bound, found, degrees], name) = ([bound, found, degrees].map(short), chosen.name);
         let _ = writeln!(
             text,
-            "    {}: within {} of 255 codes (found {} at {} degrees off the axis)",
-            chosen.name,
-            short(bound),
-            short(found),
-            short(degrees)
+            "    {name}: within {bound} of 255 codes (found {found} at {degrees} degrees off the axis)"
         );
-        let best = others.iter().min_by(|a, b| a.residual.bound.total_cmp(&b.residual.bound));
-        if let Some(best) = best {
-            let _ = writeln!(
-                text,
-                "    the best that is cheaper, {}: within {}",
-                best.name,
-                short(best.residual.bound)
-            );
+        if let Some(best) = others.iter().min_by(|a, b| a.residual.bound.total_cmp(&b.residual.bound)) {
+            let bound = short(best.residual.bound);
+            let _ = writeln!(text, "    the best that is cheaper, {}: within {bound}", best.name);
         }
     }
     for note in &lamp.notes {

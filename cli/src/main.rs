@@ -14,34 +14,31 @@ mod still;
 mod text;
 mod words;
 
-use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::Parser;
 use luminaire_pick::{Light, Refusal, Request, Scene};
+use serde_json::{Value, to_value};
 
-use arguments::{Command, Pick, Still};
+use arguments::{Command, Pick};
 
 fn main() -> ExitCode {
-    let (text, is_done) = match Command::parse() {
+    let told = match Command::parse() {
         Command::Pick(pick) => match answer(&pick) {
-            Ok(text) => (text, true),
-            Err(refusal) if pick.json => (format!("{}\n", serde_json::json!({ "refused": refusal })), false),
+            Err(refusal) if pick.json => {
+                Ok((format!("{}\n", serde_json::json!({ "refused": refusal })), false))
+            }
             Err(refusal) => return refuse(&refusal),
+            Ok(text) => Ok((text, true)),
         },
-        Command::Export(options) => match export::export(&options) {
-            Ok(text) => (text, true),
-            Err(error) => return refuse(&error),
-        },
-        Command::Import(options) => match import::import(&options) {
-            Ok(told) => told,
-            Err(error) => return refuse(&error),
-        },
-        Command::Still(options) => match still(&options) {
-            Ok(()) => (String::new(), true),
-            Err(error) => return refuse(&error),
-        },
+        Command::Export(options) => export::export(&options).map(|text| (text, true)),
+        Command::Import(options) => import::import(&options),
+        Command::Still(options) => still::still(&options).map(|()| (String::new(), true)),
+    };
+    let (text, is_done) = match told {
+        Ok(told) => told,
+        Err(refusal) => return refuse(&refusal),
     };
     match io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush()) {
         // A reader that has read enough closes its end.
@@ -57,57 +54,30 @@ fn refuse(reason: &dyn std::fmt::Display) -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Writes the picture of a light.
-fn still(options: &Still) -> Result<(), luminaire_exchange::Refusal> {
-    let refused = |expected: String| luminaire_exchange::Refusal::new("light", "none", expected);
-    let loaded = options.source.load(&options.spot)?;
-    let loaded = loaded
-        .ok_or_else(|| refused("--from, --fixture, or angles with --lumens or --candela".to_owned()))?;
-    let lamp = match &loaded.lamps.lamps[..] {
-        [lamp] => lamp,
-        lamps => return Err(refused(format!("--light with a number from 1 to {}", lamps.len()))),
-    };
-    let light = lamp.named(loaded.usage)?.light;
-    let picture = still::png(&still::wall(&light, loaded.usage.throw)?)?;
-    let written = fs::write(&options.output, picture);
-    written.map_err(|error| luminaire_exchange::Refusal::new("output", &options.output, error))
-}
-
 /// Returns the answer as text or JSON.
 fn answer(pick: &Pick) -> Result<String, Refusal> {
+    let shown = |value: serde_json::Result<Value>, text| match value {
+        Ok(value) if pick.json => format!("{value:#}\n"),
+        Ok(_) => text,
+        Err(error) => unreachable!("answers are JSON: {error}"),
+    };
     let request = Request::new(pick.chip, pick.display).tolerance(pick.tolerance());
-    let json = |value: serde_json::Value| format!("{value:#}\n");
-    let to_value = |error: serde_json::Error| unreachable!("answers are JSON: {error}");
     let scene = match &pick.scene {
         Some(scene) if scene == "show" => show::lights()?,
         Some(scene) => lights(&source::Source { from: Some(scene.clone()), ..pick.source.clone() }, pick)?,
-        None => match &lights(&pick.source, pick)?.lights[..] {
-            [light] => {
-                let answer = request.pick(light)?;
-                return Ok(if pick.json {
-                    json(serde_json::to_value(&answer).unwrap_or_else(to_value))
-                } else {
-                    text::answer(&answer)
-                });
-            }
-            lights => Scene { lights: lights.to_vec() },
-        },
+        None => lights(&pick.source, pick)?,
     };
+    if let (None, [light]) = (&pick.scene, &scene.lights[..]) {
+        let answer = request.pick(light)?;
+        return Ok(shown(to_value(&answer), text::answer(&answer)));
+    }
     if pick.each {
         let answers: Result<Vec<_>, _> = scene.lights.iter().map(|light| request.pick(light)).collect();
         let answers = answers?;
-        return Ok(if pick.json {
-            json(serde_json::to_value(&answers).unwrap_or_else(to_value))
-        } else {
-            text::lights(&answers)
-        });
+        return Ok(shown(to_value(&answers), text::lights(&answers)));
     }
     let answer = request.pick_scene(&scene)?;
-    Ok(if pick.json {
-        json(serde_json::to_value(&answer).unwrap_or_else(to_value))
-    } else {
-        text::scene(&answer)
-    })
+    Ok(shown(to_value(&answer), text::scene(&answer)))
 }
 
 /// Returns the lights of a source, or without one the light of the options.

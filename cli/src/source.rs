@@ -2,22 +2,26 @@
 
 use std::fs;
 
-use luminaire_exchange::{Lamps, Refusal, Sheet, System, Use, fixture, numbers, read};
+use luminaire_exchange::{Lamps, Place, Refusal, Sheet, System, Use, fixture, numbers, placed, read};
+
+/// The options by which a light comes from elsewhere. An option of its shape beside one of these would
+/// have no effect.
+pub(crate) const ELSEWHERE: [&str; 5] = ["from", "fixture", "lumens", "candela", "lux"];
 
 /// The angles, the intensity and the place of a spotlight.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Spot {
-    /// The angle of 50 % intensity; with --field, the falloff is fitted to both
-    #[arg(long)]
+    /// The full angle of 50 % intensity in degrees; with --field, the falloff is fitted to both
+    #[arg(long, conflicts_with_all = ["from", "fixture"])]
     pub(crate) beam: Option<f32>,
-    /// The angle of 10 % intensity [default: 36]
-    #[arg(long)]
+    /// The full angle of 10 % intensity in degrees [default: 36]
+    #[arg(long, conflicts_with_all = ["from", "fixture"])]
     pub(crate) field: Option<f32>,
-    /// The angle at which the light ends
-    #[arg(long)]
+    /// The full angle in degrees at which the light ends
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
     pub(crate) outer: Option<f32>,
-    /// The angle of a hotspot of full intensity
-    #[arg(long)]
+    /// The full angle in degrees of a hotspot of full intensity
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
     pub(crate) inner: Option<f32>,
     /// The intensity; 1 is full scale on the axis, at a distance of 1 [default: 16, or 1 without
     /// attenuation]
@@ -33,19 +37,19 @@ pub(crate) struct Spot {
 
 /// The source of lights.
 #[derive(Clone, Debug, clap::Args)]
-#[command(next_help_heading = "Lights from elsewhere")]
+#[command(next_help_heading = "Lights from elsewhere", allow_negative_numbers = true)]
 pub(crate) struct Source {
     /// A file (gltf, glb, json, tscn, usda, x3d, wrl, pbrt, unity, prefab, t3d, babylon, ies, ldt, gdtf), or a
     /// tool whose numbers follow as KEY=VALUE: gltf, three, godot, opengl, direct3d, blender, usd, x3d, pbrt,
     /// unreal, unity, bevy or babylon
     #[arg(long, value_name = "FILE|TOOL")]
     pub(crate) from: Option<String>,
-    /// Numbers in the names and units of the tool, and kind=point, position=X,Y,Z and axis=X,Y,Z; or for
-    /// `import` files
-    #[arg(value_name = "KEY=VALUE")]
+    /// Numbers in the names and units of the tool, and kind=point, position=X,Y,Z and axis=X,Y,Z; or a file
+    /// of the tool, and for `import` any files
+    #[arg(value_name = "KEY=VALUE|FILE")]
     pub(crate) values: Vec<String>,
     /// One light of the file, by its name or its number from 1 [default: all]
-    #[arg(long, value_name = "NAME", requires = "from")]
+    #[arg(long, value_name = "NAME")]
     pub(crate) light: Option<String>,
     /// A stage light of the built-in table, by a part of its name
     #[arg(long, value_name = "NAME", conflicts_with = "from")]
@@ -82,73 +86,65 @@ impl Source {
     /// Returns the lights; `None` if the command describes its light by other options.
     pub(crate) fn load(&self, spot: &Spot) -> Result<Option<Loaded>, Refusal> {
         if let (None, Some(word)) = (&self.from, self.values.first()) {
-            return Err(Refusal::new(
-                "word",
-                word,
-                "an option, or --from with a file or with a tool before its numbers",
-            ));
+            let expected = "an option, or --from with a file or with a tool before its numbers";
+            return Err(Refusal::new("word", word, expected));
         }
-        let is_sheet = self.lumens.or(self.candela).or(self.lux).is_some();
-        let mut lamps = match (&self.from, &self.fixture) {
-            (Some(from), _) => self.file(from)?,
-            (None, None) if !is_sheet => return Ok(None),
+        let lamps = match (&self.from, &self.fixture) {
+            (Some(from), _) => match (from.parse::<System>(), &self.values[..]) {
+                (Ok(system), [file]) if !file.contains('=') => open(file, Some(system), self.fit)?,
+                (Ok(system), values) => numbers(system, values.iter().map(String::as_str))?,
+                (Err(_), []) => open(from, None, self.fit)?,
+                // The words that follow are numbers of a tool.
+                (Err(refusal), _) => return Err(refusal),
+            },
+            (None, None) if self.lumens.or(self.candela).or(self.lux).is_none() => return Ok(None),
             (None, name) => {
-                let wide = |angle: Option<f32>| angle.map(f64::from);
-                let own = Sheet { beam: wide(spot.beam), field: wide(spot.field), ..Sheet::default() };
+                let [beam, field] = [spot.beam, spot.field].map(|angle| angle.map(f64::from));
+                let own = Sheet { name: "light".to_owned(), beam, field, ..Sheet::default() };
                 let sheet = name.as_ref().map_or(Ok(own), |name| fixture(name))?;
-                let sheet = Sheet {
-                    lumens: self.lumens.or(sheet.lumens),
-                    candela: self.candela.or(sheet.candela),
-                    lux: self.lux,
-                    throw: self.throw,
-                    ..sheet
-                };
+                let (lumens, candela) = (self.lumens.or(sheet.lumens), self.candela.or(sheet.candela));
+                let sheet = Sheet { lumens, candela, lux: self.lux, throw: self.throw, ..sheet };
                 Lamps { lamps: sheet.lamp()?.ends().collect(), ..Lamps::new(System::Gdtf) }
             }
         };
-        if let Some(chosen) = &self.light {
-            let names: Vec<_> = lamps.lamps.iter().map(|lamp| lamp.name.clone()).collect();
-            let number = chosen.parse().ok().and_then(|number: usize| number.checked_sub(1));
-            let index = names
-                .iter()
-                .position(|name| name == chosen)
-                .or(number.filter(|&number| number < names.len()));
-            let Some(index) = index else {
-                return Err(Refusal::new(
-                    "light",
-                    chosen,
-                    format_args!("a number from 1 to {}, or one of {}", names.len(), names.join(", ")),
-                ));
-            };
-            lamps.lamps = vec![lamps.lamps.swap_remove(index)];
-        }
+        let lamps = self.chosen(lamps)?;
         if let (true, Some(refusal)) = (lamps.lamps.is_empty(), lamps.refused.first()) {
             return Err(refusal.clone());
         }
-        let usage = self.usage(&lamps)?;
-        Ok(Some(Loaded { lamps, usage }))
+        self.loaded(lamps, spot).map(Some)
     }
 
-    fn file(&self, from: &str) -> Result<Lamps, Refusal> {
-        match from.parse::<System>() {
-            Ok(system) => numbers(system, self.values.iter().map(String::as_str)),
-            Err(_) if !self.values.is_empty() => Err(Refusal::new(
-                "values",
-                self.values.join(" "),
-                "no values beside a file, or a tool in place of it",
-            )),
-            Err(_) => open(from, None, self.fit),
+    /// Returns lights with the place and the intensity of the options.
+    pub(crate) fn loaded(&self, mut lamps: Lamps, spot: &Spot) -> Result<Loaded, Refusal> {
+        let usage = self.usage(&lamps)?;
+        for lamp in &mut lamps.lamps {
+            let intensity = spot.intensity.map(|intensity| intensity * usage.full_scale as f32);
+            let place = Place { position: spot.position, axis: spot.axis, intensity, color: None };
+            lamp.light = placed(lamp.light, place)?;
         }
+        Ok(Loaded { lamps, usage })
+    }
+
+    /// Returns the light of the option `--light` alone, or else all.
+    pub(crate) fn chosen(&self, mut lamps: Lamps) -> Result<Lamps, Refusal> {
+        let Some(chosen) = &self.light else { return Ok(lamps) };
+        let names: Vec<_> = lamps.lamps.iter().map(|lamp| lamp.name.as_str()).collect();
+        let number = chosen.parse().ok().and_then(|number: usize| number.checked_sub(1));
+        let number = number.filter(|&number| number < names.len());
+        let Some(index) = names.iter().position(|name| name == chosen).or(number) else {
+            let expected = format_args!("a number from 1 to {}, or one of {}", names.len(), names.join(", "));
+            return Err(Refusal::new("light", chosen, expected));
+        };
+        lamps.lamps = vec![lamps.lamps.swap_remove(index)];
+        lamps.refused.clear();
+        Ok(lamps)
     }
 
     /// Returns how the lights are used, with the illuminance of full scale.
-    pub(crate) fn usage(&self, lamps: &Lamps) -> Result<Use, Refusal> {
+    fn usage(&self, lamps: &Lamps) -> Result<Use, Refusal> {
         let positive = |name, value: f64| {
-            if value > 0.0 && value <= 1e9 {
-                Ok(value)
-            } else {
-                Err(Refusal::new(name, value, "a number over 0 and at most 1e9"))
-            }
+            let refusal = || Refusal::new(name, value, "a number over 0 and at most 1e9");
+            (value > 0.0 && value <= 1e9).then_some(value).ok_or_else(refusal)
         };
         let throw = positive("throw", self.throw.unwrap_or(4.0))?;
         let usage = lamps.usage(throw);
@@ -162,6 +158,12 @@ pub(crate) fn open(file: &str, system: Option<System>, fit: f64) -> Result<Lamps
     let bytes = fs::read(file)
         .map_err(|error| Refusal::new("file", file, format_args!("a file that can be read: {error}")))?;
     read(file, &bytes, system, fit)
+}
+
+/// Writes the file of an option.
+pub(crate) fn save(option: &str, file: &str, content: impl AsRef<[u8]>) -> Result<(), Refusal> {
+    fs::write(file, content)
+        .map_err(|error| Refusal::new(option, file, format_args!("a file that can be written: {error}")))
 }
 
 /// Reads three numbers.

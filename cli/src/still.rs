@@ -4,21 +4,34 @@ use luminaire::dynamic::AnyLight;
 use luminaire::{Rgb, Vec3};
 use luminaire_exchange::Refusal;
 
+use crate::arguments::Still;
+use crate::source::save;
+
 /// The side of the picture in pixels.
-pub(crate) const SIDE: u32 = 512;
+const SIDE: u32 = 512;
+
+/// Writes the picture of a light.
+pub(crate) fn still(options: &Still) -> Result<(), Refusal> {
+    let loaded = options.source.load(&options.spot)?.ok_or_else(|| {
+        Refusal::new("light", "none", "--from, --fixture, or angles with --lumens, --candela or --lux")
+    })?;
+    let [lamp] = &loaded.lamps.lamps[..] else {
+        let count = loaded.lamps.lamps.len();
+        return Err(Refusal::new("lights", count, format_args!("--light with a number from 1 to {count}")));
+    };
+    let pixels = wall(&lamp.named(loaded.usage)?.light, loaded.usage.throw)?;
+    save("output", &options.output, png(&pixels)?)
+}
 
 /// Returns the pixels, in sRGB with three bytes each, of a white wall across the axis of a light at the
 /// throw. The picture shows a quarter more than the pool of light, and at most 90 degrees.
-pub(crate) fn wall(light: &AnyLight, throw: f64) -> Result<Vec<u8>, Refusal> {
+fn wall(light: &AnyLight, throw: f64) -> Result<Vec<u8>, Refusal> {
     let (position, axis) = match light {
         AnyLight::Spot(spot) => (spot.position(), spot.axis()),
         AnyLight::Point(point) => (point.position(), Vec3::new(0.0, -1.0, 0.0)),
         AnyLight::Directional(_) => {
-            return Err(Refusal::new(
-                "light",
-                "directional",
-                "a spotlight or a point light: a wall in the sun is one colour",
-            ));
+            let expected = "a spotlight or a point light: a wall in the sun is one colour";
+            return Err(Refusal::new("light", "directional", expected));
         }
     };
     let half = match light {
@@ -58,7 +71,7 @@ fn srgb(linear: f32) -> u8 {
 }
 
 /// Returns the pixels as a PNG.
-pub(crate) fn png(pixels: &[u8]) -> Result<Vec<u8>, Refusal> {
+fn png(pixels: &[u8]) -> Result<Vec<u8>, Refusal> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, SIDE, SIDE);
     encoder.set_color(png::ColorType::Rgb);

@@ -54,6 +54,8 @@ fn tools_ies_and_pick_take_the_same_light() {
     let answer =
         text("pick --chip cortex-m0 --display rgb565 --from three angle=0.6 penumbra=0.5 intensity=16");
     assert!(answer.contains("evaluation"), "{answer}");
+    let one = text("export --from files/lights.tscn --light Spot --position -1,2,3 --to json");
+    assert!(one.contains("\"position\": [-1.0, 2.0, 3.0]"), "{one}");
     let two = text("export --from files/fixture.json --to c-fx16");
     assert!(two.contains("one_lens_irradiance") && two.contains("one_lens_bright_irradiance"), "{two}");
 }
@@ -94,7 +96,7 @@ fn errors_name_the_parameter_and_stay_short() {
         (vec!["import", "--from", "direct3d", "phi=1"], "give attenuation0=1"),
         (
             vec!["import", "--from", "godot", "spot_angle=120"],
-            "spot_angle = 120: expected a number from 0 to 90",
+            "spot_angle = 120: expected over 0 and at most 90 degrees (half angle)",
         ),
         (
             vec!["export", "--to", "glsl", "--from", "nowhere.gltf"],
@@ -115,6 +117,17 @@ fn errors_name_the_parameter_and_stay_short() {
             "--light with a number from 1 to 3",
         ),
         (vec!["import", "--from", "blender", &long], "a file that can be read"),
+        (vec!["import", "--from", "three", "angle=30"], "30 degrees are 0.523599 radians"),
+        (vec!["import", "--lumens", "-5", "--beam", "9"], "lumens = -5: expected a number from 0"),
+        (vec!["import", "files/spot.ies", "--fit", "600"], "fit = 600: expected a number from 0 to 255"),
+        (vec!["export", "--to", "json", "--beam", "9", "--field", "8"], "the beam angle (50 %) is below"),
+        (
+            vec!["export", "--to", "godot", "--from", "gltf", "range=2"],
+            "throw = 4: expected a distance below",
+        ),
+        (vec!["export", "--to", "json", "--lumens", "9", "--outer", "8"], "cannot be used with"),
+        (vec!["export", "--to", "godot", "--from", "files/lights.tscn"], "--light chooses one of the other"),
+        (vec!["still", "--lumens", "9", "--beam", "9", "--output", "."], "a file that can be written"),
     ] {
         let output = luminaire(&arguments);
         let found = String::from_utf8(output.stderr).expect("a text")

@@ -152,7 +152,7 @@ fn half(record: &mut Record, key: &str, default: f64, (name, unit): Unit) -> Res
         return Ok((value * unit).min(FRAC_PI_2));
     }
     let expected = format!(
-        "over 0 and at most {:.6} {name}: the kernel's spotlights end at 90 degrees off the axis",
+        "over 0 and at most {} {name}: the kernel's spotlights end at 90 degrees off the axis",
         (most * 1e6).round() / 1e6
     );
     let degrees = value.to_radians();

@@ -1,6 +1,6 @@
 //! A light that was read.
 
-use luminaire::attenuation::Attenuation;
+use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
 use luminaire::import::Difference;
 use luminaire::{DirectionalLight, PointLight, Rgb, SpotLight};
@@ -56,14 +56,19 @@ impl Lamp {
         std::iter::once(self).chain(widest)
     }
 
+    /// Returns the attenuation; `None` of a directional light.
+    pub fn attenuation(&self) -> Option<AnyAttenuation> {
+        match &self.light {
+            AnyLight::Spot(spot) => Some(spot.attenuation()),
+            AnyLight::Point(point) => Some(point.attenuation()),
+            AnyLight::Directional(_) => None,
+        }
+    }
+
     /// Returns the irradiance on the axis at a distance.
     pub fn at(&self, distance: f64) -> f64 {
-        let intensity = f64::from(self.light.intensity());
-        match &self.light {
-            AnyLight::Spot(spot) => intensity * spot.attenuation().exact(distance),
-            AnyLight::Point(point) => intensity * point.attenuation().exact(distance),
-            AnyLight::Directional(_) => intensity,
-        }
+        let share = self.attenuation().map_or(1.0, |attenuation| attenuation.exact(distance));
+        f64::from(self.light.intensity()) * share
     }
 
     /// Returns the intensities over the angle: those that were measured, or those of a spotlight at 256

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
+use luminaire::attenuation::{Attenuation, Describe};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Falloff, Formula};
 
@@ -256,15 +256,11 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
         let names: Vec<_> = TOOLS.iter().map(|tool| tool.name()).collect();
         return Err(Refusal::new("tool", tool, format_args!("one of {}", names.join(", "))));
     }
-    let attenuation: AnyAttenuation = match &lamp.light {
-        AnyLight::Spot(spot) => spot.attenuation(),
-        AnyLight::Point(point) => point.attenuation(),
-        AnyLight::Directional(_) => {
-            let expected = "a spotlight or a point light: of a directional light only the direction and the \
-                            intensity count; --light chooses one light of a file";
-            return Err(Refusal::new("light", "directional", expected));
-        }
-    };
+    let attenuation = lamp.attenuation().ok_or_else(|| {
+        let expected = "a spotlight or a point light: of a directional light only the direction and the \
+                        intensity count; --light chooses one light of a file";
+        Refusal::new("light", "directional", expected)
+    })?;
     let mut law = Law::default();
     attenuation.describe(&mut law);
     let target = Target::new(lamp);
@@ -300,14 +296,14 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
         }
     };
     let intensity = f64::from(lamp.light.intensity());
-    let at_throw = intensity * attenuation.exact(throw);
+    let at_throw = lamp.at(throw);
     if intensity > 0.0 && !(at_throw > 0.0 && falls(throw) > 0.0) {
         let expected = format_args!("a distance below the range, {}", law.range.unwrap_or_default());
         return Err(Refusal::new("throw", throw, expected));
     }
     let candela = at_throw / falls(throw).max(f64::MIN_POSITIVE);
     let difference = |d: f64| {
-        let difference = candela * falls(d) - intensity * attenuation.exact(d);
+        let difference = candela * falls(d) - lamp.at(d);
         255.0 * difference.abs() / at_throw.max(f64::MIN_POSITIVE)
     };
     let distances = (0..512).map(|i| throw * 16_f64.powf(f64::from(i) / 511.0));

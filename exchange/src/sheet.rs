@@ -52,7 +52,7 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Returns the light, at the origin and along -z.
+    /// Returns the light, at the origin and down along -y.
     ///
     /// Its intensity is `candela`, else that of `lux`, else that of `lumens`, else 1. The widest zoom
     /// has the same flux.
@@ -132,7 +132,7 @@ impl Sheet {
 }
 
 fn lit(cone: Cone<AnyFalloff>, intensity: f32) -> Result<AnyLight, Refusal> {
-    Ok(SpotLight::new([0.0; 3], [0.0, 0.0, -1.0], cone)?.with_intensity(intensity)?.into())
+    Ok(SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone)?.with_intensity(intensity)?.into())
 }
 
 /// Returns a value with its unit, at least three digits, and commas between the thousands.

@@ -120,6 +120,18 @@ fn fractional_decays_of_godot_are_exact() {
     }
 }
 
+/// The channels of pbrt's `I` are the intensity and the colour, and the `False` of a file of Unreal is no
+/// inverse square.
+#[test]
+fn values_of_files_reach_the_light() {
+    let file = br#"LightSource "point" "rgb I" [4 2 1]"#;
+    let light = read("a.pbrt", file, None, 1.0).expect("a light").lamps.remove(0).light;
+    assert_eq!((light.intensity(), light.color().green, light.color().blue), (4.0, 0.5, 0.25));
+    let file = b"Begin Object Class=PointLightComponent Name=\"a\"\nbUseInverseSquaredFalloff=False";
+    let lamps = read("a.t3d", file, None, 1.0).expect("a file");
+    assert_eq!((lamps.lamps.len(), &*lamps.refused[0].parameter), (0, "bUseInverseSquaredFalloff"));
+}
+
 /// Every light of the folder of real lights is read, but two whose decay grows with the distance.
 #[test]
 fn real_lights_are_read() {

@@ -165,7 +165,27 @@ pub fn write_with(lights: &[NamedLight], refused: Option<Value>) -> Result<Strin
     let lights = lights.iter().map(described).collect();
     let document = Document { format: FORMAT.to_owned(), lights, refused };
     let json = serde_json::to_string_pretty(&document);
-    json.map(|text| text + "\n").map_err(|error| ExportError::new("lights", FORMAT, error.to_string()))
+    json.map(|text| in_lines(&text)).map_err(|error| ExportError::new("lights", FORMAT, error.to_string()))
+}
+
+/// Returns JSON with each list of numbers or of texts on one line: a table has hundreds of them.
+fn in_lines(pretty: &str) -> String {
+    let (mut text, mut joins) = (String::new(), false);
+    let mut lines = pretty.lines().peekable();
+    while let Some(line) = lines.next() {
+        let (own, next) = (line.trim_start(), lines.peek().map_or("", |next| next.trim_start()));
+        text += if joins { own } else { line };
+        let opens = line.ends_with('[') && !next.ends_with(['{', '[']);
+        joins = opens || joins && !own.starts_with(']');
+        text.push_str(if !joins {
+            "\n"
+        } else if opens || next.starts_with(']') {
+            ""
+        } else {
+            " "
+        });
+    }
+    text
 }
 
 fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light {
