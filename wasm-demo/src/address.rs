@@ -219,7 +219,7 @@ mod tests {
         state::EXPOSURES,
         viewpoint::Viewpoint,
     };
-    use luminaire::falloff::{AnyFalloff, Soft};
+    use luminaire::{Cone, falloff::AnyFalloff, falloff::Soft};
     use luminaire_fixtures::FIXTURES;
     use luminaire_render::Output;
 
@@ -229,10 +229,9 @@ mod tests {
         setting.is_on = random.bool();
         setting.edge = random.bool().then(|| random.choice(edge::all().collect::<Vec<_>>()).unwrap());
         setting.own = random.bool().then(|| {
-            let index = random.usize(..AnyFalloff::COUNT);
-            let falloff = AnyFalloff::drawn(index, || random.f32()).unwrap_or(Soft.into());
+            let falloff = AnyFalloff::drawn(random.usize(..99), || random.f32()).unwrap_or(Soft.into());
             let outer = random.f32().max(1e-6);
-            luminaire::Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
+            Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
         });
         let mark = if random.bool() { Beam } else { Field };
         match random.u8(..5) {

@@ -61,11 +61,10 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
     let Residual { found, bound, degrees, .. } = fit.map(|fit| fit.residual).unwrap_or_default();
     let [off, far] = [255.0 * lamp.difference.angle, 100.0 * lamp.difference.distance];
     let difference = match fit {
-        Some(_) => format!(
-            "Within {bound:.2} of 255 codes of the measured dots; the largest found is {found:.2} at {degrees:.2}°."
-        ),
-        None if off == 0.0 && far == 0.0 => "Exact.".to_owned(),
-        None => format!("Within {off:.2} of 255 codes over the angle and {far:.1} % over the distance."),
+        Some(_) => {
+            format!("{bound:.2} of 255 codes of the measured dots; found {found:.2} at {degrees:.2}°.")
+        }
+        None => format!("{off:.2} of 255 codes over the angle and {far:.1} % over the distance."),
     };
     let [cd, lx] = if is_photometric { ["cd", "lx"] } else { ["of full scale"; 2] };
     let axis = |curve: &Curve| curve.at(0.0) / curve.peak().0.max(f64::MIN_POSITIVE);
@@ -93,7 +92,7 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
         "isCandela": is_photometric,
         "beam": angle(0.5),
         "field": angle(0.1),
-        "difference": difference,
+        "difference": format!("Within {difference}"),
         "photometry": photometry.join(", "),
         "points": points.collect::<Vec<_>>(),
         "drawn": cone.map(|cone| angles.map(|angle| [angle, share(&cone, angle)]).collect::<Vec<_>>()),

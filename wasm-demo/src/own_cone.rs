@@ -1,7 +1,11 @@
 //! A cone as text of an address: that of a light of a file.
 
-use crate::decimal;
-use luminaire::{Cone, falloff::AnyFalloff};
+use crate::{decimal, edge};
+use luminaire::Cone;
+use luminaire::falloff::{
+    AnyFalloff, Cubic, IntegerPower, InvertedIntegerPower, InvertedRealPower, Knot, Quadratic, RealPower,
+    Table,
+};
 use luminaire_export::words;
 use std::cell::RefCell;
 
@@ -13,25 +17,51 @@ thread_local! {
 /// Writes the name of a falloff, the three versines of its cone and its parameters, with `/` between them.
 pub(crate) fn write(cone: &Cone<AnyFalloff>) -> String {
     let (name, parameters) = words::described(&cone.falloff());
-    let parameters: String = parameters.iter().map(|parameter| format!("/{parameter}")).collect();
+    let parameter = |number: f64| match number as i32 {
+        // The slope of a knot has more bits than an `f32`.
+        whole if f64::from(whole) == number => format!("/{whole}"),
+        _ => format!("/{}", number as f32),
+    };
+    let parameters: String = parameters.into_iter().map(parameter).collect();
     format!("{name}/{}{parameters}", decimal::numbers(&cone.versines()))
 }
 
-/// Reads what [`write`] writes.
+/// Reads what [`write`] writes. As [`words::falloff`], but without its messages in the page's first module.
 pub(crate) fn read(text: &str) -> Option<Cone<AnyFalloff>> {
-    READ.with_borrow_mut(|read| {
-        let known = read.iter().find(|(own, _)| own == text).map(|(_, cone)| *cone);
-        known.or_else(|| {
-            let (name, numbers) = text.split_once('/')?;
-            // The slope of a knot has more bits than an `f32`.
-            let whole = |text: &str| text.parse::<i32>().ok().map(f64::from);
-            let number = |text| whole(text).or_else(|| decimal::read(text).map(f64::from));
-            let numbers: Vec<_> = numbers.split('/').map(number).collect::<Option<_>>()?;
-            let (versines, parameters) = numbers.split_first_chunk()?;
-            let falloff = words::falloff(name, parameters).ok()?;
-            let cone = Cone::from_versines(falloff, versines.map(|versine: f64| versine as f32)).ok()?;
-            read.push((text.to_owned(), cone));
-            Some(cone)
-        })
-    })
+    if let Some(cone) =
+        READ.with_borrow(|read| read.iter().find(|(own, _)| own == text).map(|(_, cone)| *cone))
+    {
+        return Some(cone);
+    }
+    let mut parts = text.split('/');
+    let name = parts.next()?;
+    let mut number = || decimal::read(parts.next()?);
+    let versines = [number()?, number()?, number()?];
+    let falloff = match edge::named(name) {
+        Some(AnyFalloff::Quadratic(_)) => Quadratic::new(number()?).ok()?.into(),
+        Some(AnyFalloff::Cubic(_)) => Cubic::with_slopes(number()?, number()?).ok()?.into(),
+        Some(AnyFalloff::Power(_)) => IntegerPower::new(number()? as u32).ok()?.into(),
+        Some(AnyFalloff::InvertedPower(_)) => InvertedIntegerPower::new(number()? as u32).ok()?.into(),
+        Some(AnyFalloff::RealPower(_)) => RealPower::new(number()?).ok()?.into(),
+        Some(AnyFalloff::InvertedRealPower(_)) => {
+            InvertedRealPower::with_floor(number()?, number().unwrap_or_default()).ok()?.into()
+        }
+        Some(AnyFalloff::Table(_)) => {
+            let samples = parts.by_ref().map(|part| part.parse().ok()).collect::<Option<Vec<_>>>()?;
+            Table::new(samples.leak()).ok()?.into()
+        }
+        Some(plain) => plain,
+        None if name == "knots" => {
+            let mut knots = Vec::new();
+            while let Some(place) = parts.next() {
+                let [value, slope] = [parts.next()?, parts.next()?];
+                knots.push(Knot::from_bits(place.parse().ok()?, value.parse().ok()?, slope.parse().ok()?));
+            }
+            Table::from_knots(knots.leak()).ok()?.into()
+        }
+        None => return None,
+    };
+    let cone = Cone::from_versines(falloff, versines).ok().filter(|_| parts.next().is_none())?;
+    READ.with_borrow_mut(|read| read.push((text.to_owned(), cone)));
+    Some(cone)
 }

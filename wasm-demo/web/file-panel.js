@@ -9,12 +9,10 @@ import { counted, degrees } from "./numbers.js";
 import { label, line, shape } from "./shapes.js";
 
 /**
+ * A light, as the module describes it; the throw of the selected light of the stage in metres, and what puts a light there and
+ * returns the outcome in words.
  * @typedef {{ name: string, fit: string | null, settings: string | null, intensity: number, isCandela: boolean, beam: number,
- *   field: number, difference: string, photometry: string, points: number[][], drawn: number[][], notes: string[] }} FileLight what the module tells of a light
- */
-
-/**
- * The throw of the selected light of the stage in metres, and what gives it another light and returns the outcome in words.
+ *   field: number, difference: string, photometry: string, points: number[][], drawn: number[][], notes: string[] }} FileLight
  * @typedef {{ throwOf: () => number, put: (light: FileLight) => string }} OnStage
  */
 
@@ -23,69 +21,61 @@ const element = (id) => find(`file-${id}`);
 /** @param {string} id */
 const select = (id) => find(`file-${id}`, HTMLSelectElement);
 
-export class FilePanel {
-  #stage;
-  /** @type {LightFile | undefined} */
-  #file;
+/**
+ * Loads the panel into its place. Returns what shows a file, and returns in words what it has or throws a refusal.
+ * @param {HTMLElement} place
+ * @param {OnStage} stage
+ */
+export async function openPanel(place, { throwOf, put }) {
+  const [module, answer] = await Promise.all([
+    compile(new URL("pkg/files_bg.wasm", import.meta.url)),
+    fetch(new URL("file.html", import.meta.url)),
+  ]);
+  if (!answer.ok) throw new Error(`file.html: the server answers ${answer.status}`);
+  initSync({ module });
+  place.innerHTML = await answer.text();
+  /** @type {LightFile} */
+  let file;
   /** @type {FileLight[]} */
-  #lights = [];
+  let lights = [];
+  const light = () => lights[select("light").selectedIndex];
 
-  /** @type {(place: HTMLElement, stage: OnStage) => Promise<FilePanel>} loads the panel into its place */
-  static async open(place, stage) {
-    const [module, answer] = await Promise.all([
-      compile(new URL("pkg/files_bg.wasm", import.meta.url)),
-      fetch(new URL("file.html", import.meta.url)),
-    ]);
-    if (!answer.ok) throw new Error(`file.html: the server answers ${answer.status}`);
-    initSync({ module });
-    place.innerHTML = await answer.text();
-    return new FilePanel(stage);
-  }
-
-  /** @param {OnStage} stage */
-  constructor(stage) {
-    this.#stage = stage;
-    select("light").addEventListener("input", () => this.#show());
-    select("tool").addEventListener("input", () => this.#showParameters());
-    element("put").addEventListener("click", () => (element("put-told").textContent = stage.put(this.#lights[select("light").selectedIndex])));
-    element("copy").addEventListener("click", async () => (element("copied").textContent = await copyTextOf(element("parameters"))));
-  }
-
-  /** @type {(name: string, bytes: Uint8Array) => string} shows a file and returns what it has, or throws a refusal */
-  show(name, bytes) {
-    this.#file = new LightFile(name, bytes, this.#stage.throwOf());
-    const { lights, notes } = JSON.parse(this.#file.told());
-    this.#lights = lights;
-    element("notes").textContent = notes.join("\n");
-    select("light").replaceChildren(...this.#lights.map(({ name }, i) => new Option(`${i + 1} ${name}`, String(i))));
-    element("chosen").hidden = lights.length === 0;
-    if (lights.length > 0) this.#show();
-    return `${name}: ${counted(lights.length, "light")}.`;
-  }
-
-  #show() {
-    const light = this.#lights[select("light").selectedIndex];
-    element("fit").textContent = light.name + (light.fit ? `: ${light.fit}` : "");
-    element("difference").textContent = light.difference;
-    find("file-curve", SVGElement).replaceChildren(...(light.settings ? curve(light) : []));
-    find("file-curve", SVGElement).toggleAttribute("hidden", !light.settings);
-    element("photometry").textContent = [light.photometry, ...light.notes].join("\n");
-    find("file-put", HTMLButtonElement).disabled = !light.settings;
-    element("put-told").textContent = light.settings
-      ? "The selected light keeps its place, its aim and its attenuation. A table ends where it is half a code."
-      : "Only a spotlight can be put on the stage.";
-    this.#showParameters();
-  }
-
-  #showParameters() {
+  const showParameters = () => {
     /** @type {string[]} */
     let [text, ...told] = [""];
-    const parameters = () => this.#file?.parameters(select("light").selectedIndex, select("tool").value) ?? [""];
-    const refusal = refusalOf(() => ([text, ...told] = parameters()));
+    const refusal = refusalOf(() => ([text, ...told] = file.parameters(select("light").selectedIndex, select("tool").value)));
     element("parameters").textContent = text || refusal;
     element("parameters-told").textContent = told.join("\n");
     element("copied").textContent = "";
-  }
+  };
+  const show = () => {
+    const { name, fit, settings, difference, photometry, notes } = light();
+    element("fit").textContent = name + (fit ? `: ${fit}` : "");
+    element("difference").textContent = difference;
+    find("file-curve", SVGElement).replaceChildren(...(settings ? curve(light()) : []));
+    find("file-curve", SVGElement).toggleAttribute("hidden", !settings);
+    element("photometry").textContent = [photometry, ...notes].join("\n");
+    find("file-put", HTMLButtonElement).disabled = !settings;
+    element("put-told").textContent = settings
+      ? "The selected light keeps its place, its aim and its attenuation. A table ends where it is half a code."
+      : "Only a spotlight can be put on the stage.";
+    showParameters();
+  };
+  select("light").addEventListener("input", show);
+  select("tool").addEventListener("input", showParameters);
+  element("put").addEventListener("click", () => (element("put-told").textContent = put(light())));
+  element("copy").addEventListener("click", async () => (element("copied").textContent = await copyTextOf(element("parameters"))));
+
+  return (/** @type {string} */ name, /** @type {Uint8Array} */ bytes) => {
+    file = new LightFile(name, bytes, throwOf());
+    const { lights: found, notes } = JSON.parse(file.told());
+    lights = found;
+    element("notes").textContent = notes.join("\n");
+    select("light").replaceChildren(...lights.map(({ name }, i) => new Option(`${i + 1} ${name}`, String(i))));
+    element("chosen").hidden = lights.length === 0;
+    if (lights.length > 0) show();
+    return `${name}: ${counted(lights.length, "light")}.`;
+  };
 }
 
 /** @type {(light: FileLight) => SVGElement[]} draws the shares of the largest intensity over the angle */
@@ -95,9 +85,8 @@ function curve({ points, drawn, beam, field }) {
   const across = (angle) => BOX.left + ((BOX.right - BOX.left) * angle) / end;
   /** @type {(name: string, angle: number, level: number) => SVGElement[]} */
   const mark = (name, angle, level) => {
-    const [x, isRight] = [across(angle), across(angle) > 330];
-    const text = label(isRight ? "end" : "", isRight ? x - 6 : x + 6, height(level) - 5, `${name} ±${degrees(angle)}`);
-    return [line("drop", x, BOX.top, x, BOX.bottom), text];
+    const [x, side] = across(angle) > 330 ? [across(angle), -6] : [across(angle), 6];
+    return [line("drop", x, BOX.top, x, BOX.bottom), label(side < 0 ? "end" : "", x + side, height(level) - 5, `${name} ±${degrees(angle)}`)];
   };
   return [
     ...levels(),

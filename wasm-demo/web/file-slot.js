@@ -3,49 +3,39 @@ import { element } from "./elements.js";
 import { words } from "./failure.js";
 import { load } from "./support.js";
 
-export class FileSlot {
-  #place = element("file");
-  #told = element("file-told");
-  #stage;
-  /** @type {import("./file-panel.js").FilePanel | undefined} */
-  #panel;
-
-  /** @param {import("./file-panel.js").OnStage} stage */
-  constructor(stage) {
-    this.#stage = stage;
-    const input = element("file-input", HTMLInputElement);
-    element("file-pick").addEventListener("click", () => input.click());
-    input.addEventListener("change", () => this.#open(input.files?.[0]));
-    for (const type of /** @type {const} */ (["dragover", "dragleave", "drop"])) {
-      document.addEventListener(type, (event) => {
-        if (!event.dataTransfer?.types.includes("Files")) return;
-        // Else the browser would show the file in place of the page.
-        event.preventDefault();
-        document.body.classList.toggle("dropping", type === "dragover");
-        if (type === "drop") this.#open(event.dataTransfer.files[0]);
-      });
-    }
-  }
+/** @param {import("./file-panel.js").OnStage} stage */
+export function takeFiles(stage) {
+  const [place, told, input] = [element("file"), element("file-told"), element("file-input", HTMLInputElement)];
+  /** @type {Awaited<ReturnType<typeof import("./file-panel.js").openPanel>> | undefined} */
+  let show;
 
   /** @param {File | undefined} file */
-  async #open(file) {
+  async function open(file) {
     if (!file) return;
     if (element("stage-page").hidden) location.hash = "stage";
-    this.#tell(`Reading ${file.name}.`);
+    [told.textContent, told.className] = [`Reading ${file.name}.`, "note"];
     try {
       if (file.size > 2 ** 26) throw `size = ${file.size}: expected at most ${2 ** 26} bytes`;
-      const [bytes, { FilePanel }] = await Promise.all([file.arrayBuffer(), load("file-panel.js")]);
-      this.#panel ??= await FilePanel.open(this.#place, this.#stage);
-      this.#tell(this.#panel?.show(file.name, new Uint8Array(bytes)) ?? "");
-      this.#place.hidden = false;
+      const [bytes, { openPanel }] = await Promise.all([file.arrayBuffer(), load("file-panel.js")]);
+      show ??= await openPanel(place, stage);
+      told.textContent = show?.(file.name, new Uint8Array(bytes)) ?? "";
+      place.hidden = false;
     } catch (error) {
-      this.#tell(`${file.name}: ${words(error)}`, "error");
-      this.#place.hidden = true;
+      [told.textContent, told.className] = [`${file.name}: ${words(error)}`, "error"];
+      place.hidden = true;
     }
-    this.#told.scrollIntoView({ block: "nearest" });
+    told.scrollIntoView({ block: "nearest" });
   }
 
-  #tell(text = "", kind = "note") {
-    [this.#told.textContent, this.#told.className] = [text, kind];
+  element("file-pick").addEventListener("click", () => input.click());
+  input.addEventListener("change", () => open(input.files?.[0]));
+  for (const type of /** @type {const} */ (["dragover", "dragleave", "drop"])) {
+    document.addEventListener(type, (event) => {
+      if (!event.dataTransfer?.types.includes("Files")) return;
+      // Else the browser would show the file in place of the page.
+      event.preventDefault();
+      document.body.classList.toggle("dropping", type === "dragover");
+      if (type === "drop") open(event.dataTransfer.files[0]);
+    });
   }
 }

@@ -9,7 +9,7 @@ import { DividedPicture } from "./divided.js";
 import { EffectList } from "./effect-list.js";
 import { element } from "./elements.js";
 import { aside, refusalOf, words } from "./failure.js";
-import { FileSlot } from "./file-slot.js";
+import { takeFiles } from "./file-slot.js";
 import { LightList } from "./light-list.js";
 import { LightPanel } from "./light-panel.js";
 import { MapLegend } from "./map-legend.js";
@@ -120,8 +120,14 @@ export class StagePage {
     this.#lights = new LightList(stage);
     this.#panel = new LightPanel(stage);
     this.#legend = new MapLegend(stage, screen);
-    const throwOf = () => (stage.lightCount > 0 ? plain(stage.light(this.#lights.selected)).throw : undefined) ?? 4;
-    new FileSlot({ throwOf, put: (light) => this.#put(light) });
+    takeFiles({
+      throwOf: () => (stage.lightCount > 0 ? plain(stage.light(this.#lights.selected)).throw : undefined) ?? 4,
+      put: ({ settings, intensity, isCandela }) => {
+        const refusal = refusalOf(() => stage.putLight(this.#lights.selected, settings ?? "", intensity, isCandela));
+        this.#changed();
+        return refusal || `Light ${element("panel-title").textContent} has it, and so has the link. “Expose for it” below shows it at full scale.`;
+      },
+    });
     this.#join();
     this.#joinSteps();
   }
@@ -397,13 +403,6 @@ export class StagePage {
     const light = this.#lights.selected < lightCount ? plain(this.#stage.light(this.#lights.selected)) : undefined;
     this.#price.show(light && { ...light, intensity: light.intensity / fullScale }, this.#stage.get("format"));
     if (light) aside(() => this.#code.show({ job: this.#stage.job(), light: this.#lights.selected }));
-  }
-
-  /** @type {import("./file-panel.js").OnStage["put"]} */
-  #put({ settings, intensity, isCandela }) {
-    const refusal = refusalOf(() => this.#stage.putLight(this.#lights.selected, settings ?? "", intensity, isCandela));
-    this.#changed();
-    return refusal || `Light ${element("panel-title").textContent} has it, and so has the link. “Expose for it” below shows it at full scale.`;
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */
