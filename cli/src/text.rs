@@ -97,3 +97,13 @@ pub(crate) fn scene(answer: &SceneAnswer) -> String {
     );
     text
 }
+
+/// Returns a number with four significant digits, and large numbers whole.
+pub(crate) fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let digits = (3.0 - value.abs().log10().floor()).clamp(0.0, 9.0) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}

@@ -8,7 +8,7 @@ use luminaire::{Angle, Cone};
 use crate::curve::{Curve, Definition};
 use crate::refusal::Refusal;
 use crate::search;
-use crate::tabulate::Shape;
+use crate::tabulate::{Shape, versine};
 
 /// A cone in place of measured intensities, and its difference from them.
 #[derive(Clone, PartialEq, Debug)]
@@ -47,15 +47,6 @@ pub fn share(cone: &Cone<AnyFalloff>, half_degrees: f64) -> f64 {
     }
     let t = if versine <= inner { 1.0 } else { (outer - versine) / (outer - inner) };
     cone.falloff().formula().exact(t)
-}
-
-pub(crate) fn versine(half: f64) -> f64 {
-    2.0 * (half / 2.0).sin().powi(2)
-}
-
-/// Returns the half angle of a versine, at most a quarter turn.
-pub(crate) fn of_versine(versine: f64) -> f64 {
-    2.0 * (versine.min(1.0) / 2.0).sqrt().asin()
 }
 
 /// The polynomials, the cheapest first: the order of their counts of instructions in the records of

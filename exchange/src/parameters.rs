@@ -7,11 +7,12 @@ use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Falloff, Formula};
 
 use crate::curve::Curve;
-use crate::fit::{self, Residual, of_versine, versine};
+use crate::fit::{self, Residual};
 use crate::lamp::{Lamp, Use};
 use crate::refusal::Refusal;
 use crate::search;
 use crate::system::System;
+use crate::tabulate::{of_versine, versine};
 
 /// A light in the parameters of another tool.
 #[derive(Clone, PartialEq, Debug)]

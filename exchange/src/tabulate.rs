@@ -3,7 +3,6 @@
 use luminaire::falloff::{Knot, Table};
 use luminaire::{Angle, Cone};
 
-use crate::fit::{of_versine, versine};
 use crate::refusal::Refusal;
 
 /// A falloff that is defined by a function of the angle, between an inner and an outer half angle.
@@ -132,4 +131,14 @@ impl Shape<'_> {
         }
         bound
     }
+}
+
+/// Returns the versine of a half angle in radians, `1 - cos` without its cancellation.
+pub(crate) fn versine(half: f64) -> f64 {
+    2.0 * (half / 2.0).sin().powi(2)
+}
+
+/// Returns the half angle of a versine, at most a quarter turn.
+pub(crate) fn of_versine(versine: f64) -> f64 {
+    2.0 * (versine.min(1.0) / 2.0).sqrt().asin()
 }
