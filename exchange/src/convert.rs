@@ -29,7 +29,11 @@ type Spot = Imported<SpotLight<AnyFalloff, AnyAttenuation>>;
 /// A value that the tool does not accept or the kernel cannot hold, with the place of the record.
 pub(crate) fn lamp(system: System, mut record: Record) -> Result<Lamp, Refusal> {
     let place = if record.place.is_empty() { record.name.clone() } else { record.place.clone() };
-    convert(system, &mut record).map_err(|refusal| refusal.at(place))
+    let mut lamp = convert(system, &mut record).map_err(|refusal| refusal.at(place))?;
+    // No value of a file is passed over in silence. Of the version, the reader has told what matters.
+    let unused = record.unused().filter(|key| *key != "version");
+    lamp.notes.extend(unused.map(|key| format!("`{key}` has no effect")));
+    Ok(lamp)
 }
 
 /// Returns the light of a record whose place is known.

@@ -188,18 +188,22 @@ pub(crate) fn residual(curve: &Curve, cone: &Cone<AnyFalloff>) -> Residual {
     let (peak, _) = curve.peak();
     let breaks = curve.points().iter().map(|point| point.0.min(90.0)).collect();
     let end = f64::from(cone.outer().to_degrees()) / 2.0;
-    difference(&|degrees| curve.at(degrees) / peak, breaks, &|degrees| share(cone, degrees), end)
+    let breaks = [breaks, even(0.0, end)].concat();
+    difference(&|degrees| curve.at(degrees) / peak, breaks, &|degrees| share(cone, degrees))
 }
 
-/// Returns the difference between two functions of the half angle in degrees. Both are monotone between
-/// two breaks of the first; the second one ends at an angle.
+/// Returns 65 evenly spaced places.
+pub(crate) fn even(from: f64, to: f64) -> Vec<f64> {
+    (0..=64).map(|i| from + (to - from) * f64::from(i) / 64.0).collect()
+}
+
+/// Returns the difference between two functions, such as of the half angle in degrees, from the first of
+/// the breaks to the last one. Both are monotone between two neighbours.
 pub(crate) fn difference(
     measured: &dyn Fn(f64) -> f64,
     mut breaks: Vec<f64>,
     fitted: &dyn Fn(f64) -> f64,
-    end: f64,
 ) -> Residual {
-    breaks.extend((0..=64).map(|i| end * f64::from(i) / 64.0));
     breaks.sort_by(f64::total_cmp);
     let mut worst = Residual::default();
     let mut look = |degrees: f64| {

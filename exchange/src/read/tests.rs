@@ -36,7 +36,7 @@ fn shown(found: Result<Found, Refusal>) -> String {
         let (position, axis) = (round(record.position), round(record.axis.normalize()));
         lines += &format!("{}: {:?} {:?} {position:?} {axis:?}\n", record.place, record.kind, record.name);
         let text = format!("{record:?}");
-        let values = text.split_once("values: [").and_then(|(_, values)| values.split_once("], used:"));
+        let values = text.split_once("values: [").and_then(|(_, values)| values.split_once("], asked:"));
         values.into_iter().for_each(|(values, _)| lines += &format!("  {values}\n"));
         record.notes.iter().for_each(|note| lines += &format!("  {note}\n"));
     }
