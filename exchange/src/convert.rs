@@ -252,11 +252,12 @@ fn opengl(record: &mut Record) -> Result<Spot, Refusal> {
 }
 
 fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
-    let coefficients = ["attenuation0", "attenuation1", "attenuation2"].map(|key| record.get(key, 0.0));
-    let [constant, linear, quadratic] = coefficients;
-    let coefficients = [constant?, linear?, quadratic?];
+    let mut coefficient = |key| record.get(key, 0.0).map(|number| number as f32);
+    let attenuation0 = coefficient("attenuation0")?;
+    let attenuation1 = coefficient("attenuation1")?;
+    let attenuation2 = coefficient("attenuation2")?;
     let phi = record.get("phi", 0.0)?;
-    if coefficients == [0.0; 3] {
+    if [attenuation0, attenuation1, attenuation2] == [0.0; 3] {
         let expected = "one that is not 0. A zeroed D3DLIGHT9 divides by 0: runtimes show nothing or the full \
                         light at every distance; for the second give attenuation0=1";
         return Err(Refusal::new("attenuation0, attenuation1, attenuation2", "0, 0, 0", expected));
@@ -270,9 +271,9 @@ fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
         theta: record.get("theta", 0.0)? as f32,
         phi: if record.kind == Kind::Spot { phi as f32 } else { 1.0 },
         falloff: record.get("falloff", 1.0)? as f32,
-        attenuation0: coefficients[0] as f32,
-        attenuation1: coefficients[1] as f32,
-        attenuation2: coefficients[2] as f32,
+        attenuation0,
+        attenuation1,
+        attenuation2,
         range: record.get("range", f64::from(f32::MAX).sqrt())? as f32,
         intensity: record.get("intensity", 1.0)? as f32,
     };
