@@ -1,6 +1,7 @@
 //! Where the lights of a command come from: a file, the numbers of another tool, or a data sheet.
 
 use std::fs;
+use std::io::Read;
 
 use luminaire_exchange::{Lamps, Place, Refusal, Sheet, System, Use, fixture, numbers, placed, read};
 
@@ -153,9 +154,14 @@ impl Source {
     }
 }
 
+/// The most bytes of a file that are read: more than any reader accepts, and less than a device gives.
+const MOST: u64 = 1 << 30;
+
 /// Reads a file.
 pub(crate) fn open(file: &str, system: Option<System>, fit: f64) -> Result<Lamps, Refusal> {
-    let bytes = fs::read(file)
+    let mut bytes = Vec::new();
+    fs::File::open(file)
+        .and_then(|open| open.take(MOST).read_to_end(&mut bytes))
         .map_err(|error| Refusal::new("file", file, format_args!("a file that can be read: {error}")))?;
     read(file, &bytes, system, fit)
 }

@@ -28,7 +28,11 @@ type Spot = Imported<SpotLight<AnyFalloff, AnyAttenuation>>;
 /// A value that the tool does not accept or the kernel cannot hold, with the place of the record.
 pub(crate) fn lamp(system: System, mut record: Record) -> Result<Lamp, Refusal> {
     let place = if record.place.is_empty() { record.name.clone() } else { record.place.clone() };
-    convert(system, &mut record).map_err(|refusal| refusal.at(place))
+    let mut lamp = convert(system, &mut record).map_err(|refusal| refusal.at(place))?;
+    // No value of a file is passed over in silence. Of the version, the reader has told what matters.
+    let unused = record.unused().filter(|key| *key != "version");
+    lamp.notes.extend(unused.map(|key| format!("`{key}` has no effect")));
+    Ok(lamp)
 }
 
 /// Returns the light of a record whose place is known.
@@ -247,11 +251,12 @@ fn opengl(record: &mut Record) -> Result<Spot, Refusal> {
 }
 
 fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
-    let coefficients = ["attenuation0", "attenuation1", "attenuation2"].map(|key| record.get(key, 0.0));
-    let [constant, linear, quadratic] = coefficients;
-    let coefficients = [constant?, linear?, quadratic?];
+    let mut coefficient = |key| record.get(key, 0.0).map(|number| number as f32);
+    let attenuation0 = coefficient("attenuation0")?;
+    let attenuation1 = coefficient("attenuation1")?;
+    let attenuation2 = coefficient("attenuation2")?;
     let phi = record.get("phi", 0.0)?;
-    if coefficients == [0.0; 3] {
+    if [attenuation0, attenuation1, attenuation2] == [0.0; 3] {
         let expected = "one that is not 0. A zeroed D3DLIGHT9 divides by 0: runtimes show nothing or the full \
                         light at every distance; for the second give attenuation0=1";
         return Err(Refusal::new("attenuation0, attenuation1, attenuation2", "0, 0, 0", expected));
@@ -265,9 +270,9 @@ fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
         theta: record.get("theta", 0.0)? as f32,
         phi: if record.kind == Kind::Spot { phi as f32 } else { 1.0 },
         falloff: record.get("falloff", 1.0)? as f32,
-        attenuation0: coefficients[0] as f32,
-        attenuation1: coefficients[1] as f32,
-        attenuation2: coefficients[2] as f32,
+        attenuation0,
+        attenuation1,
+        attenuation2,
         range: record.get("range", f64::from(f32::MAX).sqrt())? as f32,
         intensity: record.get("intensity", 1.0)? as f32,
     };

@@ -6,6 +6,7 @@ use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Hard, Quadratic, Soft};
 use luminaire::{Angle, Cone};
 
 use crate::curve::{Curve, Definition};
+use crate::difference::{Residual, difference, even};
 use crate::refusal::Refusal;
 use crate::search;
 use crate::tabulate::{Shape, versine};
@@ -19,22 +20,6 @@ pub struct Fit {
     pub cone: Cone<AnyFalloff>,
     /// The difference from the measured intensities.
     pub residual: Residual,
-}
-
-/// The largest difference between two intensities over the angle, in linear codes: 1/255 of the largest
-/// measured intensity, which is full scale.
-#[derive(Clone, Copy, PartialEq, Default, Debug)]
-pub struct Residual {
-    /// The largest difference that was found.
-    pub found: f64,
-    /// An upper bound of the difference at every angle.
-    pub bound: f64,
-    /// The half angle in degrees of the difference that was found.
-    pub degrees: f64,
-    /// The measured intensity there, as a share of the largest.
-    pub measured: f64,
-    /// The intensity of the cone there, as a share of the largest.
-    pub fitted: f64,
 }
 
 /// Returns the intensity of a cone at a half angle in degrees, relative to the intensity of its light,
@@ -179,41 +164,6 @@ pub(crate) fn residual(curve: &Curve, cone: &Cone<AnyFalloff>) -> Residual {
     let (peak, _) = curve.peak();
     let breaks = curve.points().iter().map(|point| point.0.min(90.0)).collect();
     let end = f64::from(cone.outer().to_degrees()) / 2.0;
-    difference(&|degrees| curve.at(degrees) / peak, breaks, &|degrees| share(cone, degrees), end)
-}
-
-/// Returns the difference between two functions of the half angle in degrees. Both are monotone between
-/// two breaks of the first; the second one ends at an angle.
-pub(crate) fn difference(
-    measured: &dyn Fn(f64) -> f64,
-    mut breaks: Vec<f64>,
-    fitted: &dyn Fn(f64) -> f64,
-    end: f64,
-) -> Residual {
-    breaks.extend((0..=64).map(|i| end * f64::from(i) / 64.0));
-    breaks.sort_by(f64::total_cmp);
-    let mut worst = Residual::default();
-    let mut look = |degrees: f64| {
-        let (measured, fitted) = (measured(degrees), fitted(degrees));
-        let found = 255.0 * (measured - fitted).abs();
-        if found > worst.found {
-            worst = Residual { found, degrees, measured, fitted, ..worst };
-        }
-        (measured, fitted, worst.found)
-    };
-    let mut cells: Vec<_> = breaks.windows(2).map(|pair| (pair[0], pair[1])).collect();
-    let mut bound = 0.0_f64;
-    // In a cell neither function leaves the values at its ends.
-    while let Some((a, b)) = cells.pop() {
-        let ((m, f, _), (n, g, found)) = (look(a), look(b));
-        let largest = 255.0 * (m.max(n) - f.min(g)).max(f.max(g) - m.min(n));
-        if largest <= found + 0.05 || b - a < 1e-7 {
-            bound = bound.max(largest);
-        } else {
-            let middle = (a + b) / 2.0;
-            cells.extend([(a, middle), (middle, b)]);
-        }
-    }
-    worst.bound = bound.max(worst.found);
-    worst
+    let breaks = [breaks, even(0.0, end)].concat();
+    difference(&|degrees| curve.at(degrees) / peak, breaks, &|degrees| share(cone, degrees))
 }

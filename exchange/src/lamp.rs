@@ -8,7 +8,8 @@ use luminaire_export::json::NamedLight;
 use serde_json::json;
 
 use crate::curve::{Curve, Definition};
-use crate::fit::{Fit, Residual, share};
+use crate::difference::Residual;
+use crate::fit::{Fit, share};
 use crate::refusal::Refusal;
 use crate::system::System;
 

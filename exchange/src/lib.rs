@@ -3,6 +3,7 @@
 
 mod convert;
 mod curve;
+mod difference;
 mod fit;
 mod input;
 mod lamp;
@@ -19,7 +20,8 @@ mod text;
 pub mod write;
 
 pub use crate::curve::{Curve, Definition};
-pub use crate::fit::{Fit, Residual, fits, share};
+pub use crate::difference::Residual;
+pub use crate::fit::{Fit, fits, share};
 pub use crate::input::{numbers, read};
 pub use crate::lamp::{Lamp, Lamps, Place, Use, placed};
 pub use crate::parameters::{Parameters, TOOLS, parameters};

@@ -7,7 +7,8 @@ use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Falloff, Formula};
 
 use crate::curve::Curve;
-use crate::fit::{self, Residual};
+use crate::difference::{Residual, difference, even};
+use crate::fit;
 use crate::lamp::{Lamp, Use};
 use crate::refusal::Refusal;
 use crate::search;
@@ -219,9 +220,8 @@ impl<'a> Target<'a> {
             found.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([end.min(widest), 0.0, 1.0], 1.0));
         let fitted = |degrees: f64| family.at(free, degrees.to_radians());
         // The end of the fitted cone is a break of it.
-        let mut breaks = self.breaks.clone();
-        breaks.push(free[0].to_degrees());
-        (free, fit::difference(&self.at, breaks, &fitted, free[0].to_degrees()))
+        let breaks = [&self.breaks[..], &even(0.0, free[0].to_degrees())].concat();
+        (free, difference(&self.at, breaks, &fitted))
     }
 }
 

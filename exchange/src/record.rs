@@ -35,9 +35,7 @@ pub(crate) struct Record {
     /// The direction in which the light shines, of any length.
     pub(crate) axis: DVec3,
     values: Vec<(String, Value)>,
-    /// Which of the values have been read.
-    used: Vec<bool>,
-    /// The names that the system has.
+    /// The names that were read: those that the system has.
     asked: Vec<String>,
     pub(crate) notes: Vec<String>,
 }
@@ -52,7 +50,6 @@ impl Record {
             position: DVec3::ZERO,
             axis: DVec3::NEG_Z,
             values: Vec::new(),
-            used: Vec::new(),
             asked: Vec::new(),
             notes: Vec::new(),
         }
@@ -61,7 +58,6 @@ impl Record {
     /// Sets a value. The last one of a name counts.
     pub(crate) fn set(&mut self, key: impl Into<String>, value: Value) {
         self.values.push((key.into(), value));
-        self.used.push(false);
     }
 
     /// Takes the `m_` from the names of the values, as in the files of Unity, whose scripts have none.
@@ -90,17 +86,10 @@ impl Record {
     }
 
     fn value(&mut self, key: &str) -> Option<Value> {
-        let mut found = None;
         if !self.asked.iter().any(|own| own == key) {
             self.asked.push(key.to_owned());
         }
-        for ((own, value), used) in self.values.iter().zip(&mut self.used) {
-            if own == key {
-                *used = true;
-                found = Some(value.clone());
-            }
-        }
-        found
+        self.values.iter().rfind(|(own, _)| own == key).map(|(_, value)| value.clone())
     }
 
     /// Returns a number, or `None` if it was not given.
@@ -146,9 +135,9 @@ impl Record {
         &self.asked
     }
 
-    /// Returns the first value that was never read.
+    /// Returns the name of the first value that was never read.
     pub(crate) fn unused(&self) -> Option<&str> {
-        self.values.iter().zip(&self.used).find(|(_, used)| !**used).map(|((key, _), _)| key.as_str())
+        self.values.iter().map(|(key, _)| key.as_str()).find(|key| !self.asked.iter().any(|own| own == key))
     }
 }
 

@@ -3,6 +3,7 @@
 use luminaire::falloff::{Knot, Table};
 use luminaire::{Angle, Cone};
 
+use crate::difference::{difference, even};
 use crate::refusal::Refusal;
 
 /// A falloff that is defined by a function of the angle, between an inner and an outer half angle.
@@ -50,7 +51,11 @@ impl Shape<'_> {
             lines[index] = self.line(place, at);
             lines.insert(index + 1, self.line(at, end));
         }
-        let bound = lines.iter().map(|line| self.bound(line)).fold(0.0, f64::max);
+        let bound = |&Line { place, end, .. }: &Line| {
+            let chord = |at| self.chord(place, end, at);
+            difference(&|at| self.value(at), self.samples(place, end), &chord).bound / 255.0
+        };
+        let bound = lines.iter().map(bound).fold(0.0, f64::max);
         let knots: Vec<_> = lines.iter().map(|line| self.knot(line.place, line.end)).collect();
         let table = Table::from_knots(Vec::leak(knots))?;
         let [inner, outer] =
@@ -103,33 +108,8 @@ impl Shape<'_> {
     /// Returns evenly spaced places, and the breaks.
     fn samples(&self, place: u32, end: u32) -> Vec<f64> {
         let (from, to) = (f64::from(place), f64::from(end));
-        let even = (0..=32).map(|i| from + (to - from) * f64::from(i) / 32.0);
         let breaks = self.breaks.iter().map(|&angle| self.place(angle)).filter(|at| (from..=to).contains(at));
-        let mut places: Vec<_> = even.chain(breaks).collect();
-        places.sort_by(f64::total_cmp);
-        places
-    }
-
-    /// Returns an upper bound of the difference between a line and the function.
-    fn bound(&self, line: &Line) -> f64 {
-        let places = self.samples(line.place, line.end);
-        let mut cells: Vec<_> = places.windows(2).map(|pair| (pair[0], pair[1])).collect();
-        let mut bound = line.found;
-        while let Some((a, b)) = cells.pop() {
-            let (f, g) = (
-                (self.value(a), self.value(b)),
-                (self.chord(line.place, line.end, a), self.chord(line.place, line.end, b)),
-            );
-            let (most, least) = (f.0.max(f.1) - g.0.min(g.1), g.0.max(g.1) - f.0.min(f.1));
-            let largest = most.max(least);
-            if largest <= line.found + ENOUGH || b - a < 1e-3 {
-                bound = bound.max(largest);
-            } else {
-                let middle = (a + b) / 2.0;
-                cells.extend([(a, middle), (middle, b)]);
-            }
-        }
-        bound
+        even(from, to).into_iter().chain(breaks).collect()
     }
 }
 

@@ -149,6 +149,13 @@ fn real_lights_are_read() {
             }
             let lamps = read(&name, &fs::read(&path).expect("a file"), None, 1.0);
             let lamps = lamps.unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
+            let has_unread = |note: &String| {
+                // The unit of a sun, which is always lux, and an ambient part.
+                note.ends_with("has no effect")
+                    && !note.starts_with("`intensityMode")
+                    && !note.starts_with("`ambientIntensity")
+            };
+            assert!(!lamps.lamps.iter().flat_map(|lamp| &lamp.notes).any(has_unread), "{name}: {lamps:?}");
             if path.parent().is_some_and(|parent| parent.ends_with("real")) {
                 lights += lamps.lamps.len();
                 refused.extend(lamps.refused.iter().map(|refusal| format!("{name}: {refusal}")));

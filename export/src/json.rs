@@ -26,101 +26,70 @@ pub struct NamedLight {
     pub about: Option<Value>,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Document {
-    format: String,
-    lights: Vec<Light>,
-    /// What could not be written, for people: any JSON.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    refused: Option<Value>,
+/// Declares an object of the format by its members, none of which has to be there.
+macro_rules! object {
+    ($(#[$doc:meta])* $name:ident { $($(#[$note:meta])* $member:ident: $type:ty,)+ }) => {
+        $(#[$doc])*
+        #[derive(Debug, Default, Serialize, Deserialize)]
+        #[serde(default, deny_unknown_fields)]
+        struct $name {
+            $($(#[$note])* #[serde(skip_serializing_if = "Option::is_none")] $member: Option<$type>,)+
+        }
+    };
 }
 
-/// A light as JSON has it: the crate's documentation lists the members.
-#[derive(Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Light {
-    #[serde(default = "unnamed")]
-    name: String,
-    #[serde(default = "spot")]
-    kind: String,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    position: Option<[f32; 3]>,
-    /// The axis of a spotlight, or the direction of a directional light.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    axis: Option<[f32; 3]>,
-    #[serde(default = "white")]
-    color: [f32; 3],
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    specular_color: Option<[f32; 3]>,
-    #[serde(default = "one")]
-    intensity: f32,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    cone: Option<Shape>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    attenuation: Option<Map<String, Value>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    near: Option<f32>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    far: Option<f32>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    about: Option<Value>,
+object! {
+    Document {
+        format: String,
+        lights: Vec<Light>,
+        /// What could not be written, for people: any JSON.
+        refused: Value,
+    }
 }
 
-fn unnamed() -> String {
-    "light".to_owned()
+object! {
+    /// A light as JSON has it: the crate's documentation lists the members.
+    Light {
+        name: String,
+        kind: String,
+        position: [f32; 3],
+        /// The axis of a spotlight, or the direction of a directional light.
+        axis: [f32; 3],
+        color: [f32; 3],
+        specular_color: [f32; 3],
+        intensity: f32,
+        cone: Shape,
+        attenuation: Map<String, Value>,
+        near: f32,
+        far: f32,
+        about: Value,
+    }
 }
 
-fn spot() -> String {
-    "spot".to_owned()
+object! {
+    Shape {
+        beam_degrees: f32,
+        field_degrees: f32,
+        outer_degrees: f32,
+        inner_degrees: f32,
+        cutoff_degrees: f32,
+        inner_versine: f32,
+        outer_versine: f32,
+        cutoff_versine: f32,
+        falloff: Profile,
+    }
 }
 
-fn white() -> [f32; 3] {
-    [1.0; 3]
-}
-
-fn one() -> f32 {
-    1.0
-}
-
-#[derive(Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct Shape {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    beam_degrees: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    field_degrees: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    outer_degrees: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    inner_degrees: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cutoff_degrees: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    inner_versine: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    outer_versine: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cutoff_versine: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    falloff: Option<Profile>,
-}
-
-/// A falloff: its name and the parameters of its constructor, and for readers its formula.
-#[derive(Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct Profile {
-    name: String,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    parameters: Vec<Value>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    formula: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    coefficients: Option<[f32; 3]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    exponent: Option<f32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    floor: Option<f32>,
+object! {
+    /// A falloff: its name and the parameters of its constructor, and for readers its formula.
+    Profile {
+        name: String,
+        parameters: Vec<f64>,
+        formula: String,
+        coefficients: [f32; 3],
+        exponent: f32,
+        floor: f32,
+    }
 }
 
 /// An attenuation as JSON has it: `law`, its parameters by name, and `window` and `range`.
@@ -130,23 +99,22 @@ impl Describe for Description {
     fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
         self.0.insert("law".to_owned(), law.into());
         for &(name, values) in arguments {
-            let mut values: Vec<_> = values.iter().map(|&value| shortest(value)).collect();
-            let value = if values.len() == 1 { values.remove(0) } else { values.into() };
-            self.0.insert(name.to_owned(), value);
+            let values: Vec<_> = values.iter().map(|&value| shortest(value)).collect();
+            self.0.insert(name.to_owned(), if let [one] = values[..] { one.into() } else { values.into() });
         }
     }
 
     fn window(&mut self, _: &str, window: &str, range: Option<f32>) {
         if let Some(range) = range {
             self.0.insert("window".to_owned(), window.into());
-            self.0.insert("range".to_owned(), shortest(range));
+            self.0.insert("range".to_owned(), shortest(range).into());
         }
     }
 }
 
 /// Returns the number with the digits that an `f32` needs.
-fn shortest(value: f32) -> Value {
-    format!("{value:?}").parse::<f64>().unwrap_or(value.into()).into()
+fn shortest(value: f32) -> f64 {
+    format!("{value:?}").parse().unwrap_or(value.into())
 }
 
 /// Returns lights as a document.
@@ -162,8 +130,8 @@ pub fn write(lights: &[NamedLight]) -> Result<String, ExportError> {
 /// # Errors
 /// As those of [`write`].
 pub fn write_with(lights: &[NamedLight], refused: Option<Value>) -> Result<String, ExportError> {
-    let lights = lights.iter().map(described).collect();
-    let document = Document { format: FORMAT.to_owned(), lights, refused };
+    let lights = Some(lights.iter().map(described).collect());
+    let document = Document { format: Some(FORMAT.to_owned()), lights, refused };
     let json = serde_json::to_string_pretty(&document);
     json.map(|text| in_lines(&text)).map_err(|error| ExportError::new("lights", FORMAT, error.to_string()))
 }
@@ -195,49 +163,46 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
         attenuation.describe(&mut description);
         Some(description.0)
     };
-    let kind = match light {
-        AnyLight::Spot(_) => "spot",
-        AnyLight::Point(_) => "point",
-        AnyLight::Directional(_) => "directional",
-    };
     let mut described = Light {
-        name: name.clone(),
-        kind: kind.to_owned(),
-        position: None,
-        axis: None,
-        color: triple(light.color()),
+        name: Some(name.clone()),
+        color: Some(triple(light.color())),
         specular_color: Some(triple(light.specular_color())),
-        intensity: light.intensity(),
-        cone: None,
-        attenuation: None,
+        intensity: Some(light.intensity()),
         near: surfaces.map(|[near, _]| near),
         far: surfaces.map(|[_, far]| far),
         about: about.clone(),
+        ..Light::default()
     };
-    match light {
+    let kind = match light {
         AnyLight::Spot(spot) => {
             described.position = Some(spot.position().into());
             described.axis = Some(spot.toward().into());
             described.cone = Some(shape(&spot.cone()));
             described.attenuation = attenuation(spot.attenuation());
+            "spot"
         }
         AnyLight::Point(point) => {
             described.position = Some(point.position().into());
             described.attenuation = attenuation(point.attenuation());
+            "point"
         }
-        AnyLight::Directional(directional) => described.axis = Some(directional.toward().into()),
-    }
-    described
+        AnyLight::Directional(directional) => {
+            described.axis = Some(directional.toward().into());
+            "directional"
+        }
+    };
+    Light { kind: Some(kind.to_owned()), ..described }
 }
 
 fn shape(cone: &Cone<AnyFalloff>) -> Shape {
     let [inner_versine, outer_versine, limit] = cone.versines();
+    let [beam_degrees, field_degrees, outer_degrees, inner_degrees, cutoff] = degrees(cone).map(Some);
     Shape {
-        beam_degrees: Some(cone.beam().to_degrees()),
-        field_degrees: Some(cone.field().to_degrees()),
-        outer_degrees: Some(Angle::from_versine(outer_versine).to_degrees()),
-        inner_degrees: Some(cone.inner().to_degrees()),
-        cutoff_degrees: cone.has_cutoff().then(|| cone.outer().to_degrees()),
+        beam_degrees,
+        field_degrees,
+        outer_degrees,
+        inner_degrees,
+        cutoff_degrees: cutoff.filter(|_| cone.has_cutoff()),
         inner_versine: Some(inner_versine),
         outer_versine: Some(outer_versine),
         cutoff_versine: cone.has_cutoff().then_some(limit),
@@ -245,10 +210,17 @@ fn shape(cone: &Cone<AnyFalloff>) -> Shape {
     }
 }
 
+/// Returns beam, field, outer and inner angle and cutoff.
+fn degrees(cone: &Cone<AnyFalloff>) -> [f32; 5] {
+    let outer = Angle::from_versine(cone.versines()[1]);
+    [cone.beam(), cone.field(), outer, cone.inner(), cone.outer()].map(Angle::to_degrees)
+}
+
 fn profile(falloff: AnyFalloff) -> Profile {
     let (name, parameters) = words::described(&falloff);
-    let parameters = parameters.into_iter().map(|number| shortest(number as f32)).collect();
-    let mut profile = Profile { name: name.to_owned(), parameters, ..Profile::default() };
+    let parameters: Vec<_> = parameters.into_iter().map(|number| shortest(number as f32)).collect();
+    let parameters = Some(parameters).filter(|parameters| !parameters.is_empty());
+    let mut profile = Profile { name: Some(name.to_owned()), parameters, ..Profile::default() };
     let formula = match falloff.formula() {
         Formula::Step => "step",
         Formula::Polynomial(coefficients) => {
@@ -282,16 +254,17 @@ fn profile(falloff: AnyFalloff) -> Profile {
 pub fn read(text: &str) -> Result<Vec<NamedLight>, ExportError> {
     let document: Document = serde_json::from_str(text)
         .map_err(|error| ExportError::new("JSON", error, format!("a document of {FORMAT}")))?;
-    if document.format != FORMAT {
-        return Err(ExportError::new("format", document.format, FORMAT));
+    if document.format.as_deref() != Some(FORMAT) {
+        return Err(ExportError::new("format", document.format.as_deref().unwrap_or("none"), FORMAT));
     }
+    let lights = document.lights.ok_or_else(|| ExportError::new("lights", "none", "a list of lights"))?;
     let read = |(number, light): (usize, &Light)| {
         named(light).map_err(|error| ExportError {
             parameter: format!("lights[{number}]: {}", error.parameter),
             ..error
         })
     };
-    document.lights.iter().enumerate().map(read).collect()
+    lights.iter().enumerate().map(read).collect()
 }
 
 fn named(described: &Light) -> Result<NamedLight, ExportError> {
@@ -306,58 +279,53 @@ fn named(described: &Light) -> Result<NamedLight, ExportError> {
     let color = |[red, green, blue]: [f32; 3]| Rgb::new(red, green, blue);
     let position: Vec3<f32> = described.position.unwrap_or_default().into();
     let axis: Vec3<f32> = described.axis.unwrap_or([0.0, -1.0, 0.0]).into();
-    let specular = color(described.specular_color.unwrap_or(described.color));
-    let color = color(described.color);
+    let specular = described.specular_color.or(described.color);
+    let [color, specular] = [described.color, specular].map(|own| color(own.unwrap_or([1.0; 3])));
+    let intensity = described.intensity.unwrap_or(1.0);
     let attenuation = described
         .attenuation
         .as_ref()
         .map_or_else(|| words::attenuation("inverse-square", &[], "cut", None), attenuation);
     macro_rules! lit {
         ($light:expr) => {
-            $light.with_color(color)?.with_specular_color(specular)?.with_intensity(described.intensity)?
+            $light.with_color(color)?.with_specular_color(specular)?.with_intensity(intensity)?
         };
     }
-    let light: AnyLight = match described.kind.as_str() {
+    let light: AnyLight = match described.kind.as_deref().unwrap_or("spot") {
         "spot" => {
-            let shape = described
-                .cone
-                .as_ref()
-                .ok_or_else(|| ExportError::new("cone", "none", "the cone of a spotlight"))?;
+            let none = || ExportError::new("cone", "none", "the cone of a spotlight");
+            let shape = described.cone.as_ref().ok_or_else(none)?;
             lit!(SpotLight::new(position, axis, cone(shape)?)?).with_attenuation(attenuation?).into()
         }
         "point" => lit!(PointLight::new(position)?).with_attenuation(attenuation?).into(),
         "directional" => lit!(DirectionalLight::new(axis)?).into(),
         kind => return Err(ExportError::new("kind", kind, "spot, point or directional")),
     };
-    Ok(NamedLight { name: described.name.clone(), light, surfaces, about: described.about.clone() })
+    let name = described.name.clone().unwrap_or_else(|| "light".to_owned());
+    Ok(NamedLight { name, light, surfaces, about: described.about.clone() })
 }
 
 fn cone(shape: &Shape) -> Result<Cone<AnyFalloff>, ExportError> {
-    let falloff = match &shape.falloff {
-        None => None,
-        Some(profile) => {
-            let number = |value: &Value| {
-                value.as_f64().ok_or_else(|| ExportError::new("parameters", value, "numbers"))
-            };
-            let numbers: Result<Vec<_>, _> = profile.parameters.iter().map(number).collect();
-            Some(words::falloff(&profile.name, &numbers?)?)
-        }
-    };
+    let falloff = shape.falloff.as_ref().map(|profile| {
+        words::falloff(
+            profile.name.as_deref().unwrap_or("none"),
+            profile.parameters.as_deref().unwrap_or(&[]),
+        )
+    });
+    let falloff = falloff.transpose()?;
     let any = falloff.unwrap_or(Soft.into());
     if let Some(outer) = shape.outer_versine {
         let [inner, limit] = [shape.inner_versine.unwrap_or_default(), shape.cutoff_versine.unwrap_or(outer)];
         let cone = Cone::from_versines(any, [inner, outer, limit])?;
-        let own = shape_of(&cone);
         let told = [
-            shape.beam_degrees,
-            shape.field_degrees,
-            shape.outer_degrees,
-            shape.inner_degrees,
-            shape.cutoff_degrees,
+            ("beam_degrees", shape.beam_degrees),
+            ("field_degrees", shape.field_degrees),
+            ("outer_degrees", shape.outer_degrees),
+            ("inner_degrees", shape.inner_degrees),
+            ("cutoff_degrees", shape.cutoff_degrees),
         ];
-        for ((name, own), told) in own.into_iter().zip(told) {
-            if told.is_some_and(|told| (told - own).abs() > 1e-3 * own.abs().max(0.01)) {
-                let told = told.unwrap_or_default();
+        for ((name, told), own) in told.into_iter().zip(degrees(&cone)) {
+            if let Some(told) = told.filter(|told| (told - own).abs() > 1e-3 * own.abs().max(0.01)) {
                 let expected = format!("{own}, as the versines say; remove the versines to give angles");
                 return Err(ExportError::new(name, told, expected));
             }
@@ -367,17 +335,6 @@ fn cone(shape: &Shape) -> Result<Cone<AnyFalloff>, ExportError> {
     let [beam, field, outer] =
         [shape.beam_degrees, shape.field_degrees, shape.outer_degrees].map(|a| a.map(Angle::degrees));
     from_angles(falloff, [beam, field, outer], shape.inner_degrees, shape.cutoff_degrees)
-}
-
-fn shape_of(cone: &Cone<AnyFalloff>) -> [(&'static str, f32); 5] {
-    let outer = Angle::from_versine(cone.versines()[1]);
-    [
-        ("beam_degrees", cone.beam().to_degrees()),
-        ("field_degrees", cone.field().to_degrees()),
-        ("outer_degrees", outer.to_degrees()),
-        ("inner_degrees", cone.inner().to_degrees()),
-        ("cutoff_degrees", cone.outer().to_degrees()),
-    ]
 }
 
 /// Returns the cone of one of beam, field and outer angle, or of beam and field angle together, which

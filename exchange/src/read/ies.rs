@@ -79,33 +79,6 @@ mod tests {
     use super::*;
 
     const FILE: &str = include_str!("../../tests/files/spot.ies");
-    const POINTS: [(f64, f64); 5] = [(0.0, 2000.0), (2.5, 1900.0), (7.0, 500.0), (20.0, 5.0), (90.0, 0.0)];
-
-    fn with(part: &str, other: &str) -> Result<Photometry, Refusal> {
-        assert!(FILE.contains(part));
-        read(&FILE.replace(part, other))
-    }
-
-    #[test]
-    fn ies_of_each_version_gives_name_curve_and_notes() {
-        let light = read(FILE).unwrap();
-        assert_eq!((&*light.name, light.curve.points(), light.difference), ("Spot 12", &POINTS[..], 0.0));
-        assert_eq!(light.notes, ["Relative photometry: the intensities are with 2 lamps of 1000 lm."]);
-        assert_eq!(with("2 1000 2", "2 -1 2").unwrap().notes.len(), 0);
-        let oldest = read(&format!("A spot\nof 1986\n{}", &FILE[FILE.find("TILT").unwrap()..])).unwrap();
-        assert_eq!((&*oldest.name, oldest.curve.points()), ("A spot", &POINTS[..]));
-        // The field of the ballast-lamp factor, 0.5, is no factor in this version.
-        let newest = with("IESNA:LM-63-1995", "IES:LM-63-2019").unwrap();
-        assert_eq!(newest.curve.peak(), (4000.0, 0.0));
-        let tilted = with("TILT=NONE", "TILT=INCLUDE\n1\n2\n0 90\n.5 1").unwrap();
-        assert_eq!(tilted.curve.peak(), (1000.0, 0.0));
-        assert!(tilted.notes[0].starts_with("TILT=INCLUDE: the factor for the lamp's tilt at 0 is used"));
-        assert!(with("=NONE", "=a.tlt").unwrap().notes[0].starts_with("TILT=a.tlt: the factors"));
-        let up = with("0 2.5,7\n20 90", "90 92.5 97 110 180").unwrap();
-        assert_eq!((up.curve.points()[0], up.curve.peak()), ((0.0, 0.0), (2000.0, 90.0)));
-        let up = with("2.5,7\n20 90\n0\n4000 3800\n1000,10 0", "90 97 170 180 0 0 0 0 1 2").unwrap();
-        assert_eq!(up.curve.points()[..2], [(0.0, 1.0), (10.0, 0.5)]);
-    }
 
     #[test]
     fn ies_planes_give_their_mean_or_are_refused_by_plane_and_angle() {
@@ -123,32 +96,5 @@ mod tests {
         let plane =
             "plane 180 differs from the mean of the planes by 5.8 % of the peak at the vertical angle 7";
         assert_eq!((&*refused.value, refused.expected.ends_with(plane)), ("bilateral", true));
-    }
-
-    #[test]
-    fn ies_that_is_malformed_is_refused_at_its_line() {
-        for (part, other, expected) in [
-            (
-                "1 2\n",
-                "3 2\n",
-                "line 6: photometric type = 3: expected 1 (type C); 2 is type B and 3 is type A",
-            ),
-            ("2 5 1", "2 4e9 1", "line 6: number of vertical angles = 4e9: expected a number from 2 to"),
-            ("2 5 1", "2 5.5 1", "line 6: number of vertical angles = 5.5: expected a whole number"),
-            ("2 5 1", "2 4 1", "line 13: value = 10: expected the end of the file"),
-            (".5,", "nan", "line 7: ballast factor = nan: expected a number"),
-            ("7\n20", "7\n7", "line 10: vertical angle = 7: expected ascending"),
-            ("0 2.5", "-90 2.5", "vertical angles = -90 to 90: expected 0 to 90"),
-            ("0 2.5", "1 2.5", "vertical angles = 1 to 90: expected 0 to 90"),
-            ("4000 3800\n1000,10", "0 0 0 0", "intensities = 0 cd at every angle: expected a light"),
-            ("3800", "-1", "line 12: intensity = -1: expected a number from 0 to"),
-            ("3800", "3e9", "line 12: intensity = 3e9: expected a number from 0 to 2000000000"),
-            ("TILT=NONE", "", "TILT = no such line: expected TILT=NONE"),
-        ] {
-            let found = with(part, other).unwrap_err().to_string();
-            assert!(found.starts_with(expected), "expected {expected}, found {found}");
-        }
-        let whole = FILE.trim_end();
-        assert!((0..whole.len()).all(|end| read(&whole[..end]).is_err()));
     }
 }

@@ -1,4 +1,4 @@
-//! Scenes in JSON: bounded parsing, the values of lights, and the transforms of nodes.
+//! Scenes and fixtures in JSON: bounded parsing, the values of lights, and the transforms of nodes.
 
 use glam::{DAffine3, DMat4, DVec3};
 use serde::de::DeserializeOwned;
@@ -32,7 +32,8 @@ pub(crate) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, Refusal> {
         return Err(Refusal::new("objects and arrays", objects, expected));
     }
     serde_json::from_str(text).map_err(|error| {
-        let expected = "a scene in JSON, with at most 128 levels of objects and arrays: export it again";
+        let expected =
+            "a scene or a fixture in JSON, with at most 128 levels of objects and arrays: export it again";
         let place = format_args!("line {}, column {}", error.line(), error.column());
         Refusal::new("JSON", error.to_string().split(" at line ").next().unwrap_or_default(), expected)
             .at(place)

@@ -3,52 +3,39 @@
 use std::collections::BTreeMap;
 use std::{iter, ptr};
 
-use serde::Deserialize;
-
+use super::json::{list, objects, parse, word};
 use crate::lamp::Lamps;
 use crate::refusal::Refusal;
 use crate::sheet::{Edge, Sheet};
 use crate::system::System;
 
-/// A fixture, or one of its modes.
-#[derive(Deserialize)]
-struct Part {
-    name: String,
-    #[serde(default)]
-    categories: Vec<String>,
-    #[serde(default)]
-    physical: Physical,
-    #[serde(default)]
-    modes: Vec<Part>,
-    #[serde(default)]
-    wheels: BTreeMap<String, Wheel>,
+objects! {
+    // A fixture, or one of its modes.
+    Part: name String, categories Vec<String>, physical Physical, modes Vec<Part>,
+        wheels BTreeMap<String, Wheel>;
+    Physical: bulb Bulb, lens Lens;
+    Bulb: lumens f64, colorTemperature f64;
+    Lens: degreesMinMax [f64; 2];
+    Wheel: slots Vec<Slot>;
+    Slot: r#type String, name String;
 }
 
-#[derive(Default, Deserialize)]
-#[serde(default)]
-struct Physical {
-    bulb: Numbers,
-    lens: Numbers,
+impl Part {
+    /// Returns the lumens, the colour temperature and the angles of the zoom, or those of another part.
+    fn numbers(&self, other: Numbers) -> Numbers {
+        let physical = self.physical.as_deref();
+        let bulb = physical.and_then(|own| own.bulb.as_deref());
+        let lens = physical.and_then(|own| own.lens.as_deref());
+        let kelvin = bulb.and_then(|bulb| bulb.colorTemperature.as_deref().copied());
+        (
+            bulb.and_then(|bulb| bulb.lumens.as_deref().copied()).or(other.0),
+            kelvin.or(other.1),
+            lens.and_then(|lens| lens.degreesMinMax.as_deref().copied()).or(other.2),
+        )
+    }
 }
 
-#[derive(Default, Deserialize)]
-#[serde(default, rename_all = "camelCase")]
-struct Numbers {
-    lumens: Option<f64>,
-    color_temperature: Option<f64>,
-    degrees_min_max: Option<[f64; 2]>,
-}
-
-#[derive(Deserialize)]
-struct Wheel {
-    slots: Vec<Slot>,
-}
-
-#[derive(Deserialize)]
-struct Slot {
-    r#type: String,
-    name: Option<String>,
-}
+type Numbers = (Option<f64>, Option<f64>, Option<[f64; 2]>);
 
 /// Reads the light of a fixture, and one more for each mode with another lens or bulb.
 ///
@@ -62,28 +49,26 @@ pub(crate) fn read(text: &str) -> Result<Lamps, Refusal> {
     if text.len() > 2 << 20 {
         return Err(Refusal::new("size", text.len(), "at most 2 MiB"));
     }
-    let fixture: Part = serde_json::from_str(text)
-        .map_err(|error| Refusal::new("file", error, "a fixture of the Open Fixture Library"))?;
+    let fixture: Part = parse(text)?;
     let mut lamps = Lamps::new(System::Ofl);
-    let gobos = fixture.wheels.values().flat_map(|wheel| &wheel.slots).filter(|slot| slot.r#type == "Gobo");
-    let gobos: Vec<_> = gobos.take(20).map(|slot| slot.name.as_deref().unwrap_or("unnamed")).collect();
+    let slots = fixture.wheels.iter().flat_map(|wheels| wheels.values()).flat_map(|wheel| list(&wheel.slots));
+    let gobos = slots.filter(|slot| word(&slot.r#type) == "Gobo").take(20);
+    let gobos: Vec<_> = gobos.map(|slot| slot.name.as_deref().map_or("unnamed", String::as_str)).collect();
     lamps.notes.extend((!gobos.is_empty()).then(|| format!("gobos: {}", gobos.join(", "))));
-    let scans = fixture.categories.iter().any(|category| category.ends_with("Scanner"));
+    let scans = list(&fixture.categories).iter().any(|category| category.ends_with("Scanner"));
     let edge = if scans || !gobos.is_empty() { Edge::Hard } else { Edge::Soft };
 
-    let mut seen = Vec::new();
-    let own = &fixture.physical;
-    for part in iter::once(&fixture).chain(&fixture.modes).take(1_000) {
-        let physical = &part.physical;
-        let lumens = physical.bulb.lumens.or(own.bulb.lumens);
-        let kelvin = physical.bulb.color_temperature.or(own.bulb.color_temperature);
-        let degrees = physical.lens.degrees_min_max.or(own.lens.degrees_min_max);
-        let Some([from, to]) = degrees.filter(|_| !seen.contains(&(degrees, lumens, kelvin))) else {
+    let (own, mut seen) = (fixture.numbers((None, None, None)), Vec::new());
+    for part in iter::once(&fixture).chain(list(&fixture.modes)).take(1_000) {
+        let numbers = part.numbers(own);
+        let (lumens, kelvin, Some([from, to])) = numbers else { continue };
+        if seen.contains(&numbers) {
             continue;
-        };
-        seen.push((degrees, lumens, kelvin));
-        let mode = if ptr::eq(part, &fixture) { String::new() } else { format!(": {:.80}", part.name) };
-        let name = format!("{:.80}{mode}", fixture.name);
+        }
+        seen.push(numbers);
+        let mode =
+            if ptr::eq(part, &fixture) { String::new() } else { format!(": {:.80}", word(&part.name)) };
+        let name = format!("{:.80}{mode}", word(&fixture.name));
         let notes = kelvin.map(|kelvin| format!("the colour temperature of {kelvin} K is left out"));
         let (beam, widest) = (Some(from.min(to)), Some([Some(from.max(to)); 2]));
         let notes = notes.into_iter().collect();
@@ -95,7 +80,7 @@ pub(crate) fn read(text: &str) -> Result<Lamps, Refusal> {
     }
     if seen.is_empty() {
         let expected = "[from, to] in degrees; or give the angles of the data sheet";
-        return Err(Refusal::new("physical.lens.degreesMinMax", "none", expected).at(fixture.name));
+        return Err(Refusal::new("physical.lens.degreesMinMax", "none", expected).at(word(&fixture.name)));
     }
     Ok(lamps)
 }

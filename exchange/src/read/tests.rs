@@ -3,7 +3,8 @@ use std::fs;
 use glam::DVec3;
 
 use super::Found;
-use crate::input::{recognised, scene};
+use crate::curve::Curve;
+use crate::input::{self, recognised, scene};
 use crate::refusal::Refusal;
 
 const FILES: [&str; 10] = [
@@ -36,7 +37,7 @@ fn shown(found: Result<Found, Refusal>) -> String {
         let (position, axis) = (round(record.position), round(record.axis.normalize()));
         lines += &format!("{}: {:?} {:?} {position:?} {axis:?}\n", record.place, record.kind, record.name);
         let text = format!("{record:?}");
-        let values = text.split_once("values: [").and_then(|(_, values)| values.split_once("], used:"));
+        let values = text.split_once("values: [").and_then(|(_, values)| values.split_once("], asked:"));
         values.into_iter().for_each(|(values, _)| lines += &format!("  {values}\n"));
         record.notes.iter().for_each(|note| lines += &format!("  {note}\n"));
     }
@@ -56,14 +57,34 @@ fn files_are_read_as_expected() {
     assert_eq!(binary, json);
 }
 
-/// Each row is an extension, a text and a part of what is read. `TEXT*N` repeats a text.
+/// Returns the light of a photometric file, with its measured intensities, or its refusal.
+fn measured(name: &str, text: &str) -> String {
+    let lamps = match input::read(name, text.as_bytes(), None, 1.0) {
+        Err(refusal) => return refusal.to_string(),
+        Ok(lamps) => lamps,
+    };
+    let points = lamps.lamps[0].measured.as_ref().map(Curve::points);
+    format!("{}: {:?}\nnotes: {}", lamps.lamps[0].name, points.unwrap_or_default(), lamps.notes.join("\n"))
+}
+
+/// Each row is an extension, a text and a part of what is read, or a file, changes `from => to` with ` ; `
+/// between them, and the part.
 #[test]
 fn what_cannot_be_read_is_stated() {
     for row in String::from_utf8_lossy(&file("refused.txt")).lines() {
         let [extension, text, expected] = row.split(" | ").collect::<Vec<_>>().try_into().unwrap();
         let text = text.replace("\\n", "\n");
-        let found = shown(read(&format!("file.{extension}"), text.as_bytes()));
-        assert!(found.contains(expected), "{row}\nfound:\n{found}");
+        let found = if extension.contains('.') {
+            let changed = |own: String, change: &str| {
+                let (from, to) = change.split_once(" => ").unwrap();
+                assert!(own.contains(from), "{row}");
+                own.replacen(from, to, 1)
+            };
+            measured(extension, &text.split(" ; ").fold(String::from_utf8(file(extension)).unwrap(), changed))
+        } else {
+            shown(read(&format!("file.{extension}"), text.as_bytes()))
+        };
+        assert!(found.contains(&expected.replace("\\n", "\n")), "{row}\nfound:\n{found}");
     }
     let double = |i| format!("DEF A{} Group {{ USE A{i} USE A{i} }} ", i + 1);
     let doubled = (0..40).fold("#X3D V3.0\nDEF A0 PointLight { } ".to_owned(), |text, i| text + &double(i));
