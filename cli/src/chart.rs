@@ -5,7 +5,7 @@ use std::fmt::Write;
 use luminaire::dynamic::AnyLight;
 use luminaire_exchange::{Definition, Lamp, share};
 
-use crate::import::short;
+use crate::text::short;
 
 /// The width of a panel and its height, without margins.
 const WIDTH: f64 = 560.0;

@@ -6,9 +6,9 @@ use luminaire_exchange::{Lamp, Place, Refusal, Residual, System, Use, parameters
 use luminaire_export::{Language, json};
 
 use crate::arguments::Export;
-use crate::import::short;
 use crate::model;
 use crate::source::Loaded;
+use crate::text::short;
 use crate::words::Target;
 
 /// Returns the text of all lights.

@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use crate::arguments::Import;
 use crate::chart;
 use crate::source::{Loaded, open, save};
+use crate::text::short;
 
 /// A file, or another source, with its lights.
 struct Input {
@@ -180,14 +181,4 @@ fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
 /// Returns a name of a file or a light as a terminal shows it, cut after 160 characters.
 fn shown(name: &str) -> String {
     luminaire_export::printable(name).chars().take(160).collect()
-}
-
-/// Returns a number with four significant digits, and large numbers whole.
-pub(crate) fn short(value: f64) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let digits = (3.0 - value.abs().log10().floor()).clamp(0.0, 9.0) as usize;
-    let text = format!("{value:.digits$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

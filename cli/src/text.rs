@@ -1,4 +1,4 @@
-//! Answers as text.
+//! Numbers and answers of `pick` as text.
 
 use std::fmt::Write;
 
@@ -96,4 +96,14 @@ pub(crate) fn scene(answer: &SceneAnswer) -> String {
         budget.lights, budget.materials, budget.total, budget.display_rounding
     );
     text
+}
+
+/// Returns a number with four significant digits, and large numbers whole.
+pub(crate) fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let digits = (3.0 - value.abs().log10().floor()).clamp(0.0, 9.0) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -14,12 +14,12 @@ use luminaire::falloff::{AnyFalloff, IntegerPower, Smooth, Soft, Step};
 use luminaire::import::{self, Difference, Imported, OpenGlLight};
 use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
 
-use crate::fit::{of_versine, versine};
 use crate::lamp::Lamp;
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
 use crate::system::System;
 use crate::tabulate::Shape;
+use crate::versine::{of_versine, versine};
 
 type Spot = Imported<SpotLight<AnyFalloff, AnyAttenuation>>;
 

@@ -7,8 +7,10 @@ use luminaire::{Angle, Cone};
 
 use crate::curve::{Curve, Definition};
 use crate::refusal::Refusal;
+use crate::residual::{Residual, difference, even};
 use crate::search;
 use crate::tabulate::Shape;
+use crate::versine::versine;
 
 /// A cone in place of measured intensities, and its difference from them.
 #[derive(Clone, PartialEq, Debug)]
@@ -21,22 +23,6 @@ pub struct Fit {
     pub residual: Residual,
 }
 
-/// The largest difference between two intensities over the angle, in linear codes: 1/255 of the largest
-/// measured intensity, which is full scale.
-#[derive(Clone, Copy, PartialEq, Default, Debug)]
-pub struct Residual {
-    /// The largest difference that was found.
-    pub found: f64,
-    /// An upper bound of the difference at every angle.
-    pub bound: f64,
-    /// The half angle in degrees of the difference that was found.
-    pub degrees: f64,
-    /// The measured intensity there, as a share of the largest.
-    pub measured: f64,
-    /// The intensity of the cone there, as a share of the largest.
-    pub fitted: f64,
-}
-
 /// Returns the intensity of a cone at a half angle in degrees, relative to the intensity of its light,
 /// in f64.
 pub fn share(cone: &Cone<AnyFalloff>, half_degrees: f64) -> f64 {
@@ -47,15 +33,6 @@ pub fn share(cone: &Cone<AnyFalloff>, half_degrees: f64) -> f64 {
     }
     let t = if versine <= inner { 1.0 } else { (outer - versine) / (outer - inner) };
     cone.falloff().formula().exact(t)
-}
-
-pub(crate) fn versine(half: f64) -> f64 {
-    2.0 * (half / 2.0).sin().powi(2)
-}
-
-/// Returns the half angle of a versine, at most a quarter turn.
-pub(crate) fn of_versine(versine: f64) -> f64 {
-    2.0 * (versine.min(1.0) / 2.0).sqrt().asin()
 }
 
 /// The polynomials, the cheapest first: the order of their counts of instructions in the records of
@@ -190,43 +167,4 @@ pub(crate) fn residual(curve: &Curve, cone: &Cone<AnyFalloff>) -> Residual {
     let end = f64::from(cone.outer().to_degrees()) / 2.0;
     let breaks = [breaks, even(0.0, end)].concat();
     difference(&|degrees| curve.at(degrees) / peak, breaks, &|degrees| share(cone, degrees))
-}
-
-/// Returns 65 evenly spaced places.
-pub(crate) fn even(from: f64, to: f64) -> Vec<f64> {
-    (0..=64).map(|i| from + (to - from) * f64::from(i) / 64.0).collect()
-}
-
-/// Returns the difference between two functions, such as of the half angle in degrees, from the first of
-/// the breaks to the last one. Both are monotone between two neighbours.
-pub(crate) fn difference(
-    measured: &dyn Fn(f64) -> f64,
-    mut breaks: Vec<f64>,
-    fitted: &dyn Fn(f64) -> f64,
-) -> Residual {
-    breaks.sort_by(f64::total_cmp);
-    let mut worst = Residual::default();
-    let mut look = |degrees: f64| {
-        let (measured, fitted) = (measured(degrees), fitted(degrees));
-        let found = 255.0 * (measured - fitted).abs();
-        if found > worst.found {
-            worst = Residual { found, degrees, measured, fitted, ..worst };
-        }
-        (measured, fitted, worst.found)
-    };
-    let mut cells: Vec<_> = breaks.windows(2).map(|pair| (pair[0], pair[1])).collect();
-    let mut bound = 0.0_f64;
-    // In a cell neither function leaves the values at its ends.
-    while let Some((a, b)) = cells.pop() {
-        let ((m, f, _), (n, g, found)) = (look(a), look(b));
-        let largest = 255.0 * (m.max(n) - f.min(g)).max(f.max(g) - m.min(n));
-        if largest <= found + 0.05 || b - a < 1e-7 {
-            bound = bound.max(largest);
-        } else {
-            let middle = (a + b) / 2.0;
-            cells.extend([(a, middle), (middle, b)]);
-        }
-    }
-    worst.bound = bound.max(worst.found);
-    worst
 }

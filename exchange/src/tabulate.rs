@@ -3,8 +3,9 @@
 use luminaire::falloff::{Knot, Table};
 use luminaire::{Angle, Cone};
 
-use crate::fit::{difference, even, of_versine, versine};
 use crate::refusal::Refusal;
+use crate::residual::{difference, even};
+use crate::versine::{of_versine, versine};
 
 /// A falloff that is defined by a function of the angle, between an inner and an outer half angle.
 pub(crate) struct Shape<'a> {

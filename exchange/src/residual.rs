@@ -1,0 +1,57 @@
+//! The difference between two intensities over the angle, and a bound of it.
+
+/// The largest difference between two intensities over the angle, in linear codes: 1/255 of the largest
+/// measured intensity, which is full scale.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Residual {
+    /// The largest difference that was found.
+    pub found: f64,
+    /// An upper bound of the difference at every angle.
+    pub bound: f64,
+    /// The half angle in degrees of the difference that was found.
+    pub degrees: f64,
+    /// The measured intensity there, as a share of the largest.
+    pub measured: f64,
+    /// The intensity of the cone there, as a share of the largest.
+    pub fitted: f64,
+}
+
+/// Returns 65 evenly spaced places.
+pub(crate) fn even(from: f64, to: f64) -> Vec<f64> {
+    (0..=64).map(|i| from + (to - from) * f64::from(i) / 64.0).collect()
+}
+
+/// Returns the difference between two functions, such as of the half angle in degrees, from the first of
+/// the breaks to the last one. Both are monotone between two neighbours.
+pub(crate) fn difference(
+    measured: &dyn Fn(f64) -> f64,
+    mut breaks: Vec<f64>,
+    fitted: &dyn Fn(f64) -> f64,
+) -> Residual {
+    breaks.sort_by(f64::total_cmp);
+    let mut worst = Residual::default();
+    let mut look = |degrees: f64| {
+        let (measured, fitted) = (measured(degrees), fitted(degrees));
+        let found = 255.0 * (measured - fitted).abs();
+        if found > worst.found {
+            worst = Residual { found, degrees, measured, fitted, ..worst };
+        }
+        (measured, fitted, worst.found)
+    };
+    let mut cells: Vec<_> = breaks.windows(2).map(|pair| (pair[0], pair[1])).collect();
+    let mut bound = 0.0_f64;
+    // In a cell neither function leaves the values at its ends. Where one is NaN, as for the angles of a cone
+    // that is refused later, a cell is not divided.
+    while let Some((a, b)) = cells.pop() {
+        let ((m, f, _), (n, g, found)) = (look(a), look(b));
+        let largest = 255.0 * (m.max(n) - f.min(g)).max(f.max(g) - m.min(n));
+        if largest > found + 0.05 && b - a >= 1e-7 {
+            let middle = (a + b) / 2.0;
+            cells.extend([(a, middle), (middle, b)]);
+        } else {
+            bound = bound.max(largest);
+        }
+    }
+    worst.bound = bound.max(worst.found);
+    worst
+}
