@@ -1,4 +1,4 @@
-//! Answers as text.
+//! Numbers and answers of `pick` as text.
 
 use std::fmt::Write;
 

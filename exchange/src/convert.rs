@@ -18,7 +18,8 @@ use crate::lamp::Lamp;
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
 use crate::system::System;
-use crate::tabulate::{Shape, of_versine, versine};
+use crate::tabulate::Shape;
+use crate::versine::{of_versine, versine};
 
 type Spot = Imported<SpotLight<AnyFalloff, AnyAttenuation>>;
 

@@ -6,10 +6,11 @@ use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Hard, Quadratic, Soft};
 use luminaire::{Angle, Cone};
 
 use crate::curve::{Curve, Definition};
-use crate::difference::{Residual, difference, even};
 use crate::refusal::Refusal;
+use crate::residual::{Residual, difference, even};
 use crate::search;
-use crate::tabulate::{Shape, versine};
+use crate::tabulate::Shape;
+use crate::versine::versine;
 
 /// A cone in place of measured intensities, and its difference from them.
 #[derive(Clone, PartialEq, Debug)]

@@ -8,9 +8,9 @@ use luminaire_export::json::NamedLight;
 use serde_json::json;
 
 use crate::curve::{Curve, Definition};
-use crate::difference::Residual;
 use crate::fit::{Fit, share};
 use crate::refusal::Refusal;
+use crate::residual::Residual;
 use crate::system::System;
 
 /// A light of a file or of a command, as a light of [`luminaire`].

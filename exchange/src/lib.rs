@@ -3,7 +3,6 @@
 
 mod convert;
 mod curve;
-mod difference;
 mod fit;
 mod input;
 mod lamp;
@@ -12,19 +11,21 @@ mod parameters;
 mod read;
 mod record;
 mod refusal;
+mod residual;
 mod search;
 mod sheet;
 mod system;
 mod tabulate;
 mod text;
+mod versine;
 pub mod write;
 
 pub use crate::curve::{Curve, Definition};
-pub use crate::difference::Residual;
 pub use crate::fit::{Fit, fits, share};
 pub use crate::input::{numbers, read};
 pub use crate::lamp::{Lamp, Lamps, Place, Use, placed};
 pub use crate::parameters::{Parameters, TOOLS, parameters};
 pub use crate::refusal::Refusal;
+pub use crate::residual::Residual;
 pub use crate::sheet::{Edge, Sheet, fixture, number};
 pub use crate::system::System;

@@ -7,13 +7,13 @@ use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Falloff, Formula};
 
 use crate::curve::Curve;
-use crate::difference::{Residual, difference, even};
 use crate::fit;
 use crate::lamp::{Lamp, Use};
 use crate::refusal::Refusal;
+use crate::residual::{Residual, difference, even};
 use crate::search;
 use crate::system::System;
-use crate::tabulate::{of_versine, versine};
+use crate::versine::{of_versine, versine};
 
 /// A light in the parameters of another tool.
 #[derive(Clone, PartialEq, Debug)]
@@ -303,12 +303,9 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
         return Err(Refusal::new("throw", throw, expected));
     }
     let candela = at_throw / falls(throw).max(f64::MIN_POSITIVE);
-    let difference = |d: f64| {
-        let difference = candela * falls(d) - lamp.at(d);
-        255.0 * difference.abs() / at_throw.max(f64::MIN_POSITIVE)
-    };
+    let codes = |d: f64| 255.0 * (candela * falls(d) - lamp.at(d)).abs() / at_throw.max(f64::MIN_POSITIVE);
     let distances = (0..512).map(|i| throw * 16_f64.powf(f64::from(i) / 511.0));
-    let distance = distances.map(difference).fold(0.0, f64::max);
+    let distance = distances.map(codes).fold(0.0, f64::max);
 
     let peak = candela / if is_spot { Family::of(tool).on_axis(free) } else { 1.0 };
     let (cone, rest) = values(tool, free, peak, usage, [decay, range.unwrap_or_default()], polynomial);

@@ -3,8 +3,9 @@
 use luminaire::falloff::{Knot, Table};
 use luminaire::{Angle, Cone};
 
-use crate::difference::{difference, even};
 use crate::refusal::Refusal;
+use crate::residual::{difference, even};
+use crate::versine::{of_versine, versine};
 
 /// A falloff that is defined by a function of the angle, between an inner and an outer half angle.
 pub(crate) struct Shape<'a> {
@@ -111,14 +112,4 @@ impl Shape<'_> {
         let breaks = self.breaks.iter().map(|&angle| self.place(angle)).filter(|at| (from..=to).contains(at));
         even(from, to).into_iter().chain(breaks).collect()
     }
-}
-
-/// Returns the versine of a half angle in radians, `1 - cos` without its cancellation.
-pub(crate) fn versine(half: f64) -> f64 {
-    2.0 * (half / 2.0).sin().powi(2)
-}
-
-/// Returns the half angle of a versine, at most a quarter turn.
-pub(crate) fn of_versine(versine: f64) -> f64 {
-    2.0 * (versine.min(1.0) / 2.0).sqrt().asin()
 }

@@ -21,7 +21,7 @@ godot point omni_range=4..60 omni_attenuation=0..3
 opengl spot spot_cutoff=3..90 spot_exponent=0..128 constant_attenuation=0.1..3 linear_attenuation=0..1 quadratic_attenuation=0..1
 direct3d spot phi=0.1..3.1 theta=0..0.95*phi falloff=1..20 attenuation0=0.1..3 attenuation1=0..1 attenuation2=0..1 range=90..99
 blender spot spot_size=0.1..3.1 spot_blend=0..1 energy=1..900
-blender directional energy=1..9
+blender directional energy=1..9 exposure=-2..2
 usd spot shaping:cone:angle=3..90 shaping:cone:softness=0..1 intensity=0.1..90 exposure=-2..4 radius=0.01..0.2
 usd spot shaping:cone:angle=3..90 shaping:focus=0.5..30 intensity=0.1..90 normalize=1
 usd directional angle=0.1..20 intensity=0.1..90
@@ -29,7 +29,9 @@ x3d spot cutOffAngle=0.05..1.57 beamWidth=0..1.2*cutOffAngle attenuation=0..1 ra
 pbrt spot coneangle=3..90 conedeltaangle=0.05..1*coneangle scale=0.1..9 I=0.1..9
 pbrt spot coneangle=3..90 conedeltaangle=0.05..1*coneangle power=1..900
 pbrt spot coneangle=3..90 conedeltaangle=0.05..1*coneangle version=3
+pbrt directional scale=0.1..9 illuminance=1..900
 unreal spot OuterConeAngle=3..80 InnerConeAngle=0..1.1*OuterConeAngle AttenuationRadius=400..6000 Intensity=1..9000
+unreal spot OuterConeAngle=80..90
 unity spot spotAngle=3..179 innerSpotAngle=0..0.9*spotAngle range=4..60
 bevy spot outer_angle=0.05..1.57 inner_angle=0..0.9*outer_angle range=4..60 intensity=1000..1000000
 babylon spot angle=0.1..3.1 innerAngle=0..0.9*angle range=4..60 falloffType=2 exponent=0

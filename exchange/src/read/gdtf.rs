@@ -42,7 +42,10 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
         }
     }
     let zoom = ends.iter().copied().reduce(f64::min).zip(ends.iter().copied().reduce(f64::max));
-    for beam in elements("Beam").take(1_000) {
+    if elements("Beam").nth(1_000).is_some() {
+        return Err(Refusal::new("Beam", "more", "at most 1000"));
+    }
+    for beam in elements("Beam") {
         let name = [fixture, beam].map(|node| short(node, "Name")).join(": ");
         if let Some(kind @ ("None" | "Glow")) = beam.attribute("BeamType") {
             lamps.notes.push(format!("{name} is left out: a beam of the type {kind} lights nothing"));

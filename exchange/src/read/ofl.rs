@@ -50,6 +50,9 @@ pub(crate) fn read(text: &str) -> Result<Lamps, Refusal> {
         return Err(Refusal::new("size", text.len(), "at most 2 MiB"));
     }
     let fixture: Part = parse(text)?;
+    if list(&fixture.modes).len() > 1_000 {
+        return Err(Refusal::new("modes", "more", "at most 1000"));
+    }
     let mut lamps = Lamps::new(System::Ofl);
     let slots = fixture.wheels.iter().flat_map(|wheels| wheels.values()).flat_map(|wheel| list(&wheel.slots));
     let gobos = slots.filter(|slot| word(&slot.r#type) == "Gobo").take(20);
@@ -59,7 +62,7 @@ pub(crate) fn read(text: &str) -> Result<Lamps, Refusal> {
     let edge = if scans || !gobos.is_empty() { Edge::Hard } else { Edge::Soft };
 
     let (own, mut seen) = (fixture.numbers((None, None, None)), Vec::new());
-    for part in iter::once(&fixture).chain(list(&fixture.modes)).take(1_000) {
+    for part in iter::once(&fixture).chain(list(&fixture.modes)) {
         let numbers = part.numbers(own);
         let (lumens, kelvin, Some([from, to])) = numbers else { continue };
         if seen.contains(&numbers) {

@@ -1,4 +1,4 @@
-//! The largest difference between two functions of the angle: what was found, and a bound.
+//! The difference between two intensities over the angle, and a bound of it.
 
 /// The largest difference between two intensities over the angle, in linear codes: 1/255 of the largest
 /// measured intensity, which is full scale.
@@ -40,15 +40,16 @@ pub(crate) fn difference(
     };
     let mut cells: Vec<_> = breaks.windows(2).map(|pair| (pair[0], pair[1])).collect();
     let mut bound = 0.0_f64;
-    // In a cell neither function leaves the values at its ends.
+    // In a cell neither function leaves the values at its ends. Where one is NaN, as for the angles of a cone
+    // that is refused later, a cell is not divided.
     while let Some((a, b)) = cells.pop() {
         let ((m, f, _), (n, g, found)) = (look(a), look(b));
         let largest = 255.0 * (m.max(n) - f.min(g)).max(f.max(g) - m.min(n));
-        if largest <= found + 0.05 || b - a < 1e-7 {
-            bound = bound.max(largest);
-        } else {
+        if largest > found + 0.05 && b - a >= 1e-7 {
             let middle = (a + b) / 2.0;
             cells.extend([(a, middle), (middle, b)]);
+        } else {
+            bound = bound.max(largest);
         }
     }
     worst.bound = bound.max(worst.found);
