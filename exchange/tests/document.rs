@@ -34,7 +34,8 @@ fn document_is_read_back_and_keeps_to_the_schema() {
     let mut rng = Rng::with_seed(3);
     let mut lights: Vec<AnyLight> =
         vec![DirectionalLight::new([0.0, -1.0, 0.25]).expect("a direction").into()];
-    const KNOTS: &[Knot; 2] = &[Knot::from_bits(0, 65_535, -20_000), Knot::from_bits(30_000, 40_000, -9)];
+    const KNOTS: &[Knot; 2] =
+        &[Knot::from_bits(0, 65_535, -2_000_000_001), Knot::from_bits(30_000, 40_000, -9)];
     for index in 0..40 {
         let falloff = AnyFalloff::drawn(index, || rng.f32()).unwrap_or(Table::of_knots(KNOTS).into());
         let Ok(cone) = Cone::from_outer(falloff, Angle::degrees(1.0 + 178.0 * rng.f32())) else { continue };

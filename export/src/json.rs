@@ -218,7 +218,10 @@ fn degrees(cone: &Cone<AnyFalloff>) -> [f32; 5] {
 
 fn profile(falloff: AnyFalloff) -> Profile {
     let (name, parameters) = words::described(&falloff);
-    let parameters: Vec<_> = parameters.into_iter().map(|number| shortest(number as f32)).collect();
+    // Those of a table are whole numbers, of which f32 has not all.
+    let is_table = matches!(falloff, AnyFalloff::Table(_));
+    let number = |number: f64| if is_table { number } else { shortest(number as f32) };
+    let parameters: Vec<_> = parameters.into_iter().map(number).collect();
     let parameters = Some(parameters).filter(|parameters| !parameters.is_empty());
     let mut profile = Profile { name: Some(name.to_owned()), parameters, ..Profile::default() };
     let formula = match falloff.formula() {

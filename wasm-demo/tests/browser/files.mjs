@@ -35,7 +35,7 @@ quick("a broken file gives the message of its reader, and the page works", async
   await open(ONE);
   for (const [name, text, told] of [
     ["spot.ies", "IESNA:LM-63-1995\nTILT=NONE\n1 2", /^spot\.ies: line \d+.*expected/],
-    ["picture.png", "", /^picture\.png: extension = png: expected one of gltf, .*ldt/],
+    ["picture.png", "", /^picture\.png: extension = png: expected one of babylon, .*ldt/],
   ]) {
     await give(name, text);
     assert.match(await words("file-told"), told);
