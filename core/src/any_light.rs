@@ -88,6 +88,30 @@ impl AnyLight {
         any!(self, Self, light => light.intensity())
     }
 
+    /// Returns the light with this linear colour; its highlights get the same colour.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
+        Ok(any!(self, Self, light => light.with_color(color)?.into()))
+    }
+
+    /// Returns the light with highlights in this linear colour.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn with_specular_color(self, color: Rgb<f32>) -> Result<Self, Error> {
+        Ok(any!(self, Self, light => light.with_specular_color(color)?.into()))
+    }
+
+    /// Returns the light with this intensity.
+    ///
+    /// # Errors
+    /// An intensity outside [0, 1e9].
+    pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
+        Ok(any!(self, Self, light => light.with_intensity(intensity)?.into()))
+    }
+
     /// Returns whether the light emits nothing: its intensity is 0, or both of its colours are
     /// black.
     pub fn is_dark(&self) -> bool {

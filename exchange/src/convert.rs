@@ -12,14 +12,14 @@ use luminaire::attenuation::{
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, IntegerPower, Smooth, Soft, Step};
 use luminaire::import::{self, Difference, Imported, OpenGlLight};
-use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
+use luminaire::{Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
 
 use crate::lamp::Lamp;
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
 use crate::system::System;
 use crate::tabulate::Shape;
-use crate::versine::{of_versine, versine};
+use crate::versine::{full, of_versine, versine};
 
 type Spot = Imported<SpotLight<AnyFalloff, AnyAttenuation>>;
 
@@ -48,14 +48,27 @@ pub(crate) fn convert(system: System, record: &mut Record) -> Result<Lamp, Refus
     let strongest = channels.into_iter().fold(least, f64::max);
     let [red, green, blue] = channels.map(|channel| (channel / strongest) as f32);
     let color = Rgb::new(red, green, blue);
-    if record.kind == Kind::Directional {
-        let intensity = sun(system, record)? * strongest;
-        let light = DirectionalLight::new(vector(record.axis))?.with_color(color)?;
-        let mut lamp = Lamp::new(&*record.name, light.with_intensity(intensity as f32)?);
-        lamp.notes.append(&mut record.notes);
-        return Ok(lamp);
-    }
-    let Imported { light, difference } = match system {
+    let (light, difference, intensity): (AnyLight, _, _) = if record.kind == Kind::Directional {
+        let intensity = sun(system, record)?;
+        (DirectionalLight::new(vector(record.axis))?.into(), Difference::default(), intensity)
+    } else {
+        let Imported { light, difference } = spotlight(system, record)?;
+        let intensity = f64::from(light.intensity());
+        if record.kind == Kind::Point {
+            let point = PointLight::new(light.position())?.with_attenuation(light.attenuation());
+            (point.into(), Difference { angle: 0.0, place: 0.0, ..difference }, intensity)
+        } else {
+            (light.into(), difference, intensity)
+        }
+    };
+    let light = light.with_color(color)?.with_intensity((intensity * strongest) as f32)?;
+    let notes = std::mem::take(&mut record.notes);
+    Ok(Lamp { difference, notes, ..Lamp::new(&*record.name, light) })
+}
+
+/// Returns the light as a spotlight, whatever its kind: a point light is that without its cone.
+fn spotlight(system: System, record: &mut Record) -> Result<Spot, Refusal> {
+    match system {
         System::Gltf => gltf(record),
         System::Three => three(record),
         System::Godot => godot(record),
@@ -72,19 +85,7 @@ pub(crate) fn convert(system: System, record: &mut Record) -> Result<Lamp, Refus
         System::Ies | System::Eulumdat | System::Gdtf | System::Ofl | System::Luminaire => {
             Err(Refusal::new("system", system, "a file of it, or a tool with numbers"))
         }
-    }?;
-    let intensity = (f64::from(light.intensity()) * strongest) as f32;
-    let (light, difference): (AnyLight, _) = if record.kind == Kind::Point {
-        let point = PointLight::new(light.position())?.with_color(color)?.with_intensity(intensity)?;
-        let difference = Difference { angle: 0.0, place: 0.0, ..difference };
-        (point.with_attenuation(light.attenuation()).into(), difference)
-    } else {
-        (light.with_color(color)?.with_intensity(intensity)?.into(), difference)
-    };
-    let mut lamp = Lamp::new(&*record.name, light);
-    lamp.difference = difference;
-    lamp.notes.append(&mut record.notes);
-    Ok(lamp)
+    }
 }
 
 /// Returns the irradiance of a directional light on a facing surface.
@@ -124,7 +125,6 @@ fn is_set(record: &mut Record, key: &str, default: &str) -> Result<bool, Refusal
 /// Returns a cone with full intensity up to a half angle in radians, and a step if nothing is left for a
 /// falloff.
 fn cone(falloff: AnyFalloff, inner: f64, outer: f64) -> Result<Cone<AnyFalloff>, Refusal> {
-    let full = |half: f64| Angle::degrees((2.0 * half.to_degrees()).min(180.0) as f32);
     if full(inner) >= full(outer) {
         return Ok(Cone::from_outer(AnyFalloff::from(Step), full(outer))?);
     }
@@ -136,9 +136,9 @@ fn cone(falloff: AnyFalloff, inner: f64, outer: f64) -> Result<Cone<AnyFalloff>,
 /// and what this leaves on the axis of a narrow beam.
 fn square(inner: f64, outer: f64, least: f64) -> Result<(Cone<AnyFalloff>, f64), Refusal> {
     let edge = versine(outer);
-    let full = edge - (edge - versine(inner.min(outer))).max(least);
-    let on_axis = if full < 0.0 { (edge / least).powi(2) } else { 1.0 };
-    Ok((cone(Soft.into(), of_versine(full.max(0.0)), outer)?, on_axis))
+    let start = edge - (edge - versine(inner.min(outer))).max(least);
+    let on_axis = if start < 0.0 { (edge / least).powi(2) } else { 1.0 };
+    Ok((cone(Soft.into(), of_versine(start.max(0.0)), outer)?, on_axis))
 }
 
 /// The units of a cone: its name, and what turns a number into a half angle in radians.

@@ -2,15 +2,15 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use luminaire::Cone;
 use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Hard, Quadratic, Soft};
-use luminaire::{Angle, Cone};
 
 use crate::curve::{Curve, Definition};
 use crate::refusal::Refusal;
 use crate::residual::{Residual, difference, even};
 use crate::search;
 use crate::tabulate::Shape;
-use crate::versine::versine;
+use crate::versine::{full, versine};
 
 /// A cone in place of measured intensities, and its difference from them.
 #[derive(Clone, PartialEq, Debug)]
@@ -95,12 +95,10 @@ pub fn fits(curve: &Curve, tolerance: f64) -> Result<Vec<Fit>, Refusal> {
         };
         let starts =
             [field * 1.2, end, beam * 1.1].map(|outer| [outer.clamp(1e-5, FRAC_PI_2), beam / 2.0, 1.0, 1.0]);
-        let steps = |start: Parameters| match kind % 4 {
-            0 | 1 if kind < 4 => [start[0] / 4.0, 0.0, 0.0, 0.0],
-            0 | 1 => [start[0] / 4.0, start[1] / 2.0, 0.0, 0.0],
-            2 => [start[0] / 4.0, if kind < 4 { 0.0 } else { start[1] / 2.0 }, 0.5, 0.0],
-            _ => [start[0] / 4.0, if kind < 4 { 0.0 } else { start[1] / 2.0 }, 0.5, 0.5],
-        };
+        // A step of 0 keeps what the polynomial does not have.
+        let [edge, full] = [[0.0; 2], [0.0; 2], [0.5, 0.0], [0.5; 2]][kind % 4];
+        let steps =
+            |start: Parameters| [start[0] / 4.0, if kind < 4 { 0.0 } else { start[1] / 2.0 }, edge, full];
         let searched = starts.map(|start| search::least(start, steps(start), cost));
         let Some((best, least)) = searched.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
         if least.is_finite() {
@@ -135,16 +133,15 @@ fn coefficients([.., edge, full]: Parameters) -> Option<[f64; 3]> {
     is_monotone.then_some([edge, 3.0 - 2.0 * edge - full, edge + full - 2.0])
 }
 
-fn cone(kind: usize, [outer, inner, edge, full]: Parameters) -> Result<Cone<AnyFalloff>, Refusal> {
+fn cone(kind: usize, [outer, inner, edge, slope]: Parameters) -> Result<Cone<AnyFalloff>, Refusal> {
     let falloff = match kind % 4 {
         0 => Soft.into(),
         1 => Hard.into(),
         2 => Quadratic::new(edge as f32)?.into(),
-        _ => Cubic::with_slopes(edge as f32, full as f32)?.into(),
+        _ => Cubic::with_slopes(edge as f32, slope as f32)?.into(),
     };
-    let full_angle = |half: f64| Angle::degrees((2.0 * half.to_degrees()).min(180.0) as f32);
-    let cone = Cone::from_outer(falloff, full_angle(outer))?;
-    Ok(if kind < 4 { cone } else { cone.with_inner(full_angle(inner))? })
+    let cone = Cone::from_outer(falloff, full(outer))?;
+    Ok(if kind < 4 { cone } else { cone.with_inner(full(inner))? })
 }
 
 /// Returns the table of a curve up to 90 degrees off the axis.

@@ -114,11 +114,10 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
         let triple = record.triple(key, default)?.into();
         *(if key == "axis" { &mut record.axis } else { &mut record.position }) = triple;
     }
-    let mut probe = record.clone();
-    let lamp = convert::convert(system, &mut probe)?;
+    let lamp = convert::convert(system, &mut record)?;
     // A key that was not read is one that the system does not have, or a misspelt one.
-    if let Some(key) = probe.unused() {
-        let expected = format!("a key of {system}: {}", probe.asked().join(", "));
+    if let Some(key) = record.unused() {
+        let expected = format!("a key of {system}: {}", record.asked().join(", "));
         return Err(Refusal::new("key", key, expected));
     }
     Ok(Lamps { lamps: vec![lamp], ..Lamps::new(system) })
@@ -127,7 +126,9 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
 fn converted(system: System, Found { records, mut refused, notes }: Found) -> Lamps {
     let mut lamps = Vec::new();
     for (number, mut record) in records.into_iter().enumerate() {
-        record.without_prefix();
+        if system == System::Unity {
+            record.without_prefix();
+        }
         if record.name.is_empty() {
             record.name = format!("light {}", number + 1);
         }

@@ -92,7 +92,7 @@ impl Lamp {
     /// An intensity outside [0, 1e9] in that unit.
     pub fn named(&self, usage: Use) -> Result<NamedLight, Refusal> {
         let intensity = (f64::from(self.light.intensity()) / usage.full_scale) as f32;
-        let light = placed(self.light, Place { intensity: Some(intensity), ..Place::default() })?;
+        let light = self.light.with_intensity(intensity)?;
         let Difference { angle, place, distance } = self.difference;
         let mut about = json!({
             "difference": { "angle": angle, "place": place, "distance": distance },
@@ -155,26 +155,22 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
         Some([red, green, blue]) => [Rgb::new(red, green, blue); 2],
         None => [light.color(), light.specular_color()],
     };
-    macro_rules! lit {
-        ($light:expr) => {
-            $light.with_color(colors[0])?.with_specular_color(colors[1])?.with_intensity(intensity)?
-        };
-    }
-    Ok(match light {
+    let moved: AnyLight = match light {
         AnyLight::Spot(spot) => {
             let position = place.position.map_or(spot.position(), Into::into);
-            let moved = SpotLight::new(position, place.axis.map_or(spot.toward(), Into::into), spot.cone())?;
-            lit!(moved).with_attenuation(spot.attenuation()).into()
+            let axis = place.axis.map_or(spot.toward(), Into::into);
+            SpotLight::new(position, axis, spot.cone())?.with_attenuation(spot.attenuation()).into()
         }
         AnyLight::Point(point) => {
-            let moved = PointLight::new(place.position.map_or(point.position(), Into::into))?;
-            lit!(moved).with_attenuation(point.attenuation()).into()
+            let position = place.position.map_or(point.position(), Into::into);
+            PointLight::new(position)?.with_attenuation(point.attenuation()).into()
         }
         AnyLight::Directional(sun) => {
-            let axis = place.axis.map_or(sun.toward(), Into::into);
-            lit!(DirectionalLight::new(axis)?).into()
+            DirectionalLight::new(place.axis.map_or(sun.toward(), Into::into))?.into()
         }
-    })
+    };
+    let [color, specular] = colors;
+    Ok(moved.with_color(color)?.with_specular_color(specular)?.with_intensity(intensity)?)
 }
 
 /// The lights of one input.

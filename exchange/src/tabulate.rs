@@ -1,11 +1,11 @@
 //! Functions of the angle as tables of knots.
 
+use luminaire::Cone;
 use luminaire::falloff::{Knot, Table};
-use luminaire::{Angle, Cone};
 
 use crate::refusal::Refusal;
 use crate::residual::{difference, even};
-use crate::versine::{of_versine, versine};
+use crate::versine::{full, of_versine, versine};
 
 /// A falloff that is defined by a function of the angle, between an inner and an outer half angle.
 pub(crate) struct Shape<'a> {
@@ -53,18 +53,15 @@ impl Shape<'_> {
             lines.insert(index + 1, self.line(at, end));
         }
         let bound = |&Line { place, end, .. }: &Line| {
-            let chord = |at| self.chord(place, end, at);
-            difference(&|at| self.value(at), self.samples(place, end), &chord).bound / 255.0
+            difference(&|at| self.value(at), self.samples(place, end), &self.chord(place, end)).bound / 255.0
         };
         let bound = lines.iter().map(bound).fold(0.0, f64::max);
         let knots: Vec<_> = lines.iter().map(|line| self.knot(line.place, line.end)).collect();
         let table = Table::from_knots(Vec::leak(knots))?;
-        let [inner, outer] =
-            [self.inner, self.outer].map(|half| Angle::degrees(2.0 * half.to_degrees() as f32));
-        let cone = Cone::from_outer(table, outer)?;
+        let cone = Cone::from_outer(table, full(self.outer))?;
         // The rounding of the angles, of the knots' values and of their slopes.
         let rounded = bound + 2.0 / 65_535.0;
-        Ok((if self.inner > 0.0 { cone.with_inner(inner)? } else { cone }, rounded))
+        Ok((if self.inner > 0.0 { cone.with_inner(full(self.inner))? } else { cone }, rounded))
     }
 
     /// Returns the half angle in radians at a place between the versines of both angles.
@@ -90,8 +87,9 @@ impl Shape<'_> {
     /// Returns the chord between two places, with its largest difference from the function.
     fn line(&self, place: u32, end: u32) -> Line {
         let mut line = Line { place, end, found: 0.0, at: place + (end - place) / 2 };
+        let chord = self.chord(place, end);
         for at in self.samples(place, end) {
-            let difference = (self.value(at) - self.chord(place, end, at)).abs();
+            let difference = (self.value(at) - chord(at)).abs();
             if difference > line.found {
                 (line.found, line.at) = (difference, at.round() as u32);
             }
@@ -100,10 +98,10 @@ impl Shape<'_> {
         line
     }
 
-    fn chord(&self, place: u32, end: u32, at: f64) -> f64 {
+    fn chord(&self, place: u32, end: u32) -> impl Fn(f64) -> f64 {
         let (place, end) = (f64::from(place), f64::from(end));
         let (from, to) = (self.value(place), self.value(end));
-        from + (to - from) * (at - place) / (end - place)
+        move |at| from + (to - from) * (at - place) / (end - place)
     }
 
     /// Returns evenly spaced places, and the breaks.

@@ -289,21 +289,17 @@ fn named(described: &Light) -> Result<NamedLight, ExportError> {
         .attenuation
         .as_ref()
         .map_or_else(|| words::attenuation("inverse-square", &[], "cut", None), attenuation);
-    macro_rules! lit {
-        ($light:expr) => {
-            $light.with_color(color)?.with_specular_color(specular)?.with_intensity(intensity)?
-        };
-    }
     let light: AnyLight = match described.kind.as_deref().unwrap_or("spot") {
         "spot" => {
             let none = || ExportError::new("cone", "none", "the cone of a spotlight");
             let shape = described.cone.as_ref().ok_or_else(none)?;
-            lit!(SpotLight::new(position, axis, cone(shape)?)?).with_attenuation(attenuation?).into()
+            SpotLight::new(position, axis, cone(shape)?)?.with_attenuation(attenuation?).into()
         }
-        "point" => lit!(PointLight::new(position)?).with_attenuation(attenuation?).into(),
-        "directional" => lit!(DirectionalLight::new(axis)?).into(),
+        "point" => PointLight::new(position)?.with_attenuation(attenuation?).into(),
+        "directional" => DirectionalLight::new(axis)?.into(),
         kind => return Err(ExportError::new("kind", kind, "spot, point or directional")),
     };
+    let light = light.with_color(color)?.with_specular_color(specular)?.with_intensity(intensity)?;
     let name = described.name.clone().unwrap_or_else(|| "light".to_owned());
     Ok(NamedLight { name, light, surfaces, about: described.about.clone() })
 }
