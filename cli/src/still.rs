@@ -1,5 +1,6 @@
 //! `luminaire still`: a wall that a light shines on.
 
+use luminaire::display::encode_srgb;
 use luminaire::dynamic::AnyLight;
 use luminaire::{Rgb, Vec3};
 use luminaire_exchange::Refusal;
@@ -57,17 +58,12 @@ fn wall(light: &AnyLight, throw: f64) -> Result<Vec<u8>, Refusal> {
             let point: [f32; 3] =
                 std::array::from_fn(|i| origin[i] + throw * [x, y, z][i] + u * across[i] + v * up[i]);
             let irradiance = lit.irradiance(point.into(), normal);
-            pixels.extend([color.red, color.green, color.blue].map(|channel| srgb(irradiance * channel)));
+            pixels.extend(
+                [color.red, color.green, color.blue].map(|channel| encode_srgb(irradiance * channel)),
+            );
         }
     }
     Ok(pixels)
-}
-
-/// Returns the code of a linear value in sRGB.
-fn srgb(linear: f32) -> u8 {
-    let x = linear.clamp(0.0, 1.0);
-    let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
-    (255.0 * encoded).round() as u8
 }
 
 /// Returns the pixels as a PNG.

@@ -24,10 +24,7 @@ impl Refusal {
 
 impl From<luminaire::Error> for Refusal {
     fn from(error: luminaire::Error) -> Self {
-        let text = error.to_string();
-        let (value, expected) = text.split_once(": expected ").unwrap_or((&text, ""));
-        let value = value.split_once(" = ").map_or(value, |(_, value)| value);
-        Self::parameter(&error.parameter.to_string(), value.to_owned(), expected.to_owned())
+        ExportError::from(error).into()
     }
 }
 
