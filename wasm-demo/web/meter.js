@@ -104,15 +104,6 @@ export class Meter {
     this.page.setFormat(name);
   }
 
-  /**
-   * Returns the largest difference between a picture in a format and one in f32, in displayed
-   * codes.
-   * @param {string} format
-   */
-  statedError(format) {
-    return Stage.statedError(format);
-  }
-
   /** A copy of the last picture: RGBA, sRGB, eight bits. */
   pixels() {
     return this.page.pixels();
@@ -121,14 +112,6 @@ export class Meter {
   /** Draws what has changed, now. Resolves when it is shown. */
   redraw() {
     return this.page.redraw();
-  }
-
-  /**
-   * Lights the picture with the needed effects, and again with all effects; compares both bit for
-   * bit.
-   */
-  compare() {
-    return this.page.compare();
   }
 
   /**
