@@ -3,6 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use luminaire::display::encode_srgb;
+use luminaire::{Angle, Cone};
+
 fn luminaire(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_luminaire"));
     let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("../exchange/tests");
@@ -143,7 +146,7 @@ fn chart_has_both_marks_and_still_is_a_lit_wall() {
     text(&format!("import files/spot.ies --svg {}", chart.display()));
     let svg = std::fs::read_to_string(&chart).expect("a chart");
     assert!(svg.contains("50 %") && svg.contains("10 %") && svg.matches("<polyline").count() == 2, "{svg}");
-    text(&format!("still --from files/spot.ies --output {}", wall.display()));
+    text(&format!("still --lumens 1000 --field 20 --output {}", wall.display()));
     let mut reader =
         png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&wall).expect("a picture")))
             .read_info()
@@ -152,13 +155,15 @@ fn chart_has_both_marks_and_still_is_a_lit_wall() {
     let info = reader.next_frame(&mut pixels).expect("a frame");
     let at = |x: u32, y: u32| pixels[3 * (y * info.width + x) as usize];
     let middle = info.width / 2;
-    // Full scale on the axis at the throw, and about half of the light at the beam angle.
-    assert!(
-        at(middle, middle) >= 254 && at(2, 2) < at(middle, middle) / 2,
-        "{} and {}",
-        at(middle, middle),
-        at(2, 2)
-    );
+    // Full scale on the axis at the throw; half of the light at the beam angle, where the wall is farther
+    // away and tilted; and none beyond the cone.
+    let cone = Cone::soft(Angle::degrees(20.0)).expect("a cone");
+    let [beam, outer] = [cone.beam(), cone.outer()].map(|full| full.to_radians() / 2.0);
+    let half = encode_srgb(0.5 * beam.cos().powi(3));
+    let column = middle as f32 * (1.0 + beam.tan() / (1.25 * outer).tan());
+    let found = at(column as u32, middle);
+    assert!(at(middle, middle) >= 254 && at(2, 2) == 0, "{} and {}", at(middle, middle), at(2, 2));
+    assert!(found.abs_diff(half) <= 3, "{found}, expected {half}");
     for file in [chart, wall] {
         std::fs::remove_file(file).expect("removed");
     }

@@ -103,7 +103,7 @@ fn sun(system: System, record: &mut Record) -> Result<f64, Refusal> {
         }
         System::Godot => record.get("light_energy", 1.0),
         System::Bevy => record.get("illuminance", 10_000.0),
-        System::Blender => exposed(record, "energy", 1.0),
+        System::Blender => exposed(record, "energy", 10.0),
         System::Pbrt => pbrt_scale(record, ["L", "illuminance"], 1.0),
         System::Unreal => record.get("Intensity", 10.0),
         _ => record.get("intensity", 1.0),
@@ -442,7 +442,7 @@ fn unreal(record: &mut Record) -> Result<Spot, Refusal> {
 /// and the inverse square with the window `(1 - (d/r)^4)^2`.
 fn unity(record: &mut Record) -> Result<Spot, Refusal> {
     let outer = half(record, "spotAngle", 30.0, FULL_DEGREES)?;
-    let inner = record.within("innerSpotAngle", 21.8, 0.0, 180.0)?.to_radians() / 2.0;
+    let inner = record.within("innerSpotAngle", 21.802_08, 0.0, 180.0)?.to_radians() / 2.0;
     let range = record.within("range", 10.0, 0.001, 1e9)? as f32;
     // The unit in which the inspector shows the intensity; the shaders have none.
     record.word("lightUnit", "0");

@@ -55,3 +55,23 @@ pub(crate) fn difference(
     worst.bound = bound.max(worst.found);
     worst
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between two breaks alone, the difference is found inside, and the bound is over it by no more than
+    /// what ends the search.
+    #[test]
+    fn difference_is_bounded_and_found_between_two_breaks() {
+        let most = 255.0 / 4.0;
+        let found = difference(&|x| x / 10.0, vec![10.0, 0.0], &|x| (x / 10.0).powi(2));
+        assert!(
+            (most - 0.06..=most).contains(&found.found) && (found.degrees - 5.0).abs() < 0.2,
+            "{found:?}"
+        );
+        assert!((most..=found.found + 0.05).contains(&found.bound), "{found:?}");
+        let jump = difference(&|x| x / 10.0, vec![0.0, 10.0], &|x| if x < 3.0 { 0.0 } else { 1.0 });
+        assert!((178.4..=178.5 + 1e-6).contains(&jump.found) && jump.bound >= 178.5, "{jump:?}");
+    }
+}

@@ -9,7 +9,7 @@ use luminaire::dynamic::AnyLight;
 use luminaire_exchange::{Lamp, System, TOOLS, Use, numbers, parameters, share};
 
 /// The lights that are drawn: tool, kind, and for each number its value, or the range that it is drawn
-/// from, which may be that of a part of another one.
+/// from, which may be that of a part of another one. The last ones have the defaults of their tools.
 const ROWS: &str = "\
 gltf spot outerConeAngle=0.05..1.57 innerConeAngle=0..0.95*outerConeAngle intensity=0.1..900 range=4..60
 gltf point intensity=0.1..900 range=4..60
@@ -36,7 +36,31 @@ unity spot spotAngle=3..179 innerSpotAngle=0..0.9*spotAngle range=4..60
 bevy spot outer_angle=0.05..1.57 inner_angle=0..0.9*outer_angle range=4..60 intensity=1000..1000000
 babylon spot angle=0.1..3.1 innerAngle=0..0.9*angle range=4..60 falloffType=2 exponent=0
 babylon spot angle=0.1..1.5 falloffType=1 exponent=0
-babylon spot angle=0.1..3.1 exponent=0..60 falloffType=3";
+babylon spot angle=0.1..3.1 exponent=0..60 falloffType=3
+gltf spot
+gltf point
+three spot
+three point
+godot spot
+godot point
+blender spot
+blender directional
+usd spot shaping:cone:angle=40
+usd directional
+x3d spot
+x3d spot version=2
+x3d spot version=3.2
+x3d point
+pbrt spot
+unreal spot
+unreal directional
+unity spot
+unity point
+bevy spot
+bevy point
+bevy directional
+direct3d spot phi=1 falloff=1 attenuation0=1 range=90
+opengl spot spot_cutoff=40";
 
 /// A drawn light: its tool, its kind, and its values.
 type Drawn = (&'static str, Kind, Vec<(&'static str, f64)>);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use luminaire::attenuation::Attenuation;
 use luminaire::dynamic::AnyLight;
-use luminaire_exchange::{Definition, Lamp, Sheet, System, Use, numbers, parameters, read, share};
+use luminaire_exchange::{Curve, Definition, Lamp, Sheet, System, Use, numbers, parameters, read, share};
 
 fn of(system: System, words: &str) -> Lamp {
     numbers(system, [words]).expect("a light").lamps.remove(0)
@@ -34,6 +34,24 @@ fn candela_of_a_photometric_file_is_not_squared() {
     let squared = 10.0 + 10.0 * (0.81 - 0.5) / (0.81 - 0.25);
     assert!(angle(0.5) - 2.0 * squared > 8.9);
     is_near(f64::from(lamp.light.intensity()), 2_000.0, 1e-6);
+}
+
+/// Light over 90 degrees off the axis is a second light along the opposite axis, and none is lost.
+#[test]
+fn upward_light_is_a_light_of_its_own() {
+    let file =
+        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 5 1 1 2 0 0 0\n1 1 0\n0 45 90 135 180\n0\n1000 500 0 100 400\n";
+    let lamps = read("pendant.ies", file.as_bytes(), None, 1.0).expect("lights").lamps;
+    let axes = lamps.iter().map(|lamp| match &lamp.light {
+        AnyLight::Spot(spot) => (spot.axis().y, spot.intensity()),
+        _ => panic!("{}: expected a spotlight", lamp.name),
+    });
+    assert_eq!(axes.collect::<Vec<_>>(), [(-1.0, 1_000.0), (1.0, 400.0)]);
+    assert!((lit(&lamps[1], 45.0, 1.0) / 100.0 - 1.0).abs() < 0.02);
+    let points = vec![(0.0, 1_000.0), (45.0, 500.0), (90.0, 0.0), (135.0, 100.0), (180.0, 400.0)];
+    let flux = |lamp: &Lamp| lamp.measured.as_ref().expect("intensities").lumens();
+    let whole = Curve::new(points).expect("a curve").lumens();
+    is_near(lamps.iter().map(flux).sum::<f64>(), whole, 1e-12);
 }
 
 /// QLC+ 2077: lumens over a level cone; the falloff of a real one makes its peak three times as bright.
