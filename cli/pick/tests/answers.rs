@@ -1,5 +1,8 @@
 //! The parts of an answer, refusals and scenes.
 
+use luminaire::attenuation::{AnyAttenuation, FilamentRange, InverseSquare};
+use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Linear, Quadratic, Smooth};
+use luminaire::{Angle, Cone, SpotLight};
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Evaluation, Light, Request, Scene};
 
 fn request(steps: f64) -> Request {
@@ -137,4 +140,35 @@ fn survey_picks_the_evaluation_of_the_answer_and_prices_every_chip() {
     let told =
         request(1.0).survey(&Light { field: Some(170.0), ..Light::default() }).unwrap_err().to_string();
     assert!(told.starts_with("field angle = 170"), "{told}");
+}
+
+/// A light of any kind becomes the request for the same light: its falloff is the cubic of its slopes.
+#[test]
+fn light_of_another_tool_keeps_its_falloff() {
+    let falloffs: [AnyFalloff; 4] = [
+        Linear.into(),
+        Smooth.into(),
+        Quadratic::new(0.5).unwrap().into(),
+        Cubic::with_slopes(1.25, 3.5).unwrap().into(),
+    ];
+    for falloff in falloffs {
+        let cone = Cone::from_outer(falloff, Angle::degrees(40.0)).unwrap();
+        let spot =
+            SpotLight::new([1.0, 2.0, 3.0], [0.0, 0.0, 1.0], cone).unwrap().with_intensity(9.0).unwrap();
+        let light =
+            Light::of("key", &spot.with_attenuation(AnyAttenuation::from(InverseSquare)).into()).unwrap();
+        let [edge, full] = light.slopes.unwrap().map(f64::from);
+        for t in [0.1, 0.5, 0.9] {
+            let cubic = t * (edge + t * (3.0 - 2.0 * edge - full + t * (edge + full - 2.0)));
+            assert!((falloff.formula().exact(t) - cubic).abs() < 1e-12, "{falloff:?}");
+        }
+        assert_eq!((light.position, light.intensity), ([1.0, 2.0, 3.0], 9.0));
+        assert!((light.outer.unwrap() - 40.0).abs() < 1e-4 && request(2.0).pick(&light).is_ok());
+    }
+    let range = FilamentRange::new(InverseSquare, Some(9.0)).unwrap();
+    let spot = SpotLight::new([0.0; 3], [0.0, 0.0, 1.0], Cone::soft(Angle::degrees(40.0)).unwrap()).unwrap();
+    let spot = spot.with_cone(spot.cone().with_falloff(AnyFalloff::from(spot.cone().falloff())));
+    let told =
+        Light::of("key", &spot.with_attenuation(AnyAttenuation::from(range)).into()).unwrap_err().to_string();
+    assert!(told.starts_with("key: attenuation = ") && told.contains("range 9"), "{told}");
 }
