@@ -57,7 +57,7 @@ export async function openPanel(place, { throwOf, put }) {
     element("photometry").textContent = [photometry, ...notes].join("\n");
     find("file-put", HTMLButtonElement).disabled = !settings;
     element("put-told").textContent = settings
-      ? "The selected light keeps its place, its aim and its attenuation. A table ends where it is half a code."
+      ? "The selected light keeps its place, its aim and its attenuation. A measured light ends where it falls to half of a code of 255."
       : "Only a spotlight can be put on the stage.";
     showParameters();
   };
