@@ -82,6 +82,7 @@ mod photometry;
 #[cfg(feature = "comparison")]
 mod picture;
 mod plain;
+mod quantity;
 mod refusal;
 #[cfg(feature = "state")]
 mod rig;
