@@ -18,8 +18,11 @@ use wasm_bindgen::prelude::*;
 /// The distance in metres at which a beam ends that no surface stops.
 const FARTHEST: f32 = 30.0;
 
-/// Number of rays around the field angle that draw the pool of light.
+/// Number of rays around the axis of a light, at the same angle off it.
 const RAYS: usize = 96;
+
+/// Number of such rings of rays that look for the surfaces that a light reaches.
+const RINGS: u8 = 8;
 
 /// Ratio of the distances of neighbouring rays over which they are taken to meet different surfaces.
 const GAP: f32 = 1.15;
@@ -30,6 +33,19 @@ const FEWEST: usize = 20;
 /// Returns `point + factor * direction`.
 pub(crate) fn plus(point: Vec3<f32>, factor: f32, direction: Vec3<f32>) -> Vec3<f32> {
     point.zip(direction, |point, along| point + factor * along)
+}
+
+/// The directions at this angle off an axis, in radians.
+fn rays(axis: Vec3<f32>, off: f64) -> impl Iterator<Item = Vec3<f32>> {
+    let across = perpendicular(axis);
+    let beside = axis.cross(across);
+    let radius = sine(off);
+    (0..RAYS).map(move |i| {
+        let around = std::f64::consts::TAU / RAYS as f64 * i as f64;
+        let direction =
+            plus(axis.map(|along| off.cos() as f32 * along), radius * around.cos() as f32, across);
+        plus(direction, radius * sine(around), beside)
+    })
 }
 
 /// Returns x, y and z, or nothing.
@@ -134,6 +150,23 @@ impl Stage {
         Ok(state)
     }
 
+    /// The distances in metres of the nearest and of the farthest surface that a light reaches at this
+    /// time, by rays within its outer angle. Empty unless it is a spotlight and reaches any.
+    #[wasm_bindgen(js_name = distances)]
+    pub fn distances(&self, light: usize) -> Result<Vec<f32>, Refusal> {
+        let AnyLight::Spot(spot) = self.lit(light)? else { return Ok(Vec::new()) };
+        let surfaces = Surfaces::of(self.rig().scene());
+        let half = f64::from(spot.cone().outer().to_degrees() / 2.0).to_radians();
+        let rings = (0..=RINGS).map(|ring| half * f64::from(ring) / f64::from(RINGS));
+        let within = rings.flat_map(|off| rays(spot.axis(), off));
+        let met = within.filter_map(|ray| surfaces.first(spot.position(), ray));
+        let ends = met.fold(None, |ends: Option<[f32; 2]>, distance| {
+            let [near, far] = ends.unwrap_or([distance; 2]);
+            Some([near.min(distance), far.max(distance)])
+        });
+        Ok(ends.map_or(Vec::new(), Vec::from))
+    }
+
     /// Returns where each light and the point that it aims at are in a picture whose width is
     /// `aspect` times its height; `None` if they are not before the camera.
     pub(crate) fn places(&self, aspect: f32) -> Result<Vec<[Option<[f32; 2]>; 2]>, Refusal> {
@@ -155,17 +188,11 @@ impl Stage {
         let (axis, position) = (spot.axis(), spot.position());
         let place = |point: Vec3<f32>| camera.project(point, aspect).map(|[x, y, _]| [x, y]);
         let half = f64::from(spot.cone().field().to_degrees() / 2.0).min(85.0).to_radians();
-        let across = perpendicular(axis);
-        let beside = axis.cross(across);
-        let ray = |i: usize| {
-            let (around, radius) = (std::f64::consts::TAU / RAYS as f64 * i as f64, sine(half));
-            let direction =
-                plus(axis.map(|along| half.cos() as f32 * along), radius * around.cos() as f32, across);
-            let direction = plus(direction, radius * sine(around), beside);
+        let meet = |direction| {
             let distance = surfaces.first(position, direction).unwrap_or(FARTHEST);
             (distance, plus(position, distance, direction))
         };
-        let (distances, points): (Vec<_>, Vec<_>) = (0..RAYS).map(ray).unzip();
+        let (distances, points): (Vec<_>, Vec<_>) = rays(axis, half).map(meet).unzip();
         let kept = on_large_surfaces(&distances);
         let outline: Vec<_> = points
             .iter()

@@ -15,9 +15,8 @@ use crate::{
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::HtmlCanvasElement;
 
-/// The two forms at start, and the outer half angle in degrees at start, at which the errors of one
-/// are seen and the other, in integers, has none.
-const FIRST: ([Form; 2], f32) = ([Form::Cosine, Form::Fx32], 0.1);
+/// The two forms at start, and the outer half angle in degrees at start.
+const FIRST: ([Form; 2], f32) = ([Form::Fx16, Form::F32], 11.0);
 
 /// Largest side of a picture, in pixels: a few times the size of a screen.
 const LARGEST: u32 = 2048;

@@ -18,6 +18,8 @@ pub struct Divided {
     pub place: usize,
     /// How many pixels differ.
     pub differing: usize,
+    /// How many pixels differ by more than one code.
+    pub beyond: usize,
     /// The end of the scale of the false colours.
     pub end: f64,
     pixels: Vec<u8>,
@@ -50,6 +52,7 @@ impl Divided {
             largest,
             place: differences.iter().position(|&difference| difference == largest).unwrap_or_default(),
             differing: differences.iter().filter(|&&difference| difference > 0).count(),
+            beyond: differences.iter().filter(|&&difference| difference > 1).count(),
             end: scale.end,
             pixels: differences.iter().flat_map(|&difference| colours[usize::from(difference)]).collect(),
         })
@@ -76,7 +79,8 @@ mod tests {
         let one = [[10, 20, 30, 255], [0, 0, 0, 255], [9, 9, 9, 255], [200, 0, 0, 255]].concat();
         let other = [[10, 20, 30, 255], [0, 3, 1, 255], [9, 9, 8, 255], [203, 0, 0, 255]].concat();
         let divided = Divided::new(&one, &other).unwrap();
-        assert_eq!((divided.largest, divided.place, divided.differing, divided.end), (3, 1, 3, 5.0));
+        assert_eq!((divided.largest, divided.place, divided.end), (3, 1, 5.0));
+        assert_eq!((divided.differing, divided.beyond), (3, 2));
         let [first, .., last] = divided.pixels.as_chunks::<4>().0 else { panic!("no pixels") };
         assert_eq!(first[..3], Palette::new().colours()[0]);
         assert_ne!(first, last);

@@ -82,17 +82,11 @@ impl Format {
         })
     }
 
-    /// Returns the largest difference between a picture in this format and one in `f32`, in
-    /// displayed codes.
-    pub(crate) fn stated_error(self) -> u8 {
-        with_scalar!(self, S => luminaire_render::stated_error::<S>())
-    }
-
     /// Returns whether this module has the renderer of the format.
     pub(crate) fn is_drawn_here(self) -> bool {
         match self {
-            Self::F32 => cfg!(feature = "stage"),
-            Self::Fx16 | Self::Fx32 => cfg!(feature = "fixed-point"),
+            Self::Fx16 => cfg!(feature = "stage"),
+            Self::Fx32 | Self::F32 => cfg!(feature = "wide"),
         }
     }
 
@@ -102,12 +96,12 @@ impl Format {
     pub(crate) fn renderer(self, size: (u32, u32), stripes: Stripes) -> Result<Box<dyn Draw>, Refusal> {
         match self {
             #[cfg(feature = "stage")]
-            Self::F32 => renderer::<f32>(size, stripes),
-            #[cfg(feature = "fixed-point")]
             Self::Fx16 => renderer::<Fx16>(size, stripes),
-            #[cfg(feature = "fixed-point")]
+            #[cfg(feature = "wide")]
             Self::Fx32 => renderer::<Fx32>(size, stripes),
-            #[cfg(not(all(feature = "stage", feature = "fixed-point")))]
+            #[cfg(feature = "wide")]
+            Self::F32 => renderer::<f32>(size, stripes),
+            #[cfg(not(all(feature = "stage", feature = "wide")))]
             _ => Err(Refusal::name("number format", self.name(), "a format that this module draws")),
         }
     }

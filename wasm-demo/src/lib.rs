@@ -11,8 +11,8 @@
 //! The features are parts of the crate. The packages of `modules` compile each as a WebAssembly module
 //! of its own, so that the first picture waits only for what it needs:
 //!
-//! - `stage`: the stage and the painters of pictures in `f32`
-//! - `fixed-point`: the painters of pictures in fixed point, loaded with the first such picture
+//! - `stage`: the stage and the painters of pictures in 16 bits
+//! - `wide`: the painters of pictures in 32 bits, fixed and float, loaded with the first such picture
 //! - `comparison`: the comparison and the museum, loaded when one of them is first requested
 //! - `code`: the exporter of lights, loaded when its drawer is opened
 //! - `files`: the readers of lights of other tools, loaded with the first file

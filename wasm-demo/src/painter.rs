@@ -79,8 +79,8 @@ impl Painter {
         Stripes::ROWS
     }
 
-    /// Whether this module draws a job of the stage. Each number format is drawn by one of two
-    /// modules.
+    /// Whether this module draws a job of the stage: one in 16 bits by the first module, and one in 32 by
+    /// another.
     pub fn draws(job: &str) -> Result<bool, Refusal> {
         Ok(job::format_of(job)?.is_drawn_here())
     }

@@ -45,6 +45,8 @@ pub struct SideState {
     pub place: usize,
     /// Share of the pixels whose displayed code differs from that of f64.
     pub differing: f64,
+    /// The largest difference of a displayed code from that of f64.
+    pub apart: u8,
 }
 
 impl Side {
@@ -107,6 +109,7 @@ impl Side {
                 off_axis: *off_axis,
                 place: difference.place,
                 differing: difference.differing,
+                apart: difference.apart,
             },
             Err(error) => SideState {
                 form,
@@ -116,6 +119,7 @@ impl Side {
                 off_axis: f64::NAN,
                 place: 0,
                 differing: f64::NAN,
+                apart: 0,
             },
         }
     }

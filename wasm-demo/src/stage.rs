@@ -196,6 +196,13 @@ impl Stage {
         Some(job::write(self.size(), self.load, &other, self.rig.lights()))
     }
 
+    /// The picture of the state in another number format, in the size of pictures that move.
+    #[wasm_bindgen(js_name = jobIn)]
+    pub fn job_in(&self, format: &str) -> Result<String, Refusal> {
+        let state = State { format: Format::named(format)?, map: Subject::Nothing, ..self.state.clone() };
+        Ok(job::write(self.fixed.unwrap_or(self.composed()), self.load, &state, self.rig.lights()))
+    }
+
     /// Pixels in a row.
     #[wasm_bindgen(getter)]
     pub fn width(&self) -> u32 {
@@ -282,13 +289,6 @@ impl Stage {
         let number = || value.as_f64().map(|number| Value::Number(number as f32));
         let value = flag().or_else(number).or_else(|| value.as_string().map(Value::Text));
         self.put(name, value.unwrap_or(Value::Nothing))
-    }
-
-    /// Returns the largest difference between a picture in this format and one in `f32`, in
-    /// displayed codes.
-    #[wasm_bindgen(js_name = statedError)]
-    pub fn stated_error(format: &str) -> Result<u8, Refusal> {
-        Ok(Format::named(format)?.stated_error())
     }
 
     /// The fixtures to choose from.

@@ -60,7 +60,7 @@ impl State {
     pub(crate) fn of(scene: Example, lights: usize) -> Self {
         Self {
             scene,
-            format: Format::F32,
+            format: Format::Fx16,
             other: None,
             is_difference: false,
             viewpoint: Viewpoint::ORIGINAL,

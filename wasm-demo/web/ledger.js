@@ -1,6 +1,7 @@
 // Errors and costs of both forms, side by side.
 import { element, row } from "./elements.js";
 import { degrees, median, percent, tidy } from "./numbers.js";
+import { apart } from "./apart.js";
 import { amount, isNumber, price, stageName, targetName } from "./price-list.js";
 
 /** @typedef {import("./pkg/comparison.js").Comparison} Comparison */
@@ -31,7 +32,7 @@ function codes(value) {
 }
 
 /**
- * States in one sentence which form is better here, by how much, and at what cost.
+ * States how far the pictures of both forms are from the exact one here, and at what cost.
  * @param {State[]} states
  * @param {boolean} isOneCurve
  * @param {(Cost | undefined)[][]} costs of both sides, for each target
@@ -43,14 +44,10 @@ function verdict(states, isOneCurve, costs) {
   if (!isOneCurve) {
     return "A and B are different curves, each compared with its own f64: compare their shapes, not their errors.";
   }
-  const [a, b] = states.map((state) => state.largest ?? NaN);
-  const better = a < b ? 0 : 1;
-  const [least, most] = [Math.min(a, b), Math.max(a, b)];
-  if (most < LEAST) return "Both are within a thousandth of a code here.";
-  const factor = Number((most / Math.max(least, LEAST)).toPrecision(2)).toLocaleString("en");
-  const over = least < LEAST ? "over " : "";
-  const judged = `${"AB"[better]} is ${over}${factor}× more accurate here`;
-  return `${judged}${priceOf(costs.map((pair) => (pair[better]?.instructions ?? NaN) / (pair[1 - better]?.instructions ?? NaN)))}.`;
+  const judged = states.map(({ differing = 0, apart: most = 0 }, side) => {
+    return `${"AB"[side]}: ${apart({ pixels: 1, differing, most }, "64-bit floats")}`;
+  });
+  return `${judged.join(". ")}${priceOf(costs.map(([a, b]) => (b?.instructions ?? NaN) / (a?.instructions ?? NaN)))}.`;
 }
 
 /**
@@ -61,7 +58,7 @@ function priceOf(ratios) {
   const known = ratios.filter(Number.isFinite).map((ratio) => Number(ratio.toPrecision(2)));
   if (known.length === 0) return "";
   const [least, most] = [Math.min(...known), Math.max(...known)];
-  return ` and takes ${least === most ? least : `${least} to ${most}`}× the instructions`;
+  return `, for ${least === most ? least : `${least} to ${most}`} times the instructions of A`;
 }
 
 export class Ledger {

@@ -20,10 +20,10 @@ const PASSES = /** @type {const} */ (["shadows", "geometry", "lighting", "encode
  */
 
 /**
- * The module of the painters in fixed point, once a picture needs it: compiled once for all pools.
+ * The module of the painters in 32 bits, once a picture needs it: compiled once for all pools.
  * @type {Promise<WebAssembly.Module> | undefined}
  */
-let fixedPoint;
+let wide;
 
 export class Pool {
   #helpers;
@@ -186,7 +186,7 @@ export class Pool {
   }
 
   /**
-   * Waits for the workers, and for the painters in fixed point if any of these jobs needs them.
+   * Waits for the workers, and for the painters in 32 bits if any of these jobs needs them.
    * Rejects with a string if those can't be loaded; the next job tries again.
    * @param {string[]} jobs
    */
@@ -194,16 +194,16 @@ export class Pool {
     await this.#opening;
     if (this.#isEquipped || jobs.every((job) => Painter.draws(job))) return;
     try {
-      fixedPoint ??= compile(new URL("pkg/fixed_point_bg.wasm", import.meta.url));
-      const order = { module: await fixedPoint };
+      wide ??= compile(new URL("pkg/wide_bg.wasm", import.meta.url));
+      const order = { module: await wide };
       await (this.#local?.equip(order) ?? all(this.#helpers.map((helper) => helper.ask("equip", order))));
       this.#isEquipped = true;
     } catch (error) {
-      fixedPoint = undefined;
+      wide = undefined;
       if (isTrap(error)) throw error;
       const reason = words(error instanceof Error ? (error.cause ?? error) : error);
       throw (
-        `What draws in fixed point could not be loaded (${reason}). The picture stays as it was. ` +
+        `What draws in 32 bits could not be loaded (${reason}). The picture stays as it was. ` +
         "Choose a number format again once the connection is up."
       );
     }

@@ -48,7 +48,8 @@ const power = (value) => (value >= 0.001 && value <= 10_000 ? value.toLocaleStri
 /**
  * Draws the points.
  * @param {SVGElement} svg
- * @param {{name: string, cost: number, error: number, isStage: boolean, isPicked: boolean}[]} points
+ * @param {{name: string, cost: number, error: number, isStage: boolean, isPicked: boolean, onpick?: () => void}[]} points
+ *   with what a click on each does
  * @param {{tolerance: number, cost: string, error: string}} words the largest error that is allowed, and
  *   the names of the axes
  */
@@ -81,6 +82,7 @@ export function draw(svg, points, { tolerance, cost, error }) {
       return [
         ...(point.isPicked ? [shape("circle", { class: "ring", cx: left, cy: top, r: 11 })] : []),
         shape("circle", { class: kinds.filter(Boolean).join(" "), cx: left, cy: top, r: point.isStage ? 6.5 : 4.5 }),
+        ...(point.onpick ? [pressable(shape("circle", { class: "press", cx: left, cy: top, r: 14 }), point.name, point.onpick)] : []),
         // Above the staircase, which leaves the point to the right, and comes from above or from the left.
         label(isRight ? "end name" : "start name", left + (isRight ? -9 : 9), top - 7, point.name),
       ];
@@ -90,6 +92,25 @@ export function draw(svg, points, { tolerance, cost, error }) {
     "aria-label",
     `Error against cost: ${points.map((p) => `${p.name} errs by ${power(p.error)} for ${Math.round(p.cost)} instructions`).join("; ")}`,
   );
+}
+
+/**
+ * Makes a shape a button.
+ * @param {SVGElement} place
+ * @param {string} name
+ * @param {() => void} act
+ */
+function pressable(place, name, act) {
+  for (const [attribute, value] of [["role", "button"], ["tabindex", "0"], ["aria-label", `Draw the picture in ${name}`]]) {
+    place.setAttribute(attribute, value);
+  }
+  place.addEventListener("click", act);
+  place.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    act();
+  });
+  return place;
 }
 
 /**

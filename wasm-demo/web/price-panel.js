@@ -24,7 +24,7 @@ import { draw } from "./price-chart.js";
 
 /**
  * An evaluation of a light, its error and its price on each chip.
- * @typedef {{ evaluation: string, bound: { value: number, label: string }, prices: Record<string, Price>, code?: string }} Evaluation
+ * @typedef {{ evaluation: string, bound: { value: number, found: number, label: string }, prices: Record<string, Price>, code?: string }} Evaluation
  */
 
 /** @typedef {{ evaluations: Evaluation[], picked: string | null, question: string }} Survey */
@@ -61,14 +61,14 @@ const PRICED = [...EDGES, "quadratic", "cubic", "fitted"];
 const shapeOf = ({ edge, ownEdge }) => (edge === "own" ? ownEdge : edge);
 
 /**
- * A light of the stage as the picker describes it. Its surfaces are between two distances, or from
- * half to twice its throw.
+ * A light of the stage as the picker describes it. Its surfaces are between two distances, or without
+ * them from half to twice its throw.
  * @param {Pick<Light, "beam" | "field" | "edge" | "ownEdge" | "intensity"> & { throw?: number }} light
  * @param {number[]} [distances] in metres
  */
 export function described(light, distances) {
   const { beam, field, intensity, throw: reach = 6 } = light;
-  const [near, far] = distances ?? [reach / 2, 2 * reach];
+  const [near = reach / 2, far = 2 * reach] = distances ?? [];
   const shape = shapeOf(light);
   const cone = EDGES.includes(shape) ? { edge: shape, field } : { beam, field };
   return { ...cone, intensity, near, far };
@@ -105,6 +105,9 @@ export class PricePanel {
    * @type {Survey | undefined}
    */
   #survey;
+
+  /** Called with the number format that the visitor has chosen in the chart. */
+  onformat = /** @type {(format: string) => void} */ (() => {});
 
   /** The largest error that is allowed in the answer that is shown; undefined before the first. */
   get tolerance() {
@@ -179,7 +182,7 @@ export class PricePanel {
       chip: select("chip").value,
       display: isCodes ? "rgb888" : display,
       tolerance: isCodes ? { codes: most } : { steps: most },
-      light: described(light, select("far").value === "" ? undefined : select("far").value.split(" ").map(Number)),
+      light: described(light, select("far").value === "" ? light.distances() : select("far").value.split(" ").map(Number)),
     });
   }
 
@@ -228,6 +231,7 @@ export class PricePanel {
       error: bound.value,
       isStage: evaluation === this.#format,
       isPicked: evaluation === picked,
+      onpick: evaluation === "fx16-quick" ? undefined : () => this.onformat(evaluation),
     }));
     draw(find("price-chart", SVGElement), points, { tolerance: most, cost: "instructions a lit point", error: `error, ${unit}` });
     this.#showPicked(evaluations.find(({ evaluation }) => evaluation === picked), name, unit);
@@ -249,7 +253,7 @@ export class PricePanel {
       strong.textContent = NAMES[found.evaluation];
       words.textContent = `is the cheapest within the allowed error: ${whole(instructions)} instructions a lit point`;
       small.textContent =
-        `error at most ${digits(found.bound.value)} ${unit} (${found.bound.label}); ` +
+        `error found ${digits(found.bound.found)}, bound ${digits(found.bound.value)} ${unit}; ` +
         `${cycles === null ? "" : `${whole(cycles)} cycles, `}${whole(bytes)} bytes of code`;
       words.append(small);
     }

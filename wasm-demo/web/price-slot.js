@@ -4,7 +4,10 @@ import { load } from "./support.js";
 import { words } from "./failure.js";
 import { median, tidy } from "./numbers.js";
 
-/** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
+/**
+ * A light, and the distances of the surfaces that it reaches: the nearest and the farthest, or none.
+ * @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState> & { distances: () => number[] }} Light
+ */
 
 /** Pictures whose median is shown. */
 const PICTURES = 30;
@@ -24,6 +27,9 @@ export class PriceSlot {
    */
   #times = [];
   #live = "";
+
+  /** Called with the number format that the visitor has chosen in the chart. */
+  onformat = /** @type {(format: string) => void} */ (() => {});
 
   constructor() {
     const observer = new IntersectionObserver((entries) => {
@@ -70,6 +76,7 @@ export class PriceSlot {
       /** @type {import("./price-panel.js").PricePanel} */
       const panel = await PricePanel.open(this.#place);
       this.#panel = panel;
+      panel.onformat = (format) => this.onformat(format);
       if (this.#light) panel.show(...this.#light);
       panel.live(this.#live);
     } catch (error) {

@@ -18,13 +18,13 @@ export class Share {
   #place;
   /** The painter of the last picture. */
   #painter;
-  /** The painter of pictures in `f32`. */
+  /** The painter of pictures in 16 bits. */
   #own;
   /**
-   * The painter of pictures in fixed point, and its memory, once `equip` has started its module.
+   * The painter of pictures in 32 bits, and its memory, once `equip` has started its module.
    * @type {{ painter: Painter, memory: WebAssembly.Memory } | undefined}
    */
-  #fixedPoint;
+  #wide;
   #ports;
   /** For each other share the shadow maps that it has sent, one list for each picture. */
   /** @type {Letter[][]} */
@@ -55,21 +55,21 @@ export class Share {
     });
   }
 
-  /** The memory of the painters in fixed point in bytes. */
+  /** The memory of the painters in 32 bits in bytes. */
   get memory() {
-    return this.#fixedPoint?.memory.buffer.byteLength ?? 0;
+    return this.#wide?.memory.buffer.byteLength ?? 0;
   }
 
   /**
-   * Starts the module of the painters in fixed point.
+   * Starts the module of the painters in 32 bits.
    * @param {{ module: WebAssembly.Module }} order
    */
   async equip({ module }) {
-    if (this.#fixedPoint) return;
-    /** @type {typeof import("./pkg/fixed_point.js")} */
-    const { initSync, Painter } = await load("pkg/fixed_point.js");
+    if (this.#wide) return;
+    /** @type {typeof import("./pkg/wide.js")} */
+    const { initSync, Painter } = await load("pkg/wide.js");
     const { memory } = initSync({ module });
-    this.#fixedPoint = { painter: new Painter(...this.#place), memory };
+    this.#wide = { painter: new Painter(...this.#place), memory };
   }
 
   /**
@@ -77,8 +77,8 @@ export class Share {
    * @param {string} job
    */
   #painterOf(job) {
-    const painter = Painter.draws(job) ? this.#own : this.#fixedPoint?.painter;
-    if (!painter) throw new Error(`job = "${job}": expected one in f32, or \`equip\` before it`);
+    const painter = Painter.draws(job) ? this.#own : this.#wide?.painter;
+    if (!painter) throw new Error(`job = "${job}": expected one in 16 bits, or \`equip\` before it`);
     if (painter !== this.#painter) this.#painter.forget();
     return (this.#painter = painter);
   }

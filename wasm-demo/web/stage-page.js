@@ -1,5 +1,4 @@
 // The stage: one scene under the visitor's settings. The module holds the state; the page shows it.
-import { Stage } from "./pkg/wasm_demo.js";
 import { AccountTable } from "./account-table.js";
 import { remember } from "./address.js";
 import { CameraView } from "./camera-view.js";
@@ -13,7 +12,7 @@ import { takeFiles } from "./file-slot.js";
 import { LightList } from "./light-list.js";
 import { LightPanel } from "./light-panel.js";
 import { MapLegend } from "./map-legend.js";
-import { whole } from "./numbers.js";
+import { tidy, whole } from "./numbers.js";
 import { plain } from "./plain.js";
 import { PriceSlot } from "./price-slot.js";
 import { Readout } from "./readout.js";
@@ -66,6 +65,11 @@ export class StagePage {
    * @type {import("./handles.js").Handles | undefined}
    */
   #handles;
+  /**
+   * What the format changes in the picture, once it is loaded.
+   * @type {import("./verdict.js").Verdict | undefined}
+   */
+  #verdict;
   #isOpen = false;
   /** Whether a pointer is down: what it drags is one step to undo, however long it takes. */
   #isHeld = false;
@@ -96,7 +100,7 @@ export class StagePage {
   #timer;
 
   /**
-   * @param {Stage} stage
+   * @param {import("./pkg/wasm_demo.js").Stage} stage
    * @param {import("./pool.js").Pool} pool
    * @param {import("./screen.js").Screen} screen
    * @param {WebAssembly.Module} module
@@ -198,6 +202,7 @@ export class StagePage {
   /** Called when the view is hidden. */
   hide() {
     clearTimeout(this.#timer);
+    this.#verdict?.stop();
     this.#view.pause(true);
   }
 
@@ -232,6 +237,7 @@ export class StagePage {
     onclick("save", () => this.#save());
     onclick("full", () => this.#fillScreen());
     onclick("verify", () => this.#verify());
+    this.#price.onformat = (format) => this.setFormat(format);
     this.#effects.onswitch = (effect, isOn) => this.#set(() => stage.setEffect(effect, isOn));
     this.#lights.onchange = (act) => this.#set(act);
     this.#lights.onselect = () => this.#showLight();
@@ -272,7 +278,17 @@ export class StagePage {
       handles.show();
       handles.follow(this.#last !== undefined);
     };
+    /** @type {(module: typeof import("./verdict.js")) => void} */
+    const joinVerdict = ({ Verdict }) => {
+      this.#verdict = new Verdict(this.#stage, this.#module);
+      this.#verdict.onwhere = (format) => this.#set(() => {
+        this.#stage.set("with", format);
+        this.#stage.set("difference", true);
+      });
+      this.#verdict.later();
+    };
     later("curve.js", joinCurve).catch(reportError);
+    later("verdict.js", joinVerdict).catch(reportError);
     later("handles.js", joinHandles).catch(reportError);
   }
 
@@ -349,7 +365,6 @@ export class StagePage {
    */
   #changed(source) {
     const stage = this.#stage;
-    const format = stage.get("format");
     this.#scenes.show(stage.scene);
     element("summary").textContent = this.#scenes.summary;
     element("view").setAttribute("aria-label", `The scene: ${this.#scenes.title}`);
@@ -360,7 +375,6 @@ export class StagePage {
     input("camera").checked = stage.cameraPlays;
     input("camera").disabled = !stage.cameraMoves;
     this.#controls.show();
-    element("format-note").textContent = accuracy(format);
     this.#divided.cover(stage.get("with") !== "", stage.get("difference"));
     element("equality").textContent = "";
     element("told").textContent = "";
@@ -400,14 +414,20 @@ export class StagePage {
     aside(() => this.#curve?.draw(this.#lights.selected));
     aside(() => this.#handles?.show());
     const { lightCount, fullScale } = this.#stage;
-    const light = this.#lights.selected < lightCount ? plain(this.#stage.light(this.#lights.selected)) : undefined;
-    this.#price.show(light && { ...light, intensity: light.intensity / fullScale }, this.#stage.get("format"));
-    if (light) aside(() => this.#code.show({ job: this.#stage.job(), light: this.#lights.selected }));
+    const { selected } = this.#lights;
+    const light = selected < lightCount ? plain(this.#stage.light(selected)) : undefined;
+    const distances = () => Array.from(this.#stage.distances(selected));
+    this.#price.show(light && { ...light, intensity: light.intensity / fullScale, distances }, this.#stage.get("format"));
+    if (!light) return;
+    aside(() => this.#code.show({ job: this.#stage.job(), light: selected }));
+    // The comparison opens with the beam that the visitor comes from.
+    if (light.isSpot) element("compare-link", HTMLAnchorElement).hash = `compare?half=${tidy(light.outer / 2)}`;
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */
   #remember() {
     const stage = this.#stage;
+    this.#verdict?.later();
     this.#showReturns();
     remember("stage", () => {
       if (!this.#isHeld) stage.mark();
@@ -581,13 +601,4 @@ export class StagePage {
       `${same}: ${whole(evaluated)} pairs of light and pixel in ${lightingMs.toFixed(1)} ms, ` +
       `and all ${whole(pairs)} in ${everythingMs.toFixed(1)} ms.`;
   }
-}
-
-/**
- * Describes the largest difference between a picture in this format and the reference format.
- * @param {string} format
- */
-function accuracy(format) {
-  const error = Stage.statedError(format);
-  return error === 0 ? "32-bit float is what the other formats are compared with." : `Within ${error}/255 of 32-bit float, measured on a scene without shadows.`;
 }

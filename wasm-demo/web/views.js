@@ -102,7 +102,7 @@ export class Views {
       if (other !== chosen && !view.element.hidden) view.hide();
     }
     for (const link of /** @type {NodeListOf<HTMLAnchorElement>} */ (document.querySelectorAll(".views a"))) {
-      if (link.hash === `#${chosen}`) {
+      if (requestedView(link.hash).name === chosen) {
         link.setAttribute("aria-current", "page");
         document.title = chosen === first ? TITLE : `${link.textContent} – ${TITLE}`;
       } else link.removeAttribute("aria-current");

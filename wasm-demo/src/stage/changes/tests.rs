@@ -19,6 +19,13 @@ fn stage(scene: Example) -> Stage {
     Stage::of(scene).unwrap()
 }
 
+/// A scene in `f32`, which holds the narrowest beams.
+fn in_floats(scene: Example) -> Stage {
+    let mut stage = stage(scene);
+    stage.put("format", "f32").unwrap();
+    stage
+}
+
 fn effects(stage: &Stage) -> Effects {
     stage.rig().plan_of(stage.state()).unwrap().effects()
 }
@@ -37,7 +44,7 @@ fn choice(stage: &mut Stage, name: &str, value: &str) -> Result<(), Refusal> {
 
 #[test]
 fn the_other_half_of_a_picture_has_a_format_that_holds_the_lights() {
-    let mut stage = Stage::of(Example::ThreePoint).unwrap();
+    let mut stage = in_floats(Example::ThreePoint);
     let narrow =
         |stage: &mut Stage| stage.change_light(0, |light| light.design = Design::of(Mark::Field, 0.5));
     stage.put("with", "fx16").unwrap();
@@ -208,7 +215,7 @@ fn a_zoom_conserves_the_flux() {
 
 #[test]
 fn a_fixture_brings_its_lumens() {
-    let mut stage = stage(Example::ThreePoint);
+    let mut stage = in_floats(Example::ThreePoint);
     let bright = FIXTURES.iter().filter(|fixture| fixture.lumens.is_some());
     let mut count = 0;
     for fixture in bright {
@@ -283,7 +290,7 @@ fn a_refused_value_changes_nothing() {
 
 #[test]
 fn a_format_that_cannot_hold_a_light_is_refused() {
-    let mut stage = stage(Example::ThreePoint);
+    let mut stage = in_floats(Example::ThreePoint);
     number(&mut stage, "beam", 1.0).unwrap();
     let refusal = stage.put("format", "fx16").unwrap_err().to_string();
     assert!(
@@ -416,7 +423,7 @@ fn a_cancelled_gesture_leaves_nothing() {
 
 #[test]
 fn every_fixture_is_a_light() {
-    let mut stage = stage(Example::BareSpot);
+    let mut stage = in_floats(Example::BareSpot);
     for fixture in FIXTURES {
         choice(&mut stage, "fixture", fixture.name).unwrap();
         let state = light(&stage, 0);

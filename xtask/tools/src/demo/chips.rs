@@ -33,6 +33,10 @@ const CHIPS: [Chip; 7] = [
 /// The evaluations of a light.
 const EVALUATIONS: [&str; 4] = ["fx16-quick", "fx16", "fx32", "f32"];
 
+/// Instructions of a lit point on a Cortex-M0 in C, by the fastest floats in software that we know: see
+/// "Floats in software" in `docs/PRICES.md`.
+const FLOATS: f64 = 1733.0;
+
 /// The stage of the recorded picture that depends on the evaluation of the light.
 const LIGHT: &str = "frame.light";
 
@@ -48,7 +52,8 @@ fn read(docs: &Path, name: &str) -> Result<Value> {
     serde_json::from_str(&text).with_context(|| format!("{name} is no JSON"))
 }
 
-/// The chips, each with the instructions and cycles of the recorded picture but for its lit points.
+/// The chips, each with the instructions and cycles of the recorded picture but for its lit points, and by
+/// which factor each evaluation of a lit point takes fewer instructions on a Cortex-M0 than [`FLOATS`].
 /// `reached` is the number of lit points: what a shadow covers is lit before the shadow is known.
 fn list(record: &Value) -> Result<Value> {
     let pixels = |name: &str| {
@@ -67,7 +72,13 @@ fn list(record: &Value) -> Result<Value> {
             "rest": all.collect::<Result<BTreeMap<_, _>>>()?,
         }))
     });
+    let cheaper = EVALUATIONS.iter().map(|evaluation| {
+        let point =
+            price(&record[CHIPS[0].name]["figures"], "lit-inverse-square", evaluation, "instructions")?;
+        Ok((*evaluation, FLOATS / point))
+    });
     Ok(json!({
+        "cheaper": cheaper.collect::<Result<BTreeMap<_, _>>>()?,
         "pixels": pixels("width")? * pixels("height")?,
         "reached": pixels("in-shadow")? + pixels("lit")?,
         "chips": chips.collect::<Result<Vec<_>>>()?,

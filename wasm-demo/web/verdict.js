@@ -1,0 +1,104 @@
+// How much a number format changes the picture that is shown, in one sentence that is measured.
+import { Divided } from "./pkg/wasm_demo.js";
+import { apart } from "./apart.js";
+import { element } from "./elements.js";
+import { words } from "./failure.js";
+import { Pool } from "./pool.js";
+
+/** Time after a change until the visitor has probably paused, in milliseconds. */
+const PAUSE = 600;
+
+/** The formats in fixed point, in words. */
+const NAMES = /** @type {const} */ ({ fx16: "16 bits", fx32: "32 bits" });
+
+export class Verdict {
+  #stage;
+  #module;
+  /** @type {number | undefined} */
+  #timer;
+  /** The jobs of the last measurement. */
+  #measured = "";
+  /**
+   * By which factor each format takes fewer instructions than floats, once it is known.
+   * @type {Promise<Record<string, number>> | undefined}
+   */
+  #cheaper;
+
+  /** Called with the format that the picture is to be compared with, to show where they differ. */
+  onwhere = /** @type {(format: string) => void} */ (() => {});
+
+  /**
+   * @param {import("./pkg/wasm_demo.js").Stage} stage
+   * @param {WebAssembly.Module} module
+   */
+  constructor(stage, module) {
+    this.#stage = stage;
+    this.#module = module;
+    element("verdict-where").addEventListener("click", () => {
+      this.onwhere(this.#stage.get("format") === "f32" ? "fx16" : "f32");
+    });
+  }
+
+  /** The format that is judged: that of the picture, or 16 bits for a picture in floats. */
+  get #format() {
+    return this.#stage.get("format") === "fx32" ? "fx32" : "fx16";
+  }
+
+  /** Measures once the visitor pauses, if the picture has changed. */
+  later() {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#measure(), PAUSE);
+  }
+
+  /** Ends what has not been measured. */
+  stop() {
+    clearTimeout(this.#timer);
+  }
+
+  async #measure() {
+    const stage = this.#stage;
+    const format = this.#format;
+    const jobs = [format, "f32"].map((name) => stage.jobIn(name));
+    if (jobs.join() === this.#measured) return;
+    this.#measured = jobs.join();
+    const pool = new Pool(Promise.resolve(this.#module), 1);
+    try {
+      const pictures = [];
+      for (const job of jobs) pictures.push(bytes(await pool.draw(job)));
+      const divided = new Divided(pictures[0], pictures[1]);
+      const { differing, beyond, largest: most } = divided;
+      divided.free();
+      const difference = apart({ pixels: pictures[0].length / 4, differing, beyond, most }, "32-bit floats");
+      this.#tell(`${NAMES[format]}: ${difference}; ${await this.#price(format)}.`, most > 0);
+    } catch (refusal) {
+      this.#tell(`${NAMES[format]}: not measured: ${words(refusal)}`, false);
+    } finally {
+      pool.end();
+    }
+  }
+
+  /**
+   * @param {string} text
+   * @param {boolean} differs
+   */
+  #tell(text, differs) {
+    element("verdict-text").textContent = text;
+    element("verdict-where").hidden = !differs;
+  }
+
+  /** @param {string} format */
+  async #price(format) {
+    this.#cheaper ??= fetch(new URL("chips.json", import.meta.url)).then(async (answer) => (await answer.json()).cheaper);
+    const factor = (await this.#cheaper)[format];
+    return `${Number(factor.toPrecision(2))} times fewer instructions than the best floats on a Cortex-M0`;
+  }
+}
+
+/**
+ * The bytes of a picture that one worker has drawn.
+ * @param {import("./pool.js").Drawn} picture
+ */
+function bytes({ parts: [{ pixels }] }) {
+  if (!pixels) throw new Error("the picture is empty");
+  return new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.length);
+}
