@@ -28,6 +28,10 @@ const FIRST: Example = Example::Show;
 /// Largest number of pixels of a picture at rest. The painters need about 70 bytes for each.
 const REST: u32 = 8_000_000;
 
+/// Largest number of pixels of a picture at rest with four for each of the screen: mixed by the browser,
+/// they smooth the edges of shadows and gobos. A painter lights them in a few tenths of a second.
+const SMOOTH: u32 = 3_500_000;
+
 /// Largest number of pixels that an address can ask for: 7680 x 4320.
 const PIXELS: u32 = 33_177_600;
 
@@ -156,13 +160,17 @@ impl Stage {
         self.change(|state| state.viewpoint = Viewpoint::ORIGINAL)
     }
 
-    /// Sets the size of pictures at rest: this width in pixels, or less if there would be more than
-    /// `REST` pixels. Without a width pictures have the size of those that move. Returns whether the
+    /// Sets the size of pictures at rest, for a screen with this width in pixels: twice the width if there
+    /// are at most `SMOOTH` pixels and the display has all codes, else the width, or less if there would be
+    /// more than `REST` pixels. Without a width pictures have the size of those that move. Returns whether the
     /// size has changed: the size that the page was opened with stays, and so does that of a scene
     /// for a small display.
     pub fn rest(&mut self, width: Option<u32>) -> bool {
         let (before, (wide, high)) = (self.size(), self.composed());
         let of = |width: u32| {
+            let doubled = 4.0 * f64::from(width).powi(2) * f64::from(high) / f64::from(wide);
+            let is_smooth = doubled <= f64::from(SMOOTH) && self.state.output.has_all_codes();
+            let width = if is_smooth { 2 * width } else { width };
             let most = (f64::from(REST) * f64::from(wide) / f64::from(high)).sqrt() as u32;
             let width = width.clamp(1, most);
             (width, (f64::from(width) * f64::from(high) / f64::from(wide)).round().max(1.0) as u32)
