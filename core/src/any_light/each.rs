@@ -3,11 +3,11 @@
 //! The kind, the falloff and the attenuation of the light are matched once, so the loop over the
 //! points has no branch on these three.
 //!
-//! Each falloff has one loop for the inverse-square law, and one loop for no attenuation. In `f32`
-//! any other attenuation takes two loops: the first loop evaluates the cone, the second the
-//! attenuation. The number of compiled loops therefore grows with the sum of the numbers of falloffs
-//! and attenuations, instead of their product. Fixed point would lose bits between two loops, so it
-//! has one loop that matches the attenuation at every point.
+//! Each falloff has one loop for the inverse-square law. In `f32` it also has one for no attenuation, and
+//! any other attenuation takes two loops: the first loop evaluates the cone, the second the attenuation.
+//! The number of compiled loops therefore grows with the sum of the numbers of falloffs and attenuations,
+//! instead of their product. Fixed point would lose bits between two loops: all other attenuations share
+//! one loop, which matches falloff and attenuation at every point.
 
 use super::CompiledAnyLight;
 use crate::{
@@ -103,6 +103,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
             Some(Plain::InverseSquare) => {
                 self.light(&CompiledPointLight::<S>::from_parts(position, (), intensity, fine_below, colors));
             }
+            _ if !S::Offset::ROOTS_FIRST => self.light(light),
             Some(Plain::Unattenuated) => {
                 let light = CompiledPointLight::<S, NoAttenuation>::from_parts(
                     position,
@@ -113,7 +114,6 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
                 );
                 self.light(&light);
             }
-            None if !S::Offset::ROOTS_FIRST => self.light(light),
             None => {
                 let one = S::gain(1.0);
                 self.light(&CompiledPointLight::<S, NoAttenuation>::from_parts(position, (), one, 0, colors));
@@ -148,18 +148,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
                 fine_below,
                 colors,
             )),
-            None if !S::Offset::ROOTS_FIRST => {
-                self.light(&CompiledSpotLight::<S, P, AnyAttenuation>::from_parts(
-                    position,
-                    axis,
-                    cone,
-                    outside,
-                    light.attenuation,
-                    intensity,
-                    fine_below,
-                    colors,
-                ));
-            }
+            _ if !S::Offset::ROOTS_FIRST => self.light(light),
             plain => {
                 let (gain, below) = if plain.is_some() { (intensity, fine_below) } else { (S::gain(1.0), 0) };
                 self.light(&CompiledSpotLight::<S, P, NoAttenuation>::from_parts(
