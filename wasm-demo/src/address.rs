@@ -8,7 +8,9 @@
 use crate::{
     decimal::{numbers, read, read_numbers},
     design::Design,
-    edge, fixture, own_cone,
+    edge, fixture,
+    kind::{KINDS, constants_of, law_name, law_named, polynomial},
+    own_cone,
     parameter::{self, Kind, PARAMETERS},
     refusal::Refusal,
     setting::{Setting, channels},
@@ -24,13 +26,30 @@ const VERSION: &str = "1";
 /// A setting of a light: its letter, how it is written, and how it is read into a light.
 type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, Setting) -> Option<Setting>);
 
-/// The settings of a light: `x` off, `o` own cone, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
+/// The settings of a light: `x` off, `k` kind, `a` law of distance, by its name or as a/b/c, `o` own cone,
+/// `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
 /// `i` intensity as a multiple of full scale at 1 metre, `p` position, `t` target.
-const SETTINGS: [Letter; 10] = [
+const SETTINGS: [Letter; 12] = [
     (
         'x',
         |light| (!light.is_on).then(String::new),
         |text, light| text.is_empty().then_some(Setting { is_on: false, ..light }),
+    ),
+    (
+        'k',
+        |light| Some(light.kind?.name().to_owned()),
+        |text, light| Some(Setting { kind: Some(*KINDS.iter().find(|kind| kind.name() == text)?), ..light }),
+    ),
+    (
+        'a',
+        |light| {
+            let constants = constants_of(light.law).map(|constants| numbers(&constants));
+            light.law.and(constants.or(Some(law_name(light.law).to_owned())))
+        },
+        |text, light| {
+            let law = read_numbers(text).map_or_else(|| law_named(text), |law| polynomial(law).map(Some));
+            Some(Setting { law: law.ok()?, ..light })
+        },
     ),
     (
         'o',
@@ -156,12 +175,13 @@ fn lights_text(lights: &[Setting]) -> String {
     lights.chunk_by(follows).map(run).collect::<Vec<_>>().join(";")
 }
 
-fn light_text(light: &Setting) -> String {
+/// Writes a light.
+pub(crate) fn light_text(light: &Setting) -> String {
     let setting = |(letter, write, _): &Letter| Some(format!(":{letter}{}", write(light)?));
     light.of.to_string() + &SETTINGS.iter().filter_map(setting).collect::<String>()
 }
 
-/// Reads the lights. A bad light is as the scene has it, or left out if the scene has no such light. If
+/// Reads the lights. A bad light has its good settings, or is left out if the scene has no such light. If
 /// all are left out, the scene keeps its own lights.
 fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>) {
     let (mut lights, mut refused) = (Vec::new(), Vec::new());
@@ -171,8 +191,7 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
             lights.extend(read);
         } else {
             refused.push(Refusal::name("lights", word, "a light of the scene and its settings"));
-            let number = word.split(':').next().and_then(|number| number.parse().ok());
-            lights.extend(number.filter(|&number| number <= count).map(Setting::of));
+            lights.extend(read_rest(word, |_| true).filter(|rest| rest.of <= count));
         }
     }
     if lights.len() > LIGHTS {
@@ -182,6 +201,20 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
     }
     let is_kept = lights.is_empty() && !refused.is_empty();
     ((!is_kept).then_some(lights), refused)
+}
+
+/// Reads a light without the settings that are bad or with which `is_taken` is false.
+pub(crate) fn read_rest(word: &str, is_taken: impl Fn(&Setting) -> bool) -> Option<Setting> {
+    let mut parts = word.split(':');
+    let mut kept = parts.next()?.to_owned();
+    let mut rest = Setting::of(kept.parse().ok()?);
+    for part in parts {
+        let longer = format!("{kept}:{part}");
+        if let Some(read) = read_light(&longer).filter(|read| read.iter().all(&is_taken)) {
+            (kept, rest) = (longer, read[0]);
+        }
+    }
+    Some(rest)
 }
 
 /// Reads a light with its settings, or a range of lights.
@@ -214,6 +247,7 @@ mod tests {
     use crate::{
         design::Mark::{Beam, Field},
         format::Format,
+        kind::CONSTANTS,
         map::Subject,
         stage::Stage,
         state::EXPOSURES,
@@ -233,6 +267,11 @@ mod tests {
             let outer = random.f32().max(1e-6);
             Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
         });
+        setting.kind = random.bool().then(|| random.choice(KINDS).unwrap());
+        setting.law = law_named(random.choice(["own", "unattenuated", "inverse-square"]).unwrap()).unwrap();
+        if random.bool() {
+            setting.law = polynomial(CONSTANTS.map(|constant| random.f32() * constant.ends[1])).ok();
+        }
         let mark = if random.bool() { Beam } else { Field };
         match random.u8(..5) {
             0 => setting.design = Design::of(mark, number(random)),
@@ -288,6 +327,8 @@ mod tests {
         let [least, most] = EXPOSURES;
         state.exposure = (least + random.f32() * (most - least)).min(most);
         state.output = random.choice(Output::ALL.iter().copied()).unwrap();
+        state.highlight = random.choice(["own", "0.25"]).unwrap();
+        state.shininess = random.choice(["own", "1024"]).unwrap();
         state.keeps_hue = random.bool();
         state.shows_handles = random.bool();
         (state, count)
@@ -333,6 +374,9 @@ mod tests {
             ("lights=0:larri-l7-c:f5", "lights"),
             ("lights=0:larri-l7-c:b20:f25", "lights"),
             ("lights=0:eround", "lights"),
+            ("lights=0:kround", "lights"),
+            ("lights=0:a0/0/2.5", "lights = \"0:a0/0/2.5\""),
+            ("shininess=100", "shininess = \"100\": expected own, 8, 16, 32"),
             ("lights=0:é", "lights"),
             ("lights=0:céé", "lights"),
             ("lights=5-1", "lights"),
@@ -356,8 +400,8 @@ mod tests {
         let mut stage = Stage::of(Example::ThreePoint).unwrap();
         for (text, bad, words) in [
             ("lights=0:x;1:q;2:c00ff00", 1, "lights = \"1:q\""),
-            ("lights=0:x;1:b400;2:c00ff00", 1, "light 2 is as the scene has it: beam angle = 400"),
-            ("lights=0:x;1:i1000000000000;2:c00ff00", 1, "light 2 is as the scene has it: intensity"),
+            ("lights=0:x;1:b400;2:c00ff00", 1, "light 2 is without this setting: beam angle = 400"),
+            ("lights=0:x;1:i1000000000000;2:c00ff00", 1, "light 2 is without this setting: intensity"),
             ("format=fx16&lights=0:x;1:b0.1;2:c00ff00", 1, "16-bit fixed point cannot hold light 2"),
         ] {
             let refused: Vec<_> = stage.take_address(text).unwrap().iter().map(ToString::to_string).collect();
@@ -365,6 +409,12 @@ mod tests {
             let lights = &stage.state().lights;
             assert_eq!((lights.len(), lights[bad]), (3, Setting::of(bad)), "{text}");
             assert!(!lights[0].is_on && lights[2].color == Some([0, 255, 0]), "{text}");
+        }
+        // Nor does a bad setting take the other ones of its light.
+        for bad in ["q", "kround", "a1/2", "a0/0/3", "b400", "i1000000000000"] {
+            let refused = stage.take_address(&format!("lights=0:x:{bad}:c00ff00")).unwrap();
+            let good = Setting { is_on: false, color: Some([0, 255, 0]), ..Setting::of(0) };
+            assert_eq!((refused.len(), &stage.state().lights[..]), (1, &[good][..]), "{bad}: {refused:?}");
         }
         // Lights that the scene does not have are left out.
         for (text, count) in
