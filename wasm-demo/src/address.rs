@@ -187,12 +187,13 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
     let (mut lights, mut refused) = (Vec::new(), Vec::new());
     // No light at all is an empty text. A light that was added follows those of the scene.
     for word in text.split(';').filter(|word| !word.is_empty()) {
-        if let Some(read) = read_light(word).filter(|read| read.iter().all(|setting| setting.of <= count)) {
-            lights.extend(read);
-        } else {
+        let read = read_light(word, |_| true);
+        let (read, has_all) =
+            read.filter(|(read, _)| read.iter().all(|light| light.of <= count)).unwrap_or_default();
+        if !has_all {
             refused.push(Refusal::name("lights", word, "a light of the scene and its settings"));
-            lights.extend(read_rest(word, |_| true).filter(|rest| rest.of <= count));
         }
+        lights.extend(read);
     }
     if lights.len() > LIGHTS {
         let range = [0.0, LIGHTS as f32];
@@ -203,42 +204,32 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
     ((!is_kept).then_some(lights), refused)
 }
 
-/// Reads a light without the settings that are bad or with which `is_taken` is false.
-pub(crate) fn read_rest(word: &str, is_taken: impl Fn(&Setting) -> bool) -> Option<Setting> {
-    let mut parts = word.split(':');
-    let mut kept = parts.next()?.to_owned();
-    let mut rest = Setting::of(kept.parse().ok()?);
-    for part in parts {
-        let longer = format!("{kept}:{part}");
-        if let Some(read) = read_light(&longer).filter(|read| read.iter().all(&is_taken)) {
-            (kept, rest) = (longer, read[0]);
-        }
-    }
-    Some(rest)
-}
-
-/// Reads a light with its settings, or a range of lights.
-pub(crate) fn read_light(word: &str) -> Option<Vec<Setting>> {
+/// Reads a light with its settings, or a range of lights. Returns also whether it has all settings: one that is
+/// bad, or with which `is_taken` is false, is left out.
+pub(crate) fn read_light(word: &str, is_taken: impl Fn(&Setting) -> bool) -> Option<(Vec<Setting>, bool)> {
     if let Some((first, last)) = word.split_once('-').filter(|_| !word.contains(':')) {
         let (first, last) = (first.parse::<usize>().ok()?, last.parse::<usize>().ok()?);
         let is_range = first < last && last - first < LIGHTS;
-        return is_range.then(|| (first..=last).map(Setting::of).collect());
-    }
-    let mut parts = word.split(':');
-    let mut setting = Setting::of(parts.next()?.parse().ok()?);
-    for part in parts {
-        let letter = part.chars().next()?;
-        let (_, _, read) = SETTINGS.iter().find(|(other, ..)| *other == letter)?;
-        setting = read(&part[letter.len_utf8()..], setting)?;
+        return is_range.then(|| ((first..=last).map(Setting::of).collect(), true));
     }
     // The angle of a fixture is one of its zoom.
-    let is_zoom = |fixture: &Fixture| {
-        setting
-            .design
-            .one()
-            .is_some_and(|(_, degrees)| (fixture.narrowest..=fixture.widest).contains(&degrees))
+    let is_zoom = |design: &Design, fixture: &Fixture| {
+        design.one().is_some_and(|(_, degrees)| (fixture.narrowest..=fixture.widest).contains(&degrees))
     };
-    setting.fixture.is_none_or(is_zoom).then(|| vec![setting])
+    let mut parts = word.split(':');
+    let mut setting = Setting::of(parts.next()?.parse().ok()?);
+    let mut has_all = true;
+    for part in parts {
+        let letter = part.chars().next().unwrap_or_default();
+        let row = SETTINGS.iter().find(|(other, ..)| *other == letter);
+        let next = row.and_then(|(_, _, read)| read(&part[letter.len_utf8()..], setting));
+        match next.filter(|next| next.fixture.is_none_or(|own| is_zoom(&next.design, own)) && is_taken(next))
+        {
+            Some(next) => setting = next,
+            None => has_all = false,
+        }
+    }
+    Some((vec![setting], has_all))
 }
 
 #[cfg(test)]
@@ -268,10 +259,8 @@ mod tests {
             Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
         });
         setting.kind = random.bool().then(|| random.choice(KINDS).unwrap());
-        setting.law = law_named(random.choice(["own", "unattenuated", "inverse-square"]).unwrap()).unwrap();
-        if random.bool() {
-            setting.law = polynomial(CONSTANTS.map(|constant| random.f32() * constant.ends[1])).ok();
-        }
+        let law = polynomial(CONSTANTS.map(|constant| random.f32() * constant.ends[1])).ok();
+        setting.law = random.choice([None, law_named("unattenuated").unwrap(), law]).unwrap();
         let mark = if random.bool() { Beam } else { Field };
         match random.u8(..5) {
             0 => setting.design = Design::of(mark, number(random)),

@@ -13,12 +13,7 @@ use crate::{
     stage::Stage,
     state::{EXPOSURE_STEP, EXPOSURES},
 };
-use luminaire::{
-    Vec3,
-    attenuation::Attenuation,
-    dynamic::{AnyLight, Effect},
-    projector::Fixture,
-};
+use luminaire::{Vec3, attenuation::Attenuation, dynamic::AnyLight, projector::Fixture};
 use luminaire_render::Surfaces;
 use wasm_bindgen::prelude::*;
 
@@ -107,7 +102,7 @@ impl Stage {
         let mut state = LightState {
             name: original.name.to_owned(),
             on: setting.is_on,
-            kind: setting.kind.map_or("own", Effect::name).to_owned(),
+            kind: setting.kind.map_or("own", |kind| kind.name()).to_owned(),
             law: law_name(setting.law).to_owned(),
             constants: constants_of(setting.law).map_or(Vec::new(), Vec::from),
             fixture: setting.fixture.map(|fixture| fixture.name.to_owned()).unwrap_or_default(),

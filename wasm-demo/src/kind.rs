@@ -30,10 +30,7 @@ pub(crate) fn law_named(name: &str) -> Result<Option<AnyAttenuation>, Refusal> {
         "unattenuated" => NoAttenuation.into(),
         "inverse-square" => InverseSquare.into(),
         "polynomial" => polynomial([0.0, 0.0, 1.0])?,
-        _ => {
-            let expected = "own, unattenuated, inverse-square or polynomial";
-            return Err(Refusal::name("law of distance", name, expected));
-        }
+        _ => return Err(Refusal::name("law", name, "own, unattenuated, inverse-square or polynomial")),
     }))
 }
 
@@ -58,15 +55,11 @@ pub(crate) fn constants_of(law: Option<AnyAttenuation>) -> Option<[f32; 3]> {
     if let AnyAttenuation::Polynomial(law) = law? { Some(law.attenuation().coefficients()) } else { None }
 }
 
-/// Returns a light of a scene in the kind and with the law of a setting. `hung` is the light as a spotlight, and
-/// `throw` the distance in metres at which its axis meets a surface. There the light stays what it was, so that
-/// the picture keeps its exposure: see [`kept`].
-pub(crate) fn turned(
-    own: &AnyLight,
-    setting: &Setting,
-    hung: &AnySpot,
-    throw: f32,
-) -> Result<AnyLight, Error> {
+/// Returns a light of a scene in the kind and with the law of a setting. `hung` is the light as a spotlight, with
+/// the distance in metres at which its axis meets a surface. There the light stays what it was, so that the
+/// picture keeps its exposure: see [`kept`].
+pub(crate) fn turned(own: &AnyLight, setting: &Setting, hung: (AnySpot, f32)) -> Result<AnyLight, Error> {
+    let (hung, throw) = hung;
     let attenuation = setting.law.unwrap_or(hung.attenuation());
     let light = match (setting.kind, own) {
         (None | Some(Effect::Directional), AnyLight::Directional(_)) => return Ok(*own),

@@ -166,8 +166,7 @@ impl Rig {
         if (setting.kind, setting.law) == (None, None) {
             return Ok(*own);
         }
-        let (hung, throw) = self.hung(setting.of, own.light())?;
-        let light = turned(own.light(), setting, &hung, throw)?;
+        let light = turned(own.light(), setting, self.hung(setting.of, own.light())?)?;
         let fixture = own.with_light(light);
         let is_spot = matches!(light, AnyLight::Spot(_));
         Ok(if is_spot { fixture } else { fixture.aimed().without_gobo().without_shadow() })

@@ -73,13 +73,7 @@ impl Setting {
             "fit-field" => self.reshape(original, &|setting, cone| setting.fit(Mark::Field, value, cone)),
             "zoom" => self.reshape(original, &|setting, _| setting.set_zoom(value)),
             "intensity" => self.set_intensity(value, full_scale),
-            _ => match CONSTANTS.iter().position(|quantity| quantity.name == name) {
-                Some(place) => self.set_constant(place, value),
-                None => {
-                    let expected = "beam, field, fit-beam, fit-field, zoom, intensity, a, b or c";
-                    Err(Refusal::name("number of a light", name, expected))
-                }
-            },
+            _ => self.set_constant(name, value),
         }
     }
 
@@ -106,10 +100,7 @@ impl Setting {
                 let mark = Mark::named(value)?;
                 self.reshape(original, &|setting, _| setting.set_reading(mark))?;
             }
-            _ => {
-                let expected = "kind, law, edge, color, fixture or reading";
-                return Err(Refusal::name("choice of a light", name, expected));
-            }
+            _ => return Err(Refusal::name("choice", name, "kind, law, edge, color, fixture or reading")),
         }
         Ok(())
     }
@@ -229,7 +220,10 @@ impl Setting {
     }
 
     /// Sets a constant of the law of distance.
-    fn set_constant(&mut self, place: usize, value: f32) -> Result<(), Refusal> {
+    fn set_constant(&mut self, name: &str, value: f32) -> Result<(), Refusal> {
+        let expected = "beam, field, fit-beam, fit-field, zoom, intensity, a, b or c";
+        let place = CONSTANTS.iter().position(|constant| constant.name == name);
+        let place = place.ok_or_else(|| Refusal::name("number of a light", name, expected))?;
         let Some(mut constants) = constants_of(self.law) else {
             let expected = "the law of distance \"polynomial\" to be chosen first";
             return Err(Refusal::name(CONSTANTS[place].label, &value.to_string(), expected));
