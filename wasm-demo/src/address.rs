@@ -26,8 +26,8 @@ const VERSION: &str = "1";
 /// A setting of a light: its letter, how it is written, and how it is read into a light.
 type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, Setting) -> Option<Setting>);
 
-/// The settings of a light: `x` off, `k` kind, `a` law of distance, by its name or as a/b/c, `o` own cone,
-/// `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
+/// The settings of a light: `x` off, `k` kind, `a` law of distance, by its name or as a/b/c, `o` own
+/// cone, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
 /// `i` intensity as a multiple of full scale at 1 metre, `p` position, `t` target.
 const SETTINGS: [Letter; 12] = [
     (
@@ -204,8 +204,8 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
     ((!is_kept).then_some(lights), refused)
 }
 
-/// Reads a light with its settings, or a range of lights. Returns also whether it has all settings: one that is
-/// bad, or with which `is_taken` is false, is left out.
+/// Reads a light with its settings, or a range of lights. Returns also whether it has all settings:
+/// one that is bad, or with which `is_taken` is false, is left out.
 pub(crate) fn read_light(word: &str, is_taken: impl Fn(&Setting) -> bool) -> Option<(Vec<Setting>, bool)> {
     if let Some((first, last)) = word.split_once('-').filter(|_| !word.contains(':')) {
         let (first, last) = (first.parse::<usize>().ok()?, last.parse::<usize>().ok()?);

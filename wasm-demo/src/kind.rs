@@ -22,8 +22,8 @@ pub(crate) const KINDS: [Effect; 3] = [Effect::Spot, Effect::Point, Effect::Dire
 /// The constants of the polynomial of the distance.
 pub(crate) const CONSTANTS: [Quantity; 3] = [CONSTANT, LINEAR, QUADRATIC];
 
-/// Returns the law of distance of this name; `None` for that of the scene. The polynomial begins as the inverse
-/// square, capped at 1.
+/// Returns the law of distance of this name; `None` for that of the scene. The polynomial begins as
+/// the inverse square, capped at 1.
 pub(crate) fn law_named(name: &str) -> Result<Option<AnyAttenuation>, Refusal> {
     Ok(Some(match name {
         "own" => return Ok(None),
@@ -39,7 +39,7 @@ pub(crate) fn law_name(law: Option<AnyAttenuation>) -> &'static str {
     law.and_then(|law| law.effects().iter().next()).map_or("own", Effect::name)
 }
 
-/// Returns `1 / (a + b d + c d^2)`, capped at 1, for these constants, each within the ends of its dial.
+/// Returns `1 / (a + b d + c d^2)`, capped at 1. Each constant is within the ends of its dial.
 pub(crate) fn polynomial(constants: [f32; 3]) -> Result<AnyAttenuation, Refusal> {
     for (Quantity { label, ends, .. }, value) in CONSTANTS.iter().zip(constants) {
         if !(ends[0]..=ends[1]).contains(&value) {
@@ -55,9 +55,9 @@ pub(crate) fn constants_of(law: Option<AnyAttenuation>) -> Option<[f32; 3]> {
     if let AnyAttenuation::Polynomial(law) = law? { Some(law.attenuation().coefficients()) } else { None }
 }
 
-/// Returns a light of a scene in the kind and with the law of a setting. `hung` is the light as a spotlight, with
-/// the distance in metres at which its axis meets a surface. There the light stays what it was, so that the
-/// picture keeps its exposure: see [`kept`].
+/// Returns a light of a scene in the kind and with the law of a setting. `hung` is the light as a
+/// spotlight, with the distance in metres at which its axis meets a surface. There the irradiance stays
+/// what it was, so that the picture keeps its exposure: see [`kept`].
 pub(crate) fn turned(own: &AnyLight, setting: &Setting, hung: (AnySpot, f32)) -> Result<AnyLight, Error> {
     let (hung, throw) = hung;
     let attenuation = setting.law.unwrap_or(hung.attenuation());
@@ -82,15 +82,15 @@ pub(crate) fn as_bright(light: AnyLight, other: &AnyLight) -> Result<AnyLight, E
     light.with_intensity(other.intensity())
 }
 
-/// Returns the intensity by which a light lights a surface at a distance in metres as the light `before` does,
-/// or the largest that the kernel accepts.
+/// Returns the intensity by which a light has the irradiance of `before` at a distance in metres, or
+/// the largest that the kernel accepts.
 pub(crate) fn kept(before: &AnyLight, after: &AnyLight, distance: f32) -> f32 {
     let factor = arriving(before, distance) / arriving(after, distance);
     (before.intensity() * factor as f32).min(BRIGHTEST)
 }
 
-/// Returns what arrives at a distance in metres, as a share of the intensity. A light that ends before counts as
-/// one without an end.
+/// Returns what arrives at a distance in metres, as a share of the intensity. A light that ends before
+/// counts as one without an end.
 pub(crate) fn arriving(light: &AnyLight, distance: f32) -> f64 {
     let attenuation = match light {
         AnyLight::Spot(spot) => spot.attenuation(),
@@ -102,7 +102,7 @@ pub(crate) fn arriving(light: &AnyLight, distance: f32) -> f64 {
 }
 
 plain! {
-    /// The dial of a constant of the law of distance, both ends of which are accepted: see [`Quantity`].
+    /// The dial of a constant of the law of distance, which accepts both ends: see [`Quantity`].
     fn constant(quantity: Quantity) -> ConstantState {
         "name": "string" = quantity.name,
         "label": "string" = quantity.label,

@@ -51,7 +51,7 @@ pub(crate) struct Rig {
     fixtures: Vec<MovingLight>,
     /// The light that a visitor adds, before its settings. Its number follows those of the scene.
     added: MovingLight,
-    /// Each light of the original scene and the added one as a spotlight with its throw in metres, once found.
+    /// The lights of the scene and the added one as spotlights with their throws, once found.
     hung: Rc<[OnceCell<(AnySpot, f32)>]>,
     /// The settings of effects, exposure and highlights that `scene` has.
     fitted: ([Option<bool>; SWITCHABLE.len()], f32, [&'static str; 2]),
@@ -156,8 +156,8 @@ impl Rig {
         self.setup.fixtures.len()
     }
 
-    /// A light of the original scene, or the light that a visitor adds, in the kind and with the law of
-    /// distance of a setting: see [`turned`]. Without a cone it has no gobo, no shadows and no sweep.
+    /// A light of the original scene, or the light that a visitor adds, in the kind and with the law
+    /// of a setting: see [`turned`]. Without a cone it has no gobo, no shadows and no sweep.
     pub(crate) fn original(&self, setting: &Setting) -> Result<MovingLight, Refusal> {
         let lights = &self.setup.fixtures;
         let added = (setting.of == lights.len()).then_some(&self.added);
@@ -172,8 +172,8 @@ impl Rig {
         Ok(if is_spot { fixture } else { fixture.aimed().without_gobo().without_shadow() })
     }
 
-    /// Returns a light of the scene as a spotlight, and its throw. A point light aims at what the scene's camera
-    /// looks at; a directional one shines on it from as far as the camera, or from below a ceiling.
+    /// Returns a light of the scene as a spotlight, and its throw in metres. A point light aims at the
+    /// camera's target; a directional one shines on it from as far as the camera, or below a ceiling.
     fn hung(&self, light: usize, own: &AnyLight) -> Result<(AnySpot, f32), Refusal> {
         if let Some(found) = self.hung[light].get() {
             return Ok(*found);
@@ -201,7 +201,7 @@ impl Rig {
         Surfaces::of(&self.setup.scene).first(spot.position(), spot.axis()).unwrap_or(FARTHEST)
     }
 
-    /// Keeps the light of a changed setting at its throw, if the kind or the law of the light has changed.
+    /// Keeps the irradiance at the throw of a light whose kind or law has changed.
     pub(crate) fn keep_light(&self, before: &Setting, after: &mut Setting) -> Result<(), Refusal> {
         // The intensity of the scene follows by itself.
         let is_own = (after.intensity, after.position, after.target) == (None, None, None);

@@ -57,8 +57,8 @@ impl Setting {
     /// Sets a value by its name, for the `original` light of a scene that shows `full_scale` lux as
     /// full scale: the `beam`, `field` or `zoom` angle in degrees, where a light that has both angles
     /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light;
-    /// `a`, `b` or `c` of the law of distance; or the `intensity` in candela, or in lux for a directional
-    /// light. Angles conserve the flux.
+    /// `a`, `b` or `c` of the law of distance; or the `intensity` in candela, or in lux for a
+    /// directional light. Angles conserve the flux.
     pub(crate) fn set_number(
         &mut self,
         name: &str,
@@ -77,8 +77,8 @@ impl Setting {
         }
     }
 
-    /// Sets a choice by its name: the `kind`, `law` of distance, `edge`, `color`, `fixture`, or `reading` of
-    /// its angle. A fixture brings its published flux; another cone conserves the flux.
+    /// Sets a choice by its name: the `kind`, `law` of distance, `edge`, `color`, `fixture`, or
+    /// `reading` of its angle. A fixture brings its published flux; another cone conserves the flux.
     pub(crate) fn set_choice(
         &mut self,
         name: &str,

@@ -89,9 +89,9 @@ impl Stage {
     }
 
     /// Sets a number of a light, as a step of a gesture: its `beam`, `field` or `zoom` angle in degrees;
-    /// `fit-beam` or `fit-field`, which keep the other angle; `a`, `b` or `c` of its law of distance; or its
-    /// `intensity` in candela, or in lux for a directional light. Angles conserve the flux, and the law of
-    /// distance the light at the throw.
+    /// `fit-beam` or `fit-field`, which keep the other angle; `a`, `b` or `c` of its law of distance; or
+    /// its `intensity` in candela, or in lux for a directional light. Angles conserve the flux, and the
+    /// law of distance conserves the irradiance at the throw.
     #[wasm_bindgen(js_name = setNumber)]
     pub fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);
@@ -102,8 +102,8 @@ impl Stage {
         })
     }
 
-    /// Sets a choice of a light: its `kind`, its `law` of distance, its `edge`, `color`, `fixture`, or the
-    /// `reading` of its angle. Another kind or law keeps the light at the throw.
+    /// Sets a choice of a light: its `kind`, `law` of distance, `edge`, `color`, `fixture`, or the
+    /// `reading` of its angle. Another kind or law keeps the irradiance at the throw.
     #[wasm_bindgen(js_name = setChoice)]
     pub fn set_choice(&mut self, light: usize, name: &str, value: &str) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);
