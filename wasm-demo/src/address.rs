@@ -8,7 +8,9 @@
 use crate::{
     decimal::{numbers, read, read_numbers},
     design::Design,
-    edge, fixture, own_cone,
+    edge, fixture,
+    kind::{KINDS, constants_of, law_name, law_named, polynomial},
+    own_cone,
     parameter::{self, Kind, PARAMETERS},
     refusal::Refusal,
     setting::{Setting, channels},
@@ -24,13 +26,30 @@ const VERSION: &str = "1";
 /// A setting of a light: its letter, how it is written, and how it is read into a light.
 type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, Setting) -> Option<Setting>);
 
-/// The settings of a light: `x` off, `o` own cone, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
+/// The settings of a light: `x` off, `k` kind, `a` law of distance, by its name or as a/b/c, `o` own
+/// cone, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
 /// `i` intensity as a multiple of full scale at 1 metre, `p` position, `t` target.
-const SETTINGS: [Letter; 10] = [
+const SETTINGS: [Letter; 12] = [
     (
         'x',
         |light| (!light.is_on).then(String::new),
         |text, light| text.is_empty().then_some(Setting { is_on: false, ..light }),
+    ),
+    (
+        'k',
+        |light| Some(light.kind?.name().to_owned()),
+        |text, light| Some(Setting { kind: Some(*KINDS.iter().find(|kind| kind.name() == text)?), ..light }),
+    ),
+    (
+        'a',
+        |light| {
+            let constants = constants_of(light.law).map(|constants| numbers(&constants));
+            light.law.and(constants.or(Some(law_name(light.law).to_owned())))
+        },
+        |text, light| {
+            let law = read_numbers(text).map_or_else(|| law_named(text), |law| polynomial(law).map(Some));
+            Some(Setting { law: law.ok()?, ..light })
+        },
     ),
     (
         'o',
@@ -156,24 +175,25 @@ fn lights_text(lights: &[Setting]) -> String {
     lights.chunk_by(follows).map(run).collect::<Vec<_>>().join(";")
 }
 
-fn light_text(light: &Setting) -> String {
+/// Writes a light.
+pub(crate) fn light_text(light: &Setting) -> String {
     let setting = |(letter, write, _): &Letter| Some(format!(":{letter}{}", write(light)?));
     light.of.to_string() + &SETTINGS.iter().filter_map(setting).collect::<String>()
 }
 
-/// Reads the lights. A bad light is as the scene has it, or left out if the scene has no such light. If
+/// Reads the lights. A bad light has its good settings, or is left out if the scene has no such light. If
 /// all are left out, the scene keeps its own lights.
 fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>) {
     let (mut lights, mut refused) = (Vec::new(), Vec::new());
     // No light at all is an empty text. A light that was added follows those of the scene.
     for word in text.split(';').filter(|word| !word.is_empty()) {
-        if let Some(read) = read_light(word).filter(|read| read.iter().all(|setting| setting.of <= count)) {
-            lights.extend(read);
-        } else {
+        let read = read_light(word, |_| true);
+        let (read, has_all) =
+            read.filter(|(read, _)| read.iter().all(|light| light.of <= count)).unwrap_or_default();
+        if !has_all {
             refused.push(Refusal::name("lights", word, "a light of the scene and its settings"));
-            let number = word.split(':').next().and_then(|number| number.parse().ok());
-            lights.extend(number.filter(|&number| number <= count).map(Setting::of));
         }
+        lights.extend(read);
     }
     if lights.len() > LIGHTS {
         let range = [0.0, LIGHTS as f32];
@@ -184,28 +204,32 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
     ((!is_kept).then_some(lights), refused)
 }
 
-/// Reads a light with its settings, or a range of lights.
-pub(crate) fn read_light(word: &str) -> Option<Vec<Setting>> {
+/// Reads a light with its settings, or a range of lights. Returns also whether it has all settings:
+/// one that is bad, or with which `is_taken` is false, is left out.
+pub(crate) fn read_light(word: &str, is_taken: impl Fn(&Setting) -> bool) -> Option<(Vec<Setting>, bool)> {
     if let Some((first, last)) = word.split_once('-').filter(|_| !word.contains(':')) {
         let (first, last) = (first.parse::<usize>().ok()?, last.parse::<usize>().ok()?);
         let is_range = first < last && last - first < LIGHTS;
-        return is_range.then(|| (first..=last).map(Setting::of).collect());
-    }
-    let mut parts = word.split(':');
-    let mut setting = Setting::of(parts.next()?.parse().ok()?);
-    for part in parts {
-        let letter = part.chars().next()?;
-        let (_, _, read) = SETTINGS.iter().find(|(other, ..)| *other == letter)?;
-        setting = read(&part[letter.len_utf8()..], setting)?;
+        return is_range.then(|| ((first..=last).map(Setting::of).collect(), true));
     }
     // The angle of a fixture is one of its zoom.
-    let is_zoom = |fixture: &Fixture| {
-        setting
-            .design
-            .one()
-            .is_some_and(|(_, degrees)| (fixture.narrowest..=fixture.widest).contains(&degrees))
+    let is_zoom = |design: &Design, fixture: &Fixture| {
+        design.one().is_some_and(|(_, degrees)| (fixture.narrowest..=fixture.widest).contains(&degrees))
     };
-    setting.fixture.is_none_or(is_zoom).then(|| vec![setting])
+    let mut parts = word.split(':');
+    let mut setting = Setting::of(parts.next()?.parse().ok()?);
+    let mut has_all = true;
+    for part in parts {
+        let letter = part.chars().next().unwrap_or_default();
+        let row = SETTINGS.iter().find(|(other, ..)| *other == letter);
+        let next = row.and_then(|(_, _, read)| read(&part[letter.len_utf8()..], setting));
+        match next.filter(|next| next.fixture.is_none_or(|own| is_zoom(&next.design, own)) && is_taken(next))
+        {
+            Some(next) => setting = next,
+            None => has_all = false,
+        }
+    }
+    Some((vec![setting], has_all))
 }
 
 #[cfg(test)]
@@ -214,6 +238,7 @@ mod tests {
     use crate::{
         design::Mark::{Beam, Field},
         format::Format,
+        kind::CONSTANTS,
         map::Subject,
         stage::Stage,
         state::EXPOSURES,
@@ -233,6 +258,9 @@ mod tests {
             let outer = random.f32().max(1e-6);
             Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
         });
+        setting.kind = random.bool().then(|| random.choice(KINDS).unwrap());
+        let law = polynomial(CONSTANTS.map(|constant| random.f32() * constant.ends[1])).ok();
+        setting.law = random.choice([None, law_named("unattenuated").unwrap(), law]).unwrap();
         let mark = if random.bool() { Beam } else { Field };
         match random.u8(..5) {
             0 => setting.design = Design::of(mark, number(random)),
@@ -288,6 +316,8 @@ mod tests {
         let [least, most] = EXPOSURES;
         state.exposure = (least + random.f32() * (most - least)).min(most);
         state.output = random.choice(Output::ALL.iter().copied()).unwrap();
+        state.highlight = random.choice(["own", "0.25"]).unwrap();
+        state.shininess = random.choice(["own", "1024"]).unwrap();
         state.keeps_hue = random.bool();
         state.shows_handles = random.bool();
         (state, count)
@@ -333,6 +363,9 @@ mod tests {
             ("lights=0:larri-l7-c:f5", "lights"),
             ("lights=0:larri-l7-c:b20:f25", "lights"),
             ("lights=0:eround", "lights"),
+            ("lights=0:kround", "lights"),
+            ("lights=0:a0/0/2.5", "lights = \"0:a0/0/2.5\""),
+            ("shininess=100", "shininess = \"100\": expected own, 8, 16, 32"),
             ("lights=0:é", "lights"),
             ("lights=0:céé", "lights"),
             ("lights=5-1", "lights"),
@@ -356,8 +389,8 @@ mod tests {
         let mut stage = Stage::of(Example::ThreePoint).unwrap();
         for (text, bad, words) in [
             ("lights=0:x;1:q;2:c00ff00", 1, "lights = \"1:q\""),
-            ("lights=0:x;1:b400;2:c00ff00", 1, "light 2 is as the scene has it: beam angle = 400"),
-            ("lights=0:x;1:i1000000000000;2:c00ff00", 1, "light 2 is as the scene has it: intensity"),
+            ("lights=0:x;1:b400;2:c00ff00", 1, "light 2 is without this setting: beam angle = 400"),
+            ("lights=0:x;1:i1000000000000;2:c00ff00", 1, "light 2 is without this setting: intensity"),
             ("format=fx16&lights=0:x;1:b0.1;2:c00ff00", 1, "16-bit fixed point cannot hold light 2"),
         ] {
             let refused: Vec<_> = stage.take_address(text).unwrap().iter().map(ToString::to_string).collect();
@@ -365,6 +398,12 @@ mod tests {
             let lights = &stage.state().lights;
             assert_eq!((lights.len(), lights[bad]), (3, Setting::of(bad)), "{text}");
             assert!(!lights[0].is_on && lights[2].color == Some([0, 255, 0]), "{text}");
+        }
+        // Nor does a bad setting take the other ones of its light.
+        for bad in ["q", "kround", "a1/2", "a0/0/3", "b400", "i1000000000000"] {
+            let refused = stage.take_address(&format!("lights=0:x:{bad}:c00ff00")).unwrap();
+            let good = Setting { is_on: false, color: Some([0, 255, 0]), ..Setting::of(0) };
+            assert_eq!((refused.len(), &stage.state().lights[..]), (1, &[good][..]), "{bad}: {refused:?}");
         }
         // Lights that the scene does not have are left out.
         for (text, count) in

@@ -4,9 +4,11 @@
 
 use crate::{
     design::{beams, fields},
+    kind::{constants_of, law_name},
     light::{LightState, hex_of, lumens_of, position_of},
     photometry::full_scale,
     refusal::Refusal,
+    rig::FARTHEST,
     setting::Setting,
     stage::Stage,
     state::{EXPOSURE_STEP, EXPOSURES},
@@ -14,9 +16,6 @@ use crate::{
 use luminaire::{Vec3, attenuation::Attenuation, dynamic::AnyLight, projector::Fixture};
 use luminaire_render::Surfaces;
 use wasm_bindgen::prelude::*;
-
-/// The distance in metres at which a beam ends that no surface stops.
-const FARTHEST: f32 = 30.0;
 
 /// Number of rays around the axis of a light, at the same angle off it.
 const RAYS: usize = 96;
@@ -88,7 +87,7 @@ impl Stage {
         let fixtures = self.rig().fixtures_at(self.state().seconds[0])?;
         let listed = self.state().lights.iter().zip(&fixtures).map(|(setting, fixture)| {
             Ok(LightState {
-                name: self.rig().original(setting.of)?.name.to_owned(),
+                name: self.rig().original(setting)?.name.to_owned(),
                 on: setting.is_on,
                 color: hex_of(fixture.light().color()),
                 position: coordinates(position_of(fixture.light())),
@@ -102,8 +101,7 @@ impl Stage {
     #[wasm_bindgen(js_name = light)]
     pub fn light_state(&self, light: usize) -> Result<LightState, Refusal> {
         let (setting, full_scale) = (self.setting(light)?, full_scale(self.state().scene));
-        let original = self.rig().original(setting.of)?;
-        let on = Setting { is_on: true, ..*setting }.applied(original, 1.0)?;
+        let (original, on) = (self.rig().original(setting)?, self.rig().on(setting)?);
         let on = on.light();
         let own_edge = match original.light() {
             AnyLight::Spot(spot) => {
@@ -120,6 +118,9 @@ impl Stage {
         let mut state = LightState {
             name: original.name.to_owned(),
             on: setting.is_on,
+            kind: setting.kind.map_or("own", |kind| kind.name()).to_owned(),
+            law: law_name(setting.law).to_owned(),
+            constants: constants_of(setting.law).map_or(Vec::new(), Vec::from),
             fixture: setting.fixture.map(|fixture| fixture.name.to_owned()).unwrap_or_default(),
             reading: setting.reading().name().to_owned(),
             zoom: setting.fixture.and(setting.design.one()).map(|(_, degrees)| degrees),
@@ -233,7 +234,7 @@ impl Stage {
 
     /// Moves a light to a position.
     pub(crate) fn place(&mut self, light: usize, position: Vec3<f32>) -> Result<(), Refusal> {
-        let original = self.rig().original(self.setting(light)?.of)?;
+        let original = self.rig().original(self.setting(light)?)?;
         let aim = if original.sweeps() { None } else { self.aims()?.get(light).copied().flatten() };
         self.change_light(light, |setting| {
             setting.position = Some(position);

@@ -47,7 +47,7 @@ impl fmt::Debug for Code {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job;
+    use crate::{job, stage::Stage};
     use luminaire_render::scenes::Example;
 
     #[test]
@@ -62,5 +62,21 @@ mod tests {
             assert!(refusal.contains(words), "{refusal}");
         }
         assert!(code.write("", 0, C_HEADERS[0].0).unwrap().contains("luminaire_inverse_square_roots"));
+    }
+
+    #[test]
+    fn the_law_and_the_kind_of_a_light_are_written() {
+        let (mut code, mut stage) = (Code::default(), Stage::of(Example::ThreePoint).unwrap());
+        for (name, choice, words) in [
+            ("law", "polynomial", "Polynomial::new(0.0, 0.0, 1.0)"),
+            ("kind", "point", "PointLight::new"),
+            ("kind", "directional", "DirectionalLight::new"),
+        ] {
+            stage.set_choice(0, name, choice).unwrap();
+            let text = code.write(&stage.job(), 0, "rust-build").unwrap();
+            assert!(text.contains(words), "{text}");
+        }
+        let refusal = code.write(&stage.job(), 0, "c-fx16").unwrap_err().to_string();
+        assert!(refusal.contains("a spotlight or a point light"), "{refusal}");
     }
 }

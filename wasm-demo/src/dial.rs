@@ -26,7 +26,7 @@ impl Stage {
     #[wasm_bindgen(js_name = dialEnds)]
     pub fn dial_ends(&self, light: usize) -> Result<DialEnds, Refusal> {
         let setting = Setting { is_on: true, ..*self.held(light)? };
-        let original = self.rig().original(setting.of)?;
+        let original = &self.rig().original(&setting)?;
         let full_scale = full_scale(self.state().scene);
         let ends = |name: &str, value: f32, ends: [f32; 2]| {
             let is_taken = |value: f32| {
@@ -61,9 +61,9 @@ impl Stage {
             };
             dials.beam = angle("beam", |cone| cone.beam());
             dials.field = angle("field", |cone| cone.field());
-        }
-        if let (Some(fixture), Some((_, zoom))) = (setting.fixture, setting.design.one()) {
-            dials.zoom = ends("zoom", zoom, fixture::zooms(fixture));
+            if let (Some(fixture), Some((_, zoom))) = (setting.fixture, setting.design.one()) {
+                dials.zoom = ends("zoom", zoom, fixture::zooms(fixture));
+            }
         }
         Ok(dials)
     }

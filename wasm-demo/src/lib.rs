@@ -65,6 +65,8 @@ mod format;
 #[cfg(feature = "state")]
 mod job;
 #[cfg(feature = "state")]
+mod kind;
+#[cfg(feature = "state")]
 mod light;
 #[cfg(feature = "state")]
 mod map;

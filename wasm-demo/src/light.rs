@@ -10,6 +10,12 @@ use wasm_bindgen::prelude::*;
 pub struct LightState {
     /// The stage-lighting name of this kind of fixture.
     pub name: String,
+    /// The kind: `spot`, `point` or `directional`, or `own` for that of the scene.
+    pub kind: String,
+    /// The law of distance: `unattenuated`, `inverse-square`, `polynomial` or `own`.
+    pub law: String,
+    /// The three constants of the polynomial; empty for another law.
+    pub constants: Vec<f32>,
     /// Whether it is a spotlight.
     #[wasm_bindgen(js_name = isSpot)]
     pub is_spot: bool,

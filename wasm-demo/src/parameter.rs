@@ -6,6 +6,7 @@ use crate::{
     format::Format,
     map::Subject,
     plain::plain,
+    quantity::SHININESS,
     refusal::{Refusal, choose, one_of},
     state::{EXPOSURE_STEP, EXPOSURES, SWITCHABLE, State, switch_of, switchable},
     viewpoint::Viewpoint,
@@ -15,7 +16,7 @@ use luminaire_render::Output;
 use wasm_bindgen::JsValue;
 
 /// The parameters in the order of an address.
-pub(crate) const PARAMETERS: [Parameter; 16] = [
+pub(crate) const PARAMETERS: [Parameter; 18] = [
     Parameter { name: "v", kind: Kind::Opening },
     Parameter { name: "scene", kind: Kind::Opening },
     choice(
@@ -69,6 +70,25 @@ pub(crate) const PARAMETERS: [Parameter; 16] = [
             set: |state, stops| state.exposure = stops,
         },
     },
+    // The highlights of all surfaces.
+    choice(
+        "highlight",
+        &HIGHLIGHTS,
+        |state| state.highlight,
+        |state, name| {
+            choose("highlight", name.unwrap_or(""), &HIGHLIGHTS, |[name, _]| name)
+                .map(|[level, _]| state.highlight = level)
+        },
+    ),
+    choice(
+        SHININESS.name,
+        &SHININESSES,
+        |state| state.shininess,
+        |state, name| {
+            choose(SHININESS.name, name.unwrap_or(""), &SHININESSES, |[name, _]| name)
+                .map(|[level, _]| state.shininess = level)
+        },
+    ),
     choice(
         "display",
         &OUTPUTS,
@@ -94,6 +114,23 @@ const OUTPUTS: [[&str; 2]; Output::ALL.len()] = {
     }
     outputs
 };
+
+/// The strengths of highlights: shares of the light.
+const HIGHLIGHTS: [[&str; 2]; 7] = levels(["own", "0", "0.05", "0.1", "0.25", "0.5", "1"]);
+
+/// The exponents of highlights, each twice the one before, between the ends of [`SHININESS`].
+const SHININESSES: [[&str; 2]; 9] = levels(["own", "8", "16", "32", "64", "128", "256", "512", "1024"]);
+
+/// Names as their own labels, but for the first one.
+const fn levels<const N: usize>(names: [&'static str; N]) -> [[&'static str; 2]; N] {
+    let mut levels = [["own", "as the scene has it"]; N];
+    let mut i = 1;
+    while i < N {
+        levels[i] = [names[i]; 2];
+        i += 1;
+    }
+    levels
+}
 
 /// The names of what plays.
 const PLAYS: [(&str, [bool; 2]); 4] =
@@ -362,6 +399,6 @@ mod tests {
         }
         assert_eq!(state, opened);
         let refusal = named("constructor").unwrap_err().to_string();
-        assert!(refusal.ends_with("v, scene, format, with, difference, view, at, play, lights, effects, map, all, exposure, display, tone or handles"), "{refusal}");
+        assert!(refusal.ends_with("v, scene, format, with, difference, view, at, play, lights, effects, map, all, exposure, highlight, shininess, display, tone or handles"), "{refusal}");
     }
 }

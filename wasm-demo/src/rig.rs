@@ -1,12 +1,15 @@
 //! A scene with the visitor's settings: the input of the renderer.
 
 use crate::{
+    decimal::read,
+    kind::{AnySpot, kept, turned},
     refusal::Refusal,
     setting::Setting,
     state::{SWITCHABLE, State},
 };
 use luminaire::{
-    Angle, Cone, Error, SpotLight, Vec3,
+    Angle, Cone, Error, Rgb, SpotLight, Vec3,
+    attenuation::InverseSquare,
     dynamic::{AnyLight, Effect, Effects, RenderPlan},
     falloff::Soft,
     haze::Haze,
@@ -16,7 +19,7 @@ use luminaire_render::{
     Camera, Display, Scene, Surfaces,
     scenes::{MovingLight, Setup},
 };
-use std::rc::Rc;
+use std::{cell::OnceCell, rc::Rc};
 
 /// Side in texels of the shadow maps that a visitor adds, and the largest number of lights with
 /// such maps.
@@ -28,6 +31,9 @@ const HAZE: f32 = 0.05;
 
 /// The field angle of a light that a visitor adds, in degrees.
 const FIELD: f32 = 30.0;
+
+/// The distance in metres at which a beam ends that no surface stops.
+pub(crate) const FARTHEST: f32 = 30.0;
 
 /// Times in seconds at which a scene is sampled to find out whether anything in it moves.
 const LOOKS: [f32; 4] = [0.3, 1.1, 2.7, 6.0];
@@ -45,8 +51,10 @@ pub(crate) struct Rig {
     fixtures: Vec<MovingLight>,
     /// The light that a visitor adds, before its settings. Its number follows those of the scene.
     added: MovingLight,
-    /// The settings of effects and exposure that `scene` has.
-    fitted: ([Option<bool>; SWITCHABLE.len()], f32),
+    /// The lights of the scene and the added one as spotlights with their throws, once found.
+    hung: Rc<[OnceCell<(AnySpot, f32)>]>,
+    /// The settings of effects, exposure and highlights that `scene` has.
+    fitted: ([Option<bool>; SWITCHABLE.len()], f32, [&'static str; 2]),
     /// Side in texels of the shadow maps that are added to lights without shadows of their own.
     shadow_side: u16,
 }
@@ -59,9 +67,10 @@ impl Rig {
             scene: Rc::new(setup.scene.clone()),
             fixtures: setup.fixtures.clone(),
             added: added(&setup)?,
+            hung: (0..=setup.fixtures.len()).map(|_| OnceCell::new()).collect(),
             setup: Rc::new(setup),
             effects: Effects::NONE,
-            fitted: ([None; SWITCHABLE.len()], 0.0),
+            fitted: ([None; SWITCHABLE.len()], 0.0, ["own"; 2]),
             shadow_side: SHADOW_SIDE,
         };
         rig.effects = rig.plan(&rig.fixtures_at(0.0)?).effects();
@@ -86,7 +95,7 @@ impl Rig {
         for (light, fixture) in fixtures.iter().enumerate() {
             check(state, light, fixture)?;
         }
-        let fitted = (state.switched, state.exposure);
+        let fitted = (state.switched, state.exposure, [state.shininess, state.highlight]);
         let is_kept = self.fitted == fitted;
         let scene = if is_kept {
             Rc::clone(&self.scene)
@@ -104,7 +113,7 @@ impl Rig {
     /// A light with its setting and the effects of a state.
     pub(crate) fn fixture(&self, state: &State, setting: &Setting) -> Result<MovingLight, Refusal> {
         let has = |effect| self.has(state, effect);
-        let mut fixture = setting.applied(self.original(setting.of)?, state.exposure.exp2())?;
+        let mut fixture = setting.applied(&self.original(setting)?, state.exposure.exp2())?;
         if !has(Effect::Gobo) {
             fixture = fixture.without_gobo();
         }
@@ -120,6 +129,13 @@ impl Rig {
     fn scene_of(&self, state: &State, gain: f32) -> Result<Scene, Error> {
         let mut scene = self.setup.scene.clone();
         scene.set_ambient(scene.ambient().map(|channel| gain * channel))?;
+        let [shininess, strength] = [state.shininess, state.highlight].map(read);
+        scene.repaint(|material| {
+            let color = strength.map_or(material.specular(), |share| Rgb::new(share, share, share));
+            let shininess = shininess.map_or(material.shininess(), |exponent| exponent as u32);
+            // The choices are within what a material takes.
+            material.with_highlight(color, shininess).unwrap_or(*material)
+        });
         if !self.has(state, Effect::Specular) {
             scene.repaint(|material| material.without_highlight());
         }
@@ -140,11 +156,68 @@ impl Rig {
         self.setup.fixtures.len()
     }
 
-    /// A light of the original scene, or the light that a visitor adds.
-    pub(crate) fn original(&self, light: usize) -> Result<&MovingLight, Refusal> {
+    /// A light of the original scene, or the light that a visitor adds, in the kind and with the law
+    /// of a setting: see [`turned`]. Without a cone it has no gobo, no shadows and no sweep.
+    pub(crate) fn original(&self, setting: &Setting) -> Result<MovingLight, Refusal> {
         let lights = &self.setup.fixtures;
-        let added = (light == lights.len()).then_some(&self.added);
-        lights.get(light).or(added).ok_or_else(|| Refusal::light(light, lights.len() + 1))
+        let added = (setting.of == lights.len()).then_some(&self.added);
+        let own = lights.get(setting.of).or(added);
+        let own = own.ok_or_else(|| Refusal::light(setting.of, lights.len() + 1))?;
+        if (setting.kind, setting.law) == (None, None) {
+            return Ok(*own);
+        }
+        let light = turned(own.light(), setting, self.hung(setting.of, own.light())?)?;
+        let fixture = own.with_light(light);
+        let is_spot = matches!(light, AnyLight::Spot(_));
+        Ok(if is_spot { fixture } else { fixture.aimed().without_gobo().without_shadow() })
+    }
+
+    /// Returns a light of the scene as a spotlight, and its throw in metres. A point light aims at the
+    /// camera's target; a directional one shines on it from as far as the camera, or below a ceiling.
+    fn hung(&self, light: usize, own: &AnyLight) -> Result<(AnySpot, f32), Refusal> {
+        if let Some(found) = self.hung[light].get() {
+            return Ok(*found);
+        }
+        let target = self.setup.camera.target();
+        let cone = Cone::from_field(Soft.into(), Angle::degrees(FIELD))?;
+        let spot = match own {
+            AnyLight::Spot(spot) => *spot,
+            AnyLight::Point(point) => {
+                let way = target.zip(point.position(), |to, from| to - from);
+                SpotLight::new(point.position(), way, cone)?.with_attenuation(point.attenuation())
+            }
+            AnyLight::Directional(sun) => {
+                let free = Surfaces::of(&self.setup.scene).first(target, sun.toward());
+                let distance = self.setup.camera.distance().min(0.9 * free.unwrap_or(FARTHEST));
+                let position = target.zip(sun.toward(), |to, toward| to + distance * toward);
+                SpotLight::new(position, sun.direction(), cone)?.with_attenuation(InverseSquare.into())
+            }
+        };
+        Ok(*self.hung[light].get_or_init(|| (spot, self.throw(&spot))))
+    }
+
+    /// Returns the distance in metres at which the axis of a spotlight meets a surface.
+    fn throw(&self, spot: &AnySpot) -> f32 {
+        Surfaces::of(&self.setup.scene).first(spot.position(), spot.axis()).unwrap_or(FARTHEST)
+    }
+
+    /// Keeps the irradiance at the throw of a light whose kind or law has changed.
+    pub(crate) fn keep_light(&self, before: &Setting, after: &mut Setting) -> Result<(), Refusal> {
+        // The intensity of the scene follows by itself.
+        let is_own = (after.intensity, after.position, after.target) == (None, None, None);
+        if !is_own
+            && (before.kind, before.law) != (after.kind, after.law)
+            && let AnyLight::Spot(hung) = self.on(&Setting { kind: Some(Effect::Spot), ..*before })?.light()
+        {
+            let [before, now] = [self.on(before)?, self.on(after)?];
+            after.intensity = Some(kept(before.light(), now.light(), self.throw(hung)));
+        }
+        Ok(())
+    }
+
+    /// Returns a light as the visitor has set it: switched on, at an exposure of 0 stops.
+    pub(crate) fn on(&self, setting: &Setting) -> Result<MovingLight, Refusal> {
+        Setting { is_on: true, ..*setting }.applied(&self.original(setting)?, 1.0)
     }
 
     /// Returns the scene's own camera at a time in seconds.
@@ -168,7 +241,7 @@ impl Rig {
     pub(crate) fn described(&self, state: &State, light: usize) -> Result<AnyLight, Refusal> {
         let count = state.lights.len();
         let setting = state.lights.get(light).ok_or_else(|| Refusal::light(light, count))?;
-        let on = Setting { is_on: true, ..*setting }.applied(self.original(setting.of)?, 1.0)?;
+        let on = self.on(setting)?;
         Ok(if on.sweeps() { *on.at(0.0)?.light() } else { *on.light() })
     }
 
@@ -198,19 +271,21 @@ impl Rig {
     /// nor can be given stays off.
     pub(crate) fn has(&self, state: &State, effect: Effect) -> bool {
         // Dither costs nothing, and most scenes show bands without it.
-        let own = self.effects.has(effect) || effect == Effect::Dither;
-        state.switched(effect).filter(|_| self.offers(effect)).unwrap_or(own)
+        let is_added = matches!(effect, Effect::Dither | Effect::Specular) && self.offers(state, effect);
+        let own = self.effects.has(effect) || is_added;
+        state.switched(effect).filter(|_| self.offers(state, effect)).unwrap_or(own)
     }
 
     /// Returns whether the switch of an effect is enabled: the scene has the effect, or it can be
     /// added. Haze and dithering can be added to every scene, shadows to a scene in which 1 to
-    /// `SHADOWS` lights can cast them.
-    pub(crate) fn offers(&self, effect: Effect) -> bool {
+    /// `SHADOWS` lights can cast them, and highlights by their strength.
+    pub(crate) fn offers(&self, state: &State, effect: Effect) -> bool {
         let takers = || self.setup.fixtures.iter().filter(|fixture| takes_shadow(fixture)).count();
         self.effects.has(effect)
             || match effect {
                 Effect::Shadow => (1..=SHADOWS).contains(&takers()),
                 Effect::Haze | Effect::Dither => true,
+                Effect::Specular => state.highlight != "own",
                 _ => false,
             }
     }

@@ -4,27 +4,35 @@ use crate::{
     design::{Design, Mark},
     edge::{self, FITTED},
     fixture,
-    refusal::Refusal,
+    kind::{AnySpot, CONSTANTS, KINDS, as_bright, constants_of, law_named, polynomial},
+    refusal::{Refusal, choose},
 };
 use luminaire::{
-    Cone, Error, PointLight, Rgb, SpotLight, Vec3, attenuation::AnyAttenuation, display::decode_srgb,
-    dynamic::AnyLight, falloff::AnyFalloff,
+    Cone, Error, PointLight, Rgb, SpotLight, Vec3,
+    attenuation::AnyAttenuation,
+    display::decode_srgb,
+    dynamic::{AnyLight, Effect},
+    falloff::AnyFalloff,
 };
 use luminaire_fixtures::Fixture;
 use luminaire_render::scenes::MovingLight;
 
 /// The largest intensity that the kernel accepts.
-const BRIGHTEST: f32 = 1e9;
+pub(crate) const BRIGHTEST: f32 = 1e9;
 
 /// A change of a setting, given the cone before it.
 type Reshape<'a> = dyn Fn(&mut Setting, &Cone<AnyFalloff>) -> Result<(), Refusal> + 'a;
 
 /// What the visitor has changed of a light. `None` is as the scene has it.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub(crate) struct Setting {
     /// The number of the light in the scene. Copies of a light share it.
     pub(crate) of: usize,
     pub(crate) is_on: bool,
+    /// One of [`KINDS`].
+    pub(crate) kind: Option<Effect>,
+    /// The law of distance.
+    pub(crate) law: Option<AnyAttenuation>,
     /// The cone of a light of a file, in place of that of the scene.
     pub(crate) own: Option<Cone<AnyFalloff>>,
     pub(crate) design: Design,
@@ -43,24 +51,14 @@ pub(crate) struct Setting {
 impl Setting {
     /// A light as the scene has it.
     pub(crate) fn of(light: usize) -> Self {
-        Self {
-            of: light,
-            is_on: true,
-            own: None,
-            design: Design::default(),
-            edge: None,
-            fixture: None,
-            color: None,
-            intensity: None,
-            position: None,
-            target: None,
-        }
+        Self { of: light, is_on: true, ..Self::default() }
     }
 
     /// Sets a value by its name, for the `original` light of a scene that shows `full_scale` lux as
     /// full scale: the `beam`, `field` or `zoom` angle in degrees, where a light that has both angles
-    /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light; or
-    /// the `intensity` in candela, or in lux for a directional light. Angles conserve the flux.
+    /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light;
+    /// `a`, `b` or `c` of the law of distance; or the `intensity` in candela, or in lux for a
+    /// directional light. Angles conserve the flux.
     pub(crate) fn set_number(
         &mut self,
         name: &str,
@@ -75,15 +73,12 @@ impl Setting {
             "fit-field" => self.reshape(original, &|setting, cone| setting.fit(Mark::Field, value, cone)),
             "zoom" => self.reshape(original, &|setting, _| setting.set_zoom(value)),
             "intensity" => self.set_intensity(value, full_scale),
-            _ => {
-                let expected = "beam, field, fit-beam, fit-field, zoom or intensity";
-                Err(Refusal::name("number of a light", name, expected))
-            }
+            _ => self.set_constant(name, value),
         }
     }
 
-    /// Sets a choice by its name: the `edge`, `color`, `fixture`, or `reading` of its angle. A fixture
-    /// brings its published flux; everything else conserves the flux.
+    /// Sets a choice by its name: the `kind`, `law` of distance, `edge`, `color`, `fixture`, or
+    /// `reading` of its angle. A fixture brings its published flux; another cone conserves the flux.
     pub(crate) fn set_choice(
         &mut self,
         name: &str,
@@ -92,6 +87,9 @@ impl Setting {
         full_scale: f32,
     ) -> Result<(), Refusal> {
         match name {
+            "kind" if value == "own" => self.kind = None,
+            "kind" => self.kind = Some(choose("kind of light", value, &KINDS, Effect::name)?),
+            "law" => self.law = law_named(value)?,
             "edge" => self.reshape(original, &|setting, cone| setting.set_edge(value, cone))?,
             "color" => self.color = Some(channels_of(value)?),
             "fixture" => {
@@ -102,7 +100,7 @@ impl Setting {
                 let mark = Mark::named(value)?;
                 self.reshape(original, &|setting, _| setting.set_reading(mark))?;
             }
-            _ => return Err(Refusal::name("choice of a light", name, "edge, color, fixture or reading")),
+            _ => return Err(Refusal::name("choice", name, "kind, law, edge, color, fixture or reading")),
         }
         Ok(())
     }
@@ -221,6 +219,20 @@ impl Setting {
         Ok(())
     }
 
+    /// Sets a constant of the law of distance.
+    fn set_constant(&mut self, name: &str, value: f32) -> Result<(), Refusal> {
+        let expected = "beam, field, fit-beam, fit-field, zoom, intensity, a, b or c";
+        let place = CONSTANTS.iter().position(|constant| constant.name == name);
+        let place = place.ok_or_else(|| Refusal::name("number of a light", name, expected))?;
+        let Some(mut constants) = constants_of(self.law) else {
+            let expected = "the law of distance \"polynomial\" to be chosen first";
+            return Err(Refusal::name(CONSTANTS[place].label, &value.to_string(), expected));
+        };
+        constants[place] = value;
+        self.law = Some(polynomial(constants)?);
+        Ok(())
+    }
+
     /// Sets whether the angle is interpreted as beam or as field angle.
     fn set_reading(&mut self, mark: Mark) -> Result<(), Refusal> {
         if let Some((_, degrees)) = self.design.one() {
@@ -237,16 +249,11 @@ impl Setting {
     /// Applies the settings to the light of the scene, whose intensity is multiplied by `gain`.
     pub(crate) fn applied(&self, original: &MovingLight, gain: f32) -> Result<MovingLight, Refusal> {
         let light: AnyLight = match *original.light() {
-            AnyLight::Spot(spot) => self.spot(&spot)?.into(),
-            AnyLight::Point(point) => match self.position {
-                Some(position) => PointLight::new(position)?
-                    .with_color(point.color())?
-                    .with_specular_color(point.specular_color())?
-                    .with_intensity(point.intensity())?
-                    .with_attenuation(point.attenuation())
-                    .into(),
-                None => point.into(),
-            },
+            AnyLight::Spot(spot) => self.spot(&spot)?,
+            AnyLight::Point(point) => {
+                let moved = PointLight::new(self.position.unwrap_or(point.position()))?;
+                as_bright(moved.with_attenuation(point.attenuation()).into(), original.light())?
+            }
             AnyLight::Directional(sun) => sun.into(),
         };
         let light = self.emitting(light, self.intensity.unwrap_or(light.intensity()))?;
@@ -256,21 +263,15 @@ impl Setting {
         Ok(if self.target.is_some() { fixture.aimed() } else { fixture })
     }
 
-    fn spot(
-        &self,
-        spot: &SpotLight<AnyFalloff, AnyAttenuation>,
-    ) -> Result<SpotLight<AnyFalloff, AnyAttenuation>, Error> {
+    fn spot(&self, spot: &AnySpot) -> Result<AnyLight, Error> {
         let cone = self.cone(spot.cone())?;
         let position = self.position.unwrap_or(spot.position());
         let axis = self.target.map_or(spot.axis(), |target| target.zip(position, |to, from| to - from));
         if (self.position, self.target) == (None, None) {
-            return Ok(spot.with_cone(cone));
+            return Ok(spot.with_cone(cone).into());
         }
-        SpotLight::new(position, axis, cone)?
-            .with_attenuation(spot.attenuation())
-            .with_color(spot.color())?
-            .with_specular_color(spot.specular_color())?
-            .with_intensity(spot.intensity())
+        let aimed = SpotLight::new(position, axis, cone)?.with_attenuation(spot.attenuation());
+        as_bright(aimed.into(), &(*spot).into())
     }
 
     /// Returns the cone of the light whose own cone is `original`.
@@ -287,17 +288,7 @@ impl Setting {
 
     fn emitting(&self, light: AnyLight, intensity: f32) -> Result<AnyLight, Error> {
         let color = self.color.map(|[red, green, blue]| Rgb::new(red, green, blue).map(decode_srgb));
-        Ok(match light {
-            AnyLight::Directional(sun) => {
-                color.map_or(Ok(sun), |color| sun.with_color(color))?.with_intensity(intensity)?.into()
-            }
-            AnyLight::Point(point) => {
-                color.map_or(Ok(point), |color| point.with_color(color))?.with_intensity(intensity)?.into()
-            }
-            AnyLight::Spot(spot) => {
-                color.map_or(Ok(spot), |color| spot.with_color(color))?.with_intensity(intensity)?.into()
-            }
-        })
+        color.map_or(Ok(light), |color| light.with_color(color))?.with_intensity(intensity)
     }
 
     /// The name of the edge: `own`, `fitted`, or that of a falloff.

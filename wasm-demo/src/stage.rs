@@ -269,8 +269,9 @@ impl Stage {
     /// The effects that have a switch.
     #[wasm_bindgen(unchecked_return_type = "SwitchState[]")]
     pub fn switches(&self) -> Vec<JsValue> {
+        let (rig, state) = (&self.rig, &self.state);
         let switch = |(effect, label)| {
-            scene_state::switch(effect, label, self.rig.offers(effect), self.rig.has(&self.state, effect))
+            scene_state::switch(effect, label, rig.offers(state, effect), rig.has(state, effect))
         };
         SWITCHABLE.map(switch).into()
     }

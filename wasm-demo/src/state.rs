@@ -46,6 +46,9 @@ pub(crate) struct State {
     pub(crate) is_everything: bool,
     /// The exposure in stops: binary logarithm of the factor on all light.
     pub(crate) exposure: f32,
+    /// The shininess of all highlights and their strength: names of choices.
+    pub(crate) shininess: &'static str,
+    pub(crate) highlight: &'static str,
     /// The pixels of the display.
     pub(crate) output: Output,
     /// Whether overexposed light keeps its hue. Otherwise each channel is clipped.
@@ -71,6 +74,8 @@ impl State {
             map: Subject::Nothing,
             is_everything: false,
             exposure: 0.0,
+            shininess: "own",
+            highlight: "own",
             output: scene.display().output,
             keeps_hue: false,
             shows_handles: true,

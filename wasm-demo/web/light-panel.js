@@ -2,7 +2,7 @@
 // settings.
 import { Stage } from "./pkg/wasm_demo.js";
 import { Dial, joinNumber } from "./dial.js";
-import { element as find } from "./elements.js";
+import { copyOf, element as find, find as findIn } from "./elements.js";
 import { refusalOf } from "./failure.js";
 import { findFixture, listFixtures } from "./fixture-list.js";
 import { degrees, tidy, whole } from "./numbers.js";
@@ -29,6 +29,7 @@ export class LightPanel {
   #panel = find("panel");
   #error = element("error");
   #dials;
+  #constants;
   /**
    * The angle that was typed last, and the light as it was then.
    * @type {{ name: string, light: number, angles: string } | undefined}
@@ -48,7 +49,8 @@ export class LightPanel {
     element("edge").append(...Stage.edges().map((name) => new Option(name.replaceAll("-", " "), name)));
     const [beam, field] = [this.#dial("beam"), this.#dial("field")];
     this.#dials = { beam, field, zoom: this.#dial("zoom"), intensity: this.#dial("intensity") };
-    const choices = { fixture: input, reading: select, edge: select, color: input };
+    this.#constants = Stage.constants().map((constant) => this.#constant(constant));
+    const choices = { kind: select, law: select, fixture: input, reading: select, edge: select, color: input };
     for (const [name, kind] of Object.entries(choices)) {
       const control = kind(name);
       control.addEventListener("input", () => {
@@ -88,7 +90,7 @@ export class LightPanel {
     element("photometry").textContent = photometry(state, this.#stage.fullScale);
     element("expose").hidden = !((state.lux ?? 0) > 0);
     element("own-edge").textContent = `default: ${state.ownEdge}`;
-    select("edge").value = state.edge;
+    for (const name of /** @type {const} */ (["kind", "law", "edge"])) select(name).value = state[name];
     input("color").value = state.color;
   }
 
@@ -104,6 +106,10 @@ export class LightPanel {
       const [least, most] = ends[name];
       if (most !== undefined) this.#dials[name].range(least, most, name === "intensity" ? "" : "°");
     }
+    // A directional light has no distance.
+    select("law").disabled = state.position.length === 0;
+    element("constants").hidden = select("law").disabled || state.constants.length === 0;
+    for (const [i, value] of state.constants.entries()) this.#constants[i].show(value, source);
     intensity.show(Number(state.intensity.toPrecision(4)), source);
     element("unit").textContent = state.unit;
     if (!state.isSpot) return;
@@ -162,6 +168,22 @@ export class LightPanel {
    */
   setNumber(name, value, control) {
     this.#set(control, () => this.#stage.setNumber(this.#light, name, value));
+  }
+
+  /**
+   * Adds the dial of a constant of the law of distance.
+   * @param {import("./pkg/wasm_demo.js").ConstantState} constant
+   */
+  #constant({ name, label, unit, least, most, isLogarithmic }) {
+    const row = copyOf("constant");
+    const [slider, number] = row.querySelectorAll("input");
+    [slider.id, number.id, number.ariaLabel] = [`light-${name}`, `light-${name}-number`, label + unit];
+    Object.assign(findIn(row, "label"), { textContent: label, htmlFor: slider.id });
+    findIn(row, "i").textContent = unit;
+    element("constants").append(row);
+    const dial = this.#dial(name);
+    dial.range(least, most, unit, isLogarithmic);
+    return dial;
   }
 
   /** @param {string} name */

@@ -50,8 +50,9 @@ impl Stage {
         act: impl FnOnce(&mut Setting, &MovingLight) -> Result<(), Refusal>,
     ) -> Result<(), Refusal> {
         let mut setting = *self.setting(light)?;
-        let original = self.rig.original(setting.of)?;
-        act(&mut setting, original)?;
+        let original = self.rig.original(&setting)?;
+        act(&mut setting, &original)?;
+        self.rig.keep_light(self.setting(light)?, &mut setting)?;
         self.change_light(light, |light| *light = setting)
     }
 
@@ -88,8 +89,9 @@ impl Stage {
     }
 
     /// Sets a number of a light, as a step of a gesture: its `beam`, `field` or `zoom` angle in degrees;
-    /// `fit-beam` or `fit-field`, which keep the other angle; or its `intensity` in candela, or in lux for
-    /// a directional light. Angles conserve the flux.
+    /// `fit-beam` or `fit-field`, which keep the other angle; `a`, `b` or `c` of its law of distance; or
+    /// its `intensity` in candela, or in lux for a directional light. Angles conserve the flux, and the
+    /// law of distance conserves the irradiance at the throw.
     #[wasm_bindgen(js_name = setNumber)]
     pub fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);
@@ -100,7 +102,8 @@ impl Stage {
         })
     }
 
-    /// Sets a choice of a light: its `edge`, `color`, `fixture`, or the `reading` of its angle.
+    /// Sets a choice of a light: its `kind`, `law` of distance, `edge`, `color`, `fixture`, or the
+    /// `reading` of its angle. Another kind or law keeps the irradiance at the throw.
     #[wasm_bindgen(js_name = setChoice)]
     pub fn set_choice(&mut self, light: usize, name: &str, value: &str) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);
@@ -118,8 +121,10 @@ impl Stage {
         is_candela: bool,
     ) -> Result<(), Refusal> {
         let Setting { of, is_on, position, target, .. } = *self.setting(light)?;
-        let read = address::read_light(&format!("{of}{settings}"));
-        let put = read.ok_or_else(|| Refusal::name("light", settings, "the settings of an address"))?;
+        let read = address::read_light(&format!("{of}{settings}"), |_| true);
+        let (put, _) = read
+            .filter(|(_, has_all)| *has_all)
+            .ok_or_else(|| Refusal::name("light", settings, "the settings of an address"))?;
         let intensity = Some(if is_candela { peak / full_scale(self.state.scene) } else { peak });
         self.change_light(light, |light| *light = Setting { is_on, position, target, intensity, ..put[0] })
     }
@@ -227,8 +232,10 @@ impl Stage {
         let others = State { lights: Vec::new(), ..asked.clone() };
         for (light, setting) in asked.lights.iter_mut().enumerate() {
             if let Err(refusal) = rig.accept(&others, light, setting) {
-                refused.push(Refusal(format!("light {} is as the scene has it: {refusal}", light + 1)));
-                *setting = Setting::of(setting.of);
+                let is_taken = |part: &Setting| rig.accept(&others, light, part).is_ok();
+                let rest = address::read_light(&address::light_text(setting), is_taken);
+                *setting = rest.map_or(Setting::of(setting.of), |(rest, _)| rest[0]);
+                refused.push(Refusal(format!("light {} is without this setting: {refusal}", light + 1)));
             }
         }
         if let Err(refusal) = self.adopt(asked) {

@@ -1,7 +1,7 @@
 //! The lights of the stage, for JavaScript.
 
 use super::Stage;
-use crate::{curve, edge, photometry, refusal::Refusal};
+use crate::{curve, edge, kind, photometry, refusal::Refusal};
 use luminaire::{Cone, Vec3, dynamic::AnyLight, falloff::AnyFalloff};
 use wasm_bindgen::prelude::*;
 
@@ -43,6 +43,12 @@ impl Stage {
     /// The edges to choose from: the falloffs of the library, by name.
     pub fn edges() -> Vec<String> {
         edge::all().map(|falloff| falloff.effect().name().to_owned()).collect()
+    }
+
+    /// The constants of the law of distance.
+    #[wasm_bindgen(unchecked_return_type = "ConstantState[]")]
+    pub fn constants() -> Vec<JsValue> {
+        kind::CONSTANTS.map(kind::constant).into()
     }
 
     /// The illuminance in lux that is shown as full scale at the current exposure, on a white surface.

@@ -220,6 +220,26 @@ more("lights are copied and removed", async () => {
   await change("reset", () => press("reset"));
 });
 
+quick("the law of distance, the kind of a light and the highlights are set and undone", async () => {
+  await open(`${SMALL}#stage?scene=three-point&play=none`);
+  await change("a law", () => enter("light-law", "unattenuated"));
+  await enter("light-law", "polynomial");
+  await change("a constant", () => enter("light-b", 2));
+  await type("light-c-number", "3");
+  assert.match(await words("light-error"), /^Quadratic c = 3: expected 0 to 2/);
+  await isWritten(/lights=0:a0\/2\/1;/);
+  await change("a point light", () => enter("light-kind", "point"));
+  assert.ok(await shows("light-constants") && !(await shows("light-cone")), "a point light has a law and no cone");
+  await change("a directional light", () => enter("light-kind", "directional"));
+  assert.ok((await isDisabled("light-law")) && !(await shows("light-constants")), "a law without a distance");
+  await isWritten(/lights=0:kdirectional:a0\/2\/1;/);
+  await press("undo");
+  assert.equal(await value("light-kind"), "point");
+  await change("highlights", () => enter("highlight", "0.5"));
+  await change("their exponent", () => enter("shininess", "1024"));
+  await isWritten(/&highlight=0.5&shininess=1024$/);
+});
+
 // The drawer with the code of the selected light.
 
 const code = () => ask(() => document.getElementById("code-text").textContent);

@@ -6,14 +6,15 @@ use crate::{
     fixture,
     format::Format,
     job,
+    kind::{CONSTANTS, arriving, constants_of},
     light::{DialEnds, LightState},
     own_cone,
     state::EXPOSURES,
 };
-use luminaire::dynamic::{Effect, Effects};
+use luminaire::dynamic::{AnyLight, Effect, Effects};
 use luminaire::falloff::AnyFalloff;
 use luminaire_fixtures::FIXTURES;
-use luminaire_render::{Renderer, scenes::Example};
+use luminaire_render::{Renderer, Surfaces, scenes::Example};
 
 fn stage(scene: Example) -> Stage {
     Stage::of(scene).unwrap()
@@ -276,6 +277,9 @@ fn a_refused_value_changes_nothing() {
     refused(choice(&mut stage, "fixture", "Nobody's lamp"), "fixture = \"Nobody's lamp\"");
     refused(choice(&mut stage, "edge", ""), "edge");
     refused(choice(&mut stage, "reading", "outer"), "beam or field");
+    refused(choice(&mut stage, "kind", "area"), "kind of light = \"area\": expected spot, point or");
+    refused(choice(&mut stage, "law", "linear"), "law = \"linear\": expected own, unattenuated");
+    refused(number(&mut stage, "b", 1.0), "Linear b = \"1\": expected the law of distance");
     for color in ["", "#fff", "ffffff", "#gggggg", "#ffffff0", "#ééé", "#+1+1+1"] {
         refused(choice(&mut stage, "color", color), "color");
     }
@@ -310,7 +314,10 @@ fn turn_dials(stage: &mut Stage, light: usize, starts: &[Option<usize>]) -> usiz
     for first in starts {
         let dials = |stage: &Stage| {
             let DialEnds { beam, field, zoom, intensity } = stage.dial_ends(light).unwrap();
-            [("beam", beam), ("field", field), ("zoom", zoom), ("intensity", intensity)]
+            let is_shown = constants_of(stage.setting(light).unwrap().law).is_some();
+            let constants = CONSTANTS.iter().filter(move |_| is_shown);
+            let dials = [("beam", beam), ("field", field), ("zoom", zoom), ("intensity", intensity)];
+            dials.into_iter().chain(constants.map(|one| (one.name, one.ends.into())))
         };
         for (name, ends) in dials(stage) {
             stage.adopt(opened.clone()).unwrap();
@@ -362,6 +369,13 @@ fn dials_accept_both_ends() {
             if choice(&mut stage, name, value).is_ok() {
                 count += turn_dials(&mut stage, 0, &[None, Some(0), Some(1)]);
             }
+        }
+        let mut stage = stage(Example::ThreePoint);
+        stage.put("format", format.name()).unwrap();
+        choice(&mut stage, "law", "polynomial").unwrap();
+        for kind in ["own", "point", "directional"] {
+            choice(&mut stage, "kind", kind).unwrap();
+            count += turn_dials(&mut stage, 0, &[None, Some(0), Some(1)]);
         }
     }
     assert!(count > 500, "only {count} values");
@@ -601,4 +615,49 @@ fn another_scene_keeps_the_format_and_what_plays() {
     stage.open(Example::Pocket.name()).unwrap();
     let state = stage.state();
     assert_eq!((state.format, state.plays, state.exposure), (Format::Fx32, [false, true], 0.0));
+}
+
+/// What the light at its throw is worth, as a share of full scale: what a law and a kind keep.
+fn at_throw(stage: &Stage, light: usize) -> f32 {
+    let setting = *stage.setting(light).unwrap();
+    let on = |kind| *stage.rig().on(&Setting { kind, ..setting }).unwrap().light();
+    let AnyLight::Spot(hung) = on(Some(Effect::Spot)) else { panic!("expected a spotlight") };
+    let throw = Surfaces::of(stage.rig().scene()).first(hung.position(), hung.axis()).unwrap();
+    arriving(&on(setting.kind), throw) as f32 * on(setting.kind).intensity()
+}
+
+#[test]
+fn every_law_and_kind_keeps_the_light_at_the_throw_and_has_an_address() {
+    // A spotlight, one that sweeps, a directional light, and a point light that ends before the surface.
+    let sun = stage(Example::Gallery).rig().lights() - 1;
+    for (scene, light) in
+        [(Example::BareSpot, 0), (Example::Show, 0), (Example::Gallery, sun), (Example::Gallery, sun - 1)]
+    {
+        for is_moved in [false, true] {
+            let mut stage = stage(scene);
+            let opened = stage.rig().fixtures_at(0.0).unwrap();
+            if is_moved {
+                stage.place_light(light, 0.3, 2.5, 1.5).unwrap();
+            }
+            let before = at_throw(&stage, light);
+            for kind in ["own", "spot", "point", "directional"] {
+                for law in ["own", "unattenuated", "inverse-square", "polynomial"] {
+                    stage.set_choice(light, "kind", kind).unwrap();
+                    stage.set_choice(light, "law", law).unwrap();
+                    if law == "polynomial" {
+                        stage.set_number(light, "b", 2.0).unwrap();
+                    }
+                    let now = at_throw(&stage, light) / before;
+                    assert!((now - 1.0).abs() < 1e-3, "{scene:?}, {kind}, {law}: {now} of the light");
+                    let text = address::write(stage.state(), stage.rig().lights());
+                    assert_eq!(address::parse(&text, scene), Ok((stage.state().clone(), Vec::new())));
+                    for format in Format::ALL {
+                        stage.put("format", format.name()).unwrap();
+                    }
+                }
+            }
+            ["kind", "law"].map(|name| stage.set_choice(light, name, "own").unwrap());
+            assert!(is_moved || stage.rig().fixtures_at(0.0).unwrap() == opened, "{scene:?}");
+        }
+    }
 }
