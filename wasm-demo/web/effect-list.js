@@ -83,10 +83,4 @@ export class EffectList {
 }
 
 /** @param {import("./pkg/wasm_demo.js").EffectState} effect */
-function item({ name, isCalledFor }) {
-  const item = document.createElement("li");
-  item.textContent = name;
-  item.dataset.effect = name;
-  item.classList.toggle("called", isCalledFor);
-  return item;
-}
+const item = ({ name }) => Object.assign(document.createElement("li"), { textContent: name });

@@ -12,9 +12,6 @@ const element = (id) => find(`use-${id}`);
 /** The files for download, by their links, and their names as languages of the exporter. */
 const FILES = { script: "rust-build", header: "luminaire.h", constants: "luminaire_constant.h", constant: "c-fx16" };
 
-/** The repository, with a slash at its end, if the page was built for one. */
-const repository = () => document.querySelector("meta[name=repository]")?.getAttribute("content");
-
 export class UseView {
   #code;
   #selected;
@@ -36,7 +33,8 @@ export class UseView {
   constructor(code, selected) {
     this.#code = code;
     this.#selected = selected;
-    const source = repository();
+    // With a slash at its end, if the page was built for one.
+    const source = document.querySelector("meta[name=repository]")?.getAttribute("content");
     element("dependency").textContent = `[dependencies]\nluminaire = { ${source ? `git = "${source.slice(0, -1)}"` : 'path = "luminaire/core"'} }`;
     element("place").hidden = Boolean(source);
     element("links").hidden = !source;

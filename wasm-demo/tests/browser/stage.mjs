@@ -5,7 +5,7 @@ import {
   tab, until, value, words, written,
 } from "./visit.mjs";
 
-const called = () => count("#effects .called");
+const called = () => count("#effects li");
 
 quick("the page becomes ready without a complaint", async () => {
   await open();
