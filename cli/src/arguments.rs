@@ -108,8 +108,8 @@ pub(crate) struct Still {
 /// The options of `export`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Export {
-    /// json, glsl, glsl-uniforms, wgsl, c-f32, c-fx16, rust-build, rust-f32, rust-fx32 or rust-fx16; the parameters of
-    /// blender, three, godot, unreal, unity, bevy, gltf, usd, opengl or direct3d; or ies
+    /// json, glsl, glsl-uniforms, wgsl, c-f32, c-fx16, rust-build, rust-program, rust-f32, rust-fx32 or rust-fx16; the
+    /// parameters of blender, three, godot, unreal, unity, bevy, gltf, usd, opengl or direct3d; or ies
     #[arg(long, value_name = "LANGUAGE|TOOL")]
     pub(crate) to: Target,
     /// The name that begins all names in the source [default: light, or with several lights their own]

@@ -42,7 +42,9 @@ fn export_options_reach_the_light() {
 
 #[test]
 fn export_writes_every_language_and_falloff() {
-    for language in "json glsl wgsl c-f32 c-fx16 rust-build rust-f32 rust-fx32 rust-fx16".split(' ') {
+    for language in
+        "json glsl wgsl c-f32 c-fx16 rust-build rust-program rust-f32 rust-fx32 rust-fx16".split(' ')
+    {
         assert!(text(&format!("--to {language} --beam 12 --field 20")).contains("light"), "{language}");
     }
     for falloff in "soft hard linear smooth step quadratic=0.5 power=15 inverted-power=4 \

@@ -45,6 +45,9 @@ languages! {
     /// A build script of Rust that describes the light and writes its constant in the 16-bit
     /// fixed-point format `Fx16`.
     RustBuild = "rust-build",
+    /// A program of Rust that prints the pool of a spotlight, whose cone it makes from the beam and the
+    /// field angle.
+    RustProgram = "rust-program",
     /// A constant of Rust in `f32`.
     RustFloat = "rust-f32",
     /// A constant of Rust in the 32-bit fixed-point format `Fx32`.

@@ -22,6 +22,7 @@
 //! | [`Language::CFloat`] | the same, over arrays of three `float` | yes in `f32`, without contraction (`-ffp-contract=off`), except real powers and decays |
 //! | [`Language::CFixed`] | the same, over arrays of integers | yes in `Fx16` |
 //! | [`Language::RustBuild`] | `key()`, the light, and a `main` that writes `key.rs` | it describes the light: angles have six digits |
+//! | [`Language::RustProgram`] | a `main` that prints the pool of `key` | it describes the spotlight by its two angles |
 //! | [`Language::RustFloat`], [`Language::RustFixed32`], [`Language::RustFixed16`] | `key::LIGHT` | it is the kernel |
 //! | [`Language::Json`] | the parameters | no code |
 //!
@@ -81,6 +82,7 @@ mod head;
 pub mod json;
 mod language;
 mod name;
+mod program;
 mod rust;
 mod script;
 mod shader;
@@ -118,6 +120,7 @@ pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Res
         Language::CFloat => shader::export(&light, name, Syntax::C),
         Language::CFixed => fixed::export(&light, name),
         Language::RustBuild => script::export(&light, name),
+        Language::RustProgram => program::export(&light, name),
         Language::RustFloat => rust::export::<f32>(&light, name),
         Language::RustFixed32 => rust::export::<Fx32>(&light, name),
         Language::RustFixed16 => rust::export::<Fx16>(&light, name),

@@ -85,29 +85,29 @@ fn parts(light: &AnyLight) -> Parts {
     }
 }
 
-fn color(name: &str, Rgb { red, green, blue }: Rgb<f32>) -> String {
+pub(crate) fn color(name: &str, Rgb { red, green, blue }: Rgb<f32>) -> String {
     format!(".with_{name}(Rgb::new({red:?}, {green:?}, {blue:?}))?")
 }
 
 /// Returns the type of the falloff, and the line that makes the cone.
 fn cone(cone: &Cone<AnyFalloff>) -> (String, String) {
     let [kind, falloff, _] = falloff_source::<Fx16>(cone.falloff());
-    let [inner, outer, limit] = cone.versines().map(degrees);
+    let [inner, outer, limit] = cone.versines().map(|versine| degrees(Angle::from_versine(versine)));
     let hotspot = if cone.has_hotspot() { format!(".with_inner({inner})?") } else { String::new() };
     let cutoff = if cone.has_cutoff() { format!(".with_cutoff({limit})?") } else { String::new() };
     (kind, format!("    let cone = Cone::from_outer({falloff}, {outer})?{hotspot}{cutoff};\n"))
 }
 
-/// Returns the full angle of a versine, with six digits.
-fn degrees(versine: f32) -> String {
-    let exact = Angle::from_versine(versine).to_degrees();
+/// Returns an angle with six digits.
+pub(crate) fn degrees(angle: Angle) -> String {
+    let exact = angle.to_degrees();
     let short: f32 = format!("{exact:.5e}").parse().unwrap_or(exact);
     format!("Angle::degrees({short:?})")
 }
 
 /// Returns the type of an attenuation, and the call that gives it to a light; `None` for the inverse
 /// square, which every light has at first.
-fn attenuation(attenuation: AnyAttenuation) -> (String, Option<String>) {
+pub(crate) fn attenuation(attenuation: AnyAttenuation) -> (String, Option<String>) {
     let Call { kind, value } = attenuation.with(Called);
     let call = (kind != "InverseSquare").then(|| format!(".with_attenuation({value})"));
     (kind, call)

@@ -255,9 +255,44 @@ fn the_build_scripts_of_drawn_lights_compile() -> Result<(), Box<dyn std::error:
         let text = export(light, &format!("light{index}"), Language::RustBuild)?;
         file += &format!("pub mod light{index} {{\n{text}}}\n");
     }
+    compile(&file, "lib", &tempfile::tempdir()?.path().join("scripts"))
+}
+
+/// The programs of lights of each falloff and each attenuation compile, and one prints its pool.
+#[test]
+fn a_program_draws_the_light_from_its_two_angles() -> Result<(), Box<dyn std::error::Error>> {
     let folder = tempfile::tempdir()?;
-    let path = folder.path().join("scripts.rs");
-    std::fs::write(&path, file)?;
+    let mut written = 0;
+    let mut file = String::new();
+    for (index, light) in spots::<Fx16>(&mut Rng::with_seed(13), 2).into_iter().enumerate() {
+        // The two angles of some edges are too far apart.
+        let Ok(text) = export(light, "key", Language::RustProgram) else { continue };
+        file += &format!("pub mod light{index} {{\n{text}}}\n");
+        written += 1;
+    }
+    assert!(written > 10, "{written} programs");
+    compile(&file, "lib", &folder.path().join("all"))?;
+    let cone = Cone::from_beam_and_field(Angle::degrees(12.0), Angle::degrees(22.0))?;
+    let light = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(130.57)?;
+    let text = export(light, "key", Language::RustProgram)?;
+    assert!(text.contains("from_beam_and_field(Angle::degrees(12.0), Angle::degrees(22.0))"), "{text}");
+    let program = folder.path().join("key");
+    compile(&text, "bin", &program)?;
+    let printed = String::from_utf8(std::process::Command::new(program).output()?.stdout)?;
+    let rows: Vec<_> = printed.lines().map(str::as_bytes).collect();
+    assert!(rows.len() == 21 && rows.iter().all(|row| row.len() == 41), "{printed}");
+    // Full on the axis, nothing in the corners, and half of it where the beam angle ends.
+    let half = (6.0_f64.to_radians().tan() / (cone.outer().to_degrees() / 2.0).to_radians().tan() as f64
+        * 20.0) as usize;
+    assert_eq!([rows[10][20], rows[0][0], rows[20][40]], *b"@  ", "{printed}");
+    assert!(b"=+".contains(&rows[10][20 + half]), "{printed}");
+    Ok(())
+}
+
+/// Compiles a text with this library into a file.
+fn compile(text: &str, kind: &str, to: &std::path::Path) -> Result<(), Box<dyn std::error::Error>> {
+    let path = to.with_extension("rs");
+    std::fs::write(&path, text)?;
     let mut libraries = Vec::new();
     let program = std::env::current_exe()?;
     let dependencies = program.parent().ok_or("a folder of programs")?;
@@ -273,9 +308,9 @@ fn the_build_scripts_of_drawn_lights_compile() -> Result<(), Box<dyn std::error:
     let mut told = "no library is built".to_owned();
     for (_, library) in libraries.into_iter().rev() {
         let mut compiler = std::process::Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
-        compiler.args(["--edition=2024", "--crate-type=lib", "--emit=metadata", "--cap-lints=allow", "-L"]);
+        compiler.args(["--edition=2024", "--cap-lints=allow", "-L"]);
         compiler.arg(format!("dependency={}", dependencies.display())).arg("--extern");
-        compiler.arg(format!("luminaire={}", library.display())).arg("--out-dir").arg(folder.path());
+        compiler.arg(format!("luminaire={}", library.display())).args(["--crate-type", kind, "-o"]).arg(to);
         let output = compiler.arg(&path).output()?;
         if output.status.success() {
             return Ok(());

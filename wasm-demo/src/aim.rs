@@ -182,7 +182,8 @@ impl Stage {
 
     /// Returns the pool of a light: where its field angle meets the surfaces. The first two places are
     /// the ends of the lines from the light that enclose the pool, and the others the corners of its
-    /// outline, a closed line that leaves out small objects. Empty unless the light is a spotlight.
+    /// outline, which leaves out small objects. It is closed, or it has `None` after each piece: where it
+    /// goes from one surface to another. Empty unless the light is a spotlight.
     pub(crate) fn pool(&self, light: usize, aspect: f32) -> Result<Vec<Option<[f32; 2]>>, Refusal> {
         let AnyLight::Spot(spot) = self.lit(light)? else { return Ok(Vec::new()) };
         let (camera, surfaces) = (self.camera(), Surfaces::of(self.rig().scene()));
@@ -198,11 +199,13 @@ impl Stage {
         let outline: Vec<_> = points
             .iter()
             .zip(kept)
-            .filter(|&(_, is_kept)| is_kept)
-            .filter_map(|(&point, _)| place(point))
+            .zip(&distances)
+            .filter(|&((_, is_kept), _)| is_kept)
+            .filter_map(|((&point, _), &distance)| Some((distance, place(point)?)))
             .collect();
-        let sides = place(position).map_or([None; 2], |start| sides(start, &outline, aspect));
-        Ok(sides.into_iter().chain(outline.into_iter().map(Some)).collect())
+        let points: Vec<_> = outline.iter().map(|(_, point)| *point).collect();
+        let sides = place(position).map_or([None; 2], |start| sides(start, &points, aspect));
+        Ok(sides.into_iter().chain(pieces(outline)).collect())
     }
 
     /// Moves a light to a place of the picture, whose width is `aspect` times its height: in the plane
@@ -301,10 +304,7 @@ fn sine(angle: f64) -> f32 {
 /// if none does.
 fn on_large_surfaces(distances: &[f32]) -> Vec<bool> {
     let count = distances.len();
-    let parts = |i: usize| {
-        let (one, next) = (distances[i], distances[(i + 1) % count]);
-        one.max(next) > GAP * one.min(next)
-    };
+    let parts = |i: usize| is_step(distances[i], distances[(i + 1) % count]);
     let Some(last) = (0..count).rfind(|&i| parts(i)) else { return vec![true; count] };
     let ring: Vec<usize> = (last + 1..=last + count).map(|i| i % count).collect();
     let mut kept = vec![false; count];
@@ -312,6 +312,22 @@ fn on_large_surfaces(distances: &[f32]) -> Vec<bool> {
         piece.iter().for_each(|&i| kept[i] = true);
     }
     if kept.contains(&true) { kept } else { vec![true; count] }
+}
+
+/// Whether two neighbouring rays meet different surfaces.
+fn is_step(one: f32, next: f32) -> bool {
+    one.max(next) > GAP * one.min(next)
+}
+
+/// Returns a ring of distances and points as points, with `None` after each of its pieces; without it, if the
+/// ring has no step.
+fn pieces<T: Copy>(mut ring: Vec<(f32, T)>) -> Vec<Option<T>> {
+    let steps = |ring: &[(f32, T)], i: usize| is_step(ring[i].0, ring[(i + 1) % ring.len()].0);
+    let last = (0..ring.len()).rfind(|&i| steps(&ring, i));
+    let first = last.map_or(0, |last| (last + 1) % ring.len());
+    ring.rotate_left(first);
+    let with_ends = |i: usize| [Some(Some(ring[i].1)), steps(&ring, i).then_some(None)];
+    (0..ring.len()).flat_map(with_ends).flatten().collect()
 }
 
 /// Returns the two points of an outline that lie farthest to either side, as seen from `start`.

@@ -61,7 +61,7 @@ export class AccountTable {
       element(`${part}-bar`).style.flexGrow = String(share);
     }
     element("ratio").textContent = oneIn(this.#mean("evaluated"), pairs);
-    element("pairs").textContent = `of ${whole(pairs)}: ${whole(lights)} × ${whole(pixels)}`;
+    element("pairs").textContent = `of ${whole(pairs)}`;
     element("lights").textContent = `${whole(this.#mean("lightsDropped"))} of ${whole(lights)}`;
     element("triangles").textContent = whole(this.#mean("triangles"));
     element("shining").textContent = `${(this.#mean("evaluatedShining") / pixels).toFixed(2)} a pixel`;

@@ -1,5 +1,5 @@
 // The board of an RP2040 whose firmware runs in a worker: its display, and what it costs.
-import { element as find, find as within, row } from "./elements.js";
+import { element as find, fetchText, find as within, row } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 
 const SIZE = 240;
@@ -53,9 +53,7 @@ export class ChipView {
   /** Loads the view, the emulator and the firmware. */
   static async open() {
     const place = find("chip");
-    const answer = await fetch(new URL("chip.html", import.meta.url));
-    if (!answer.ok) throw new Error(`chip.html: the server answers ${answer.status}`);
-    place.innerHTML = await answer.text();
+    place.innerHTML = await fetchText("chip.html");
     const worker = new Worker(new URL("chip-worker.js", import.meta.url), { type: "module" });
     const stages = await new Promise((resolve, reject) => {
       worker.onmessage = ({ data }) => (data.stages ? resolve(data.stages) : reject(new Error(data.failure)));

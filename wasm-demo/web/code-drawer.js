@@ -8,18 +8,25 @@ import { compile } from "./module.js";
 /** @param {string} id */
 const element = (id) => find(`code-${id}`);
 
+/** Loads the exporter. */
+export async function openCode() {
+  initSync({ module: await compile(new URL("pkg/code_bg.wasm", import.meta.url)) });
+  return new Code();
+}
+
 export class CodeDrawer {
-  #code = new Code();
+  #code;
   #language = find("code-language", HTMLSelectElement);
   #light = { job: "", light: 0 };
 
   /** Loads the exporter. */
   static async open() {
-    initSync({ module: await compile(new URL("pkg/code_bg.wasm", import.meta.url)) });
-    return new CodeDrawer();
+    return new CodeDrawer(await openCode());
   }
 
-  constructor() {
+  /** @param {Code} code */
+  constructor(code) {
+    this.#code = code;
     this.#language.addEventListener("input", () => this.show(this.#light));
     element("copy").addEventListener("click", async () => {
       element("told").textContent = await copyTextOf(element("text"));

@@ -1,5 +1,6 @@
 // The effects of the library: those that the scene needs, and switches for some of them.
 import { copyOf, element, find } from "./elements.js";
+import { whole } from "./numbers.js";
 import { load } from "./support.js";
 
 /** Delay before the prices are loaded, in milliseconds: the first picture goes before them. */
@@ -10,12 +11,13 @@ const LATER = 500;
 export class EffectList {
   #stage;
   #list = element("effects");
+  #spared = element("spared");
   #count = element("effects-count");
   #switches = element("switches");
   /** The displayed text, so that the page is written only on a change. */
   #shown = "";
 
-  /** @type {Map<string, string>} */
+  /** @type {Map<string, import("./effect-prices.js").Price>} */
   #prices = new Map();
 
   /** Called with an effect to switch off or on; returns whether the switch was accepted. */
@@ -33,12 +35,15 @@ export class EffectList {
     this.#prices = await loadPrices();
     if (this.#prices.size > 0) element("switches-note").textContent = MEANING;
     for (const input of document.querySelectorAll("[id^='effect-']")) this.#tellPrice(input);
+    this.#shown = "";
+    this.show();
   }
 
   /** @param {Element} input */
   #tellPrice(input) {
+    const price = this.#prices.get(input.id.slice("effect-".length));
     find(/** @type {Element} */ (input.parentElement), "small").textContent =
-      this.#prices.get(input.id.slice("effect-".length)) ?? "";
+      price ? `+${whole(price.instructions)}, ${whole(price.flash)} B` : "";
   }
 
   /** Shows the switches of the current scene. */
@@ -50,12 +55,15 @@ export class EffectList {
   /** Shows the effects that the picture needs. */
   show() {
     const effects = this.#stage.effects();
-    const called = effects.filter(({ isCalledFor }) => isCalledFor);
+    const [called, spared] = [true, false].map((isCalled) => effects.filter(({ isCalledFor }) => isCalledFor === isCalled));
     const shown = called.map(({ name }) => name).join();
     if (shown === this.#shown && this.#list.childElementCount > 0) return;
     this.#shown = shown;
     this.#count.textContent = `${called.length} of ${effects.length}`;
-    this.#list.replaceChildren(...effects.map(item));
+    this.#list.replaceChildren(...called.map(item));
+    this.#spared.replaceChildren(...spared.map(item));
+    const saved = spared.reduce((sum, { name }) => sum + (this.#prices.get(name)?.instructions ?? 0), 0);
+    element("spared-count").textContent = `${spared.length} are left out${saved > 0 ? `, which saves over ${whole(saved)} instructions a lit point` : ""}`;
   }
 
   /** @param {import("./pkg/wasm_demo.js").SwitchState} state */
@@ -75,16 +83,4 @@ export class EffectList {
 }
 
 /** @param {import("./pkg/wasm_demo.js").EffectState} effect */
-function item({ name, isCalledFor }) {
-  const item = document.createElement("li");
-  item.textContent = name;
-  item.dataset.effect = name;
-  item.classList.toggle("called", isCalledFor);
-  if (!isCalledFor) {
-    const words = document.createElement("span");
-    words.className = "unseen";
-    words.textContent = ", left out";
-    item.append(words);
-  }
-  return item;
-}
+const item = ({ name }) => Object.assign(document.createElement("li"), { textContent: name });

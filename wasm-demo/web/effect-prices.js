@@ -1,6 +1,4 @@
 // The counted prices of the effects that have a switch.
-import { whole } from "./numbers.js";
-
 /** The processor of the prices, as the list and as people call it. */
 const CHIP = { name: "cortex-m0", words: "Cortex-M0" };
 
@@ -28,7 +26,7 @@ export const MEANING = `Beside each switch: instructions for each light and pixe
 
 /**
  * Loads the prices: a map from the name of a switch to what it adds to the program that it stands on,
- * in words. Empty if the list does not load; the page works without it.
+ * beside it. Empty if the list does not load; the page works without it.
  */
 export async function loadPrices() {
   /** @type {List | undefined} */
@@ -41,14 +39,12 @@ export async function loadPrices() {
     console.info(`The prices of the effects are not shown: ${error}`);
   }
   const prices = list?.[CHIP.name]?.figures ?? {};
-  /** @type {[string, string][]} */
+  /** @type {[string, Price][]} */
   const told = Object.entries(PROGRAMS).flatMap(([effect, [program, over]]) => {
     const none = { instructions: 0, flash: 0 };
     const [price, base] = [prices[program], over === undefined ? none : prices[over]];
     if (!price || !base) return [];
-    /** @type {(what: keyof Price) => string} */
-    const added = (what) => whole(price[what] - base[what]);
-    return [[effect, `+${added("instructions")}, ${added("flash")} B`]];
+    return [[effect, { instructions: price.instructions - base.instructions, flash: price.flash - base.flash }]];
   });
   return new Map(told);
 }

@@ -36,6 +36,16 @@ export function copyOf(id) {
 }
 
 /**
+ * Loads the text of a file beside the scripts.
+ * @param {string} file
+ */
+export async function fetchText(file) {
+  const answer = await fetch(new URL(file, import.meta.url));
+  if (!answer.ok) throw new Error(`${file}: the server answers ${answer.status}`);
+  return answer.text();
+}
+
+/**
  * Fills the part of a slider's track that is before its value.
  * @param {HTMLInputElement} slider
  */

@@ -2,7 +2,7 @@
 import { LightFile, initSync } from "./pkg/files.js";
 import { copyTextOf } from "./clipboard.js";
 import { BOX, height, levels } from "./curve.js";
-import { element as find } from "./elements.js";
+import { element as find, fetchText } from "./elements.js";
 import { refusalOf } from "./failure.js";
 import { compile } from "./module.js";
 import { counted, degrees } from "./numbers.js";
@@ -27,13 +27,9 @@ const select = (id) => find(`file-${id}`, HTMLSelectElement);
  * @param {OnStage} stage
  */
 export async function openPanel(place, { throwOf, put }) {
-  const [module, answer] = await Promise.all([
-    compile(new URL("pkg/files_bg.wasm", import.meta.url)),
-    fetch(new URL("file.html", import.meta.url)),
-  ]);
-  if (!answer.ok) throw new Error(`file.html: the server answers ${answer.status}`);
+  const [module, text] = await Promise.all([compile(new URL("pkg/files_bg.wasm", import.meta.url)), fetchText("file.html")]);
   initSync({ module });
-  place.innerHTML = await answer.text();
+  place.innerHTML = text;
   /** @type {LightFile} */
   let file;
   /** @type {FileLight[]} */

@@ -2,6 +2,7 @@
 import { element } from "./elements.js";
 import { words } from "./failure.js";
 import { load } from "./support.js";
+import { reveal } from "./tabs.js";
 
 /** @param {import("./file-panel.js").OnStage} stage */
 export function takeFiles(stage) {
@@ -13,6 +14,7 @@ export function takeFiles(stage) {
   async function open(file) {
     if (!file) return;
     if (element("stage-page").hidden) location.hash = "stage";
+    reveal(told);
     [told.textContent, told.className] = [`Reading ${file.name}.`, "note"];
     try {
       if (file.size > 2 ** 26) throw `size = ${file.size}: expected at most ${2 ** 26} bytes`;

@@ -43,6 +43,7 @@ export class Handles {
   #svg = element("handles", SVGElement);
   #sides = [line("side", 0, 0, 0, 0), line("side", 0, 0, 0, 0)];
   #area = shape("path", { class: "area" });
+  #outline = shape("path", { class: "outline" });
   #aim = slider("aim", [shape("circle", { class: "target", r: 22 }), shape("path", { class: "mark", d: "M-9 0H-3M3 0H9M0-9V-3M0 3V9" }), shape("circle", { class: "ring", r: 6 })]);
   /** @type {SVGElement[]} */
   #bodies = [];
@@ -72,7 +73,7 @@ export class Handles {
     this.#stage = stage;
     this.#lights = lights;
     this.#aim.id = "handle-aim";
-    this.#svg.append(this.#area, ...this.#sides, this.#aim);
+    this.#svg.append(this.#area, this.#outline, ...this.#sides, this.#aim);
     this.#join(this.#aim, () => this.#aiming());
     this.#join(this.#area, () => this.#aiming());
     for (const target of [this.#aim, this.#area]) {
@@ -185,7 +186,7 @@ export class Handles {
     const { isSpot, aim } = plain(this.#stage.light(light));
     const place = this.#pixels(2 * light + 1);
     const isSeen = isSpot && !Number.isNaN(place.x);
-    for (const part of [this.#aim, this.#area, ...this.#sides]) part.toggleAttribute("hidden", !isSeen);
+    for (const part of [this.#aim, this.#area, this.#outline, ...this.#sides]) part.toggleAttribute("hidden", !isSeen);
     this.#aim.setAttribute("aria-label", `Aim of light ${light + 1}`);
     tellPlace(this.#aim, aim);
     if (!isSeen) return;
@@ -193,11 +194,15 @@ export class Handles {
     const pool = this.#stage.pool(light, aspect);
     const [ends, outline] = [pool.slice(0, 4), pool.slice(4)];
     const { width, height } = this.#size;
-    let path = "";
+    let [path, lines, isCut] = ["", "", true];
     for (let i = 0; i < outline.length; i += 2) {
-      path += `${i === 0 ? "M" : "L"}${(outline[i] * width).toFixed(1)} ${(outline[i + 1] * height).toFixed(1)}`;
+      const isEnd = Number.isNaN(outline[i]);
+      const point = `${(outline[i] * width).toFixed(1)} ${(outline[i + 1] * height).toFixed(1)}`;
+      if (!isEnd) [path, lines] = [`${path}${path && "L"}${point}`, `${lines}${isCut ? "M" : "L"}${point}`];
+      isCut = isEnd;
     }
-    this.#area.setAttribute("d", path && `${path}Z`);
+    this.#area.setAttribute("d", path && `M${path}Z`);
+    this.#outline.setAttribute("d", lines && `${lines}${isCut ? "" : "Z"}`);
     const from = this.#pixels(2 * light);
     for (const [i, side] of this.#sides.entries()) {
       side.toggleAttribute("hidden", Number.isNaN(ends[2 * i]));

@@ -158,6 +158,7 @@ export class MuseumView {
     // On narrow screens the list is a row that scrolls.
     element("list").scrollLeft = held(chosen).offsetLeft - THUMBNAIL;
     for (const name of TEXTS) element(name).textContent = exhibit[name];
+    element("thread").replaceChildren(...linked(exhibit.thread));
     held(element("thread")).hidden = exhibit.thread === "";
     element("control").textContent = exhibit.control;
     element("unit").textContent = exhibit.unit;
@@ -203,3 +204,16 @@ export class MuseumView {
  * @param {Element} element
  */
 const held = (element) => /** @type {HTMLElement} */ (element.parentElement);
+
+/**
+ * The names of threads, such as `owner/repository #1, #2`, as links to their host.
+ * @param {string} threads
+ */
+function linked(threads) {
+  let project = "";
+  return threads.split(/([\w.-]+\/[\w.-]+ #\d+|#\d+)/).map((text) => {
+    const [, named, number] = /^(?:(\S+) )?#(\d+)$/.exec(text) ?? [];
+    project = named ?? project;
+    return number ? Object.assign(document.createElement("a"), { href: `https://github.com/${project}/issues/${number}`, textContent: text }) : text;
+  });
+}

@@ -1,5 +1,4 @@
 // What the selected light costs on each chip, by each evaluation, and which one is enough.
-import { copyTextOf } from "./clipboard.js";
 import { element as find, row } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 import { draw } from "./price-chart.js";
@@ -24,7 +23,7 @@ import { draw } from "./price-chart.js";
 
 /**
  * An evaluation of a light, its error and its price on each chip.
- * @typedef {{ evaluation: string, bound: { value: number, found: number, label: string }, prices: Record<string, Price>, code?: string }} Evaluation
+ * @typedef {{ evaluation: string, bound: { value: number, found: number, label: string }, prices: Record<string, Price> }} Evaluation
  */
 
 /** @typedef {{ evaluations: Evaluation[], picked: string | null, question: string }} Survey */
@@ -143,9 +142,6 @@ export class PricePanel {
     }
     for (const name of ["chip", "display", "most", "far"]) element(name).addEventListener("input", () => this.#ask());
     new ResizeObserver(() => requestAnimationFrame(() => this.#show())).observe(find("price-chart", SVGElement));
-    element("copy").addEventListener("click", async () => {
-      element("told").textContent = await copyTextOf(element("code"));
-    });
   }
 
   /**
@@ -258,9 +254,6 @@ export class PricePanel {
       words.append(small);
     }
     element("picked").replaceChildren(strong, words);
-    const code = found?.code ?? "";
-    element("code").textContent = code;
-    element("code").closest("details")?.toggleAttribute("hidden", code === "");
   }
 
   /**

@@ -30,8 +30,12 @@ export class ScenePicker {
    * @param {string} name
    */
   show(name) {
+    const chosen = element(`scene-${name}`, HTMLInputElement);
+    chosen.checked = true;
+    // The list is a row, which scrolls where it is too wide.
+    const { offsetLeft, offsetWidth } = /** @type {HTMLElement} */ (chosen.parentElement);
+    if (this.#shown !== this.#scenes.get(name)) this.#holder.scrollLeft = offsetLeft - (this.#holder.clientWidth - offsetWidth) / 2;
     this.#shown = this.#scenes.get(name);
-    element(`scene-${name}`, HTMLInputElement).checked = true;
   }
 
   /**

@@ -15,7 +15,8 @@ import { cores } from "./workers.js";
 export async function open() {
   const { width, height, workers = cores(), rests, refused } = requested(location.search);
   // Compiled once for the page and all workers, which load their scripts in the meantime.
-  const compiling = compile(new URL("pkg/wasm_demo_bg.wasm", import.meta.url));
+  const loaded = element("loaded", HTMLProgressElement);
+  const compiling = compile(new URL("pkg/wasm_demo_bg.wasm", import.meta.url), (bytes) => (loaded.value = bytes));
   const pool = new Pool(compiling, workers);
   const module = await compiling;
   const { memory } = initSync({ module });
@@ -39,6 +40,7 @@ export async function open() {
       ["compare", late("comparison", "ComparisonView")],
       ["museum", late("museum", "MuseumView")],
       ["chip", late("chip", "ChipView")],
+      ["use", { element: element("use"), open: async () => (await load("use-view.js")).UseView.open(() => page.selected) }],
     ]),
   ).show();
 }

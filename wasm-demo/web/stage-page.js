@@ -19,6 +19,7 @@ import { Readout } from "./readout.js";
 import { ScenePicker } from "./scene-picker.js";
 import { now } from "./share.js";
 import { load } from "./support.js";
+import { joinTabs } from "./tabs.js";
 
 /** @typedef {import("./camera-view.js").Picture} Shown */
 /** @typedef {Awaited<ReturnType<import("./pool.js").Pool["draw"]>>} Drawn */
@@ -37,6 +38,9 @@ const LONGEST_STEP = 0.25;
  * device, in milliseconds.
  */
 const REST = 150;
+
+/** What stands beside the button that verifies it. */
+const EQUAL = "Only exact zeros are skipped: the picture is the same, bit for bit.";
 
 export class StagePage {
   #stage;
@@ -132,6 +136,7 @@ export class StagePage {
         return refusal || `Light ${element("panel-title").textContent} has it, and so has the link. “Expose for it” below shows it at full scale.`;
       },
     });
+    joinTabs();
     this.#join();
     this.#joinSteps();
   }
@@ -144,6 +149,16 @@ export class StagePage {
   /** The price of the selected light; undefined until it is in view. */
   get price() {
     return this.#price.panel;
+  }
+
+  /**
+   * The selected light, its name, and a job of the stage that has it.
+   * @returns {import("./use-view.js").Selected | undefined}
+   */
+  get selected() {
+    const light = this.#lights.selected;
+    if (light >= this.#stage.lightCount) return undefined;
+    return { job: this.#stage.job(), light, name: `${light + 1} ${plain(this.#stage.light(light)).name}` };
   }
 
   /** Whether a picture is being drawn or will be. */
@@ -376,7 +391,7 @@ export class StagePage {
     input("camera").disabled = !stage.cameraMoves;
     this.#controls.show();
     this.#divided.cover(stage.get("with") !== "", stage.get("difference"));
-    element("equality").textContent = "";
+    element("equality").textContent = EQUAL;
     element("told").textContent = "";
     this.#lights.show();
     this.#effects.open();

@@ -15,14 +15,15 @@ Usage: cargo xtask COMMAND [OPTIONS]
   demo          Build the browser demo into target/demo and serve it on 127.0.0.1; the same as
                 `cargo demo`
     --port N            Serve on this port instead of 8080
-    --view NAME         Open this view of the page: stage, compare, museum or chip; settings may
-                        follow, as in compare?half=0.1 or stage?scene=grid
+    --view NAME         Open this view of the page: stage, compare, museum, chip or use;
+                        settings may follow, as in compare?half=0.1 or stage?scene=grid
     --check             Instead of serving: run the page once in headless Chromium, print one line
                         and exit
     --screenshot FILE   Like --check, and write a PNG of the page at 1440x900 to this file
     --build DIR         Instead of serving: write the demo into this folder, for any static host
     --address URL       With --build: where the folder will be served, for link previews, as in
                         https://example.org/demo/
+    --repository URL    With --build: where the source is, for links of the view `use`
 
 The laboratory, built when it is first called; `cargo xtask COMMAND --help` has the options:
   test          Run the tests: format, lints, documentation, host, an emulated board, a browser
@@ -55,6 +56,7 @@ pub(crate) struct DemoOptions {
     pub(crate) screenshot: Option<PathBuf>,
     pub(crate) build: Option<PathBuf>,
     pub(crate) address: Option<String>,
+    pub(crate) repository: Option<String>,
 }
 
 /// Parses the words after the program's name.
@@ -84,11 +86,14 @@ fn demo(words: &mut Arguments) -> Result<DemoOptions> {
         screenshot: words.opt_value_from_str("--screenshot")?,
         build: words.opt_value_from_str("--build")?,
         address: words.opt_value_from_fn("--address", address)?,
+        repository: words.opt_value_from_fn("--repository", address)?,
     };
-    let DemoOptions { port, view, check, screenshot, build, address } = &options;
-    ensure!(address.is_none() || build.is_some(), "--address: expected --build, too");
+    let DemoOptions { port, view, check, screenshot, build, address, repository } = &options;
+    for (name, value) in [("--address", address), ("--repository", repository)] {
+        ensure!(value.is_none() || build.is_some(), "{name}: expected --build, too");
+    }
     let is_served = *check || port.is_some() || view.is_some() || screenshot.is_some();
-    ensure!(build.is_none() || !is_served, "--build: expected no option but --address");
+    ensure!(build.is_none() || !is_served, "--build: expected no option but --address and --repository");
     Ok(options)
 }
 
@@ -134,11 +139,15 @@ mod tests {
     #[test]
     fn commands_take_their_options() {
         let address = Some("https://example.org/demo/".to_owned());
-        let built = DemoOptions { build: Some("site".into()), address, ..Default::default() };
+        let repository = Some("https://example.org/source/".to_owned());
+        let built = DemoOptions { build: Some("site".into()), address, repository, ..Default::default() };
         let laboratory = Request::Laboratory(["test", "--help"].map(OsString::from).to_vec());
         for (line, request) in [
             ("demo -h", Request::Help),
-            ("demo --build=site --address https://example.org/demo", Request::Demo(built)),
+            (
+                "demo --build=site --address https://example.org/demo --repository https://example.org/source",
+                Request::Demo(built),
+            ),
             ("test --help", laboratory),
         ] {
             assert_eq!(parse(line).unwrap(), request, "{line}");
@@ -157,6 +166,7 @@ mod tests {
             ("demo --view nope?half=1", "expected one of stage, compare, museum"),
             ("demo --build site --check", "--build"),
             ("demo --address https://example.org", "--build"),
+            ("demo --repository https://example.org", "--build"),
             ("demo --build site --address example.org", "expected a folder's address"),
             ("demo --build site --address https://a.org/\"", "expected a folder's address"),
             ("demo --port", "--port"),

@@ -18,7 +18,8 @@ pub(crate) fn run(options: &DemoOptions) -> Result<()> {
     let progress = Progress::Live;
     if let Some(folder) = &options.build {
         let site = site::build(Build::Small, &progress)?;
-        let first = publish(&site, folder, options.address.as_deref(), &progress)?;
+        let first =
+            publish(&site, folder, [&options.address, &options.repository].map(Option::as_deref), &progress)?;
         println!("{}: the first picture takes {} files", folder.display(), first.len());
         return Ok(());
     }

@@ -125,6 +125,15 @@ fn an_outline_leaves_out_small_objects() {
     assert_eq!(on_large_surfaces(&scattered), [true; RAYS]);
 }
 
+/// The line is cut where it would cross from one surface to another.
+#[test]
+fn an_outline_is_cut_at_steps_of_depth() {
+    assert_eq!(pieces(vec![(4.0, 'a'), (4.1, 'b'), (4.0, 'c')]), ['a', 'b', 'c'].map(Some));
+    let cut = pieces(vec![(4.0, 'a'), (5.0, 'b'), (5.1, 'c'), (4.1, 'd')]);
+    assert_eq!(cut, [Some('d'), Some('a'), None, Some('b'), Some('c'), None]);
+    assert_eq!(pieces::<char>(Vec::new()), []);
+}
+
 #[test]
 fn a_position_that_no_light_can_have_is_refused() {
     let mut stage = stage(Example::BareSpot);

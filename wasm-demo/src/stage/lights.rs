@@ -34,7 +34,8 @@ impl Stage {
 
     /// Returns the pool of a light in the picture: x and y of each point, as shares. The first two
     /// points are the ends of the lines from the light that enclose the pool, NaN if the light is not
-    /// before the camera, and the others the corners of its closed outline. Empty without a pool.
+    /// before the camera, and the others the corners of its outline: closed, or with NaN after each of its
+    /// pieces. Empty without a pool.
     #[wasm_bindgen(js_name = pool)]
     pub fn flat_pool(&self, light: usize, aspect: f32) -> Result<Vec<f32>, Refusal> {
         Ok(flat(self.pool(light, aspect)?))

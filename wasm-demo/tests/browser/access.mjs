@@ -78,11 +78,11 @@ async function seen(selector, margin = 0) {
  * which has the attribute `data-seen`, or the label of a radio button.
  */
 async function walk(place, look) {
-  // Of a group of radio buttons the Tab key reaches the checked one.
+  // Of a group of radio buttons the Tab key reaches the checked one, and of tabs the chosen one.
   const stops = await ask(() => {
     const all = document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]:not([tabindex="-1"])');
     const isSeen = (stop) => stop.getClientRects().length > 0 && stop.checkVisibility({ visibilityProperty: true });
-    window.stops = [...all].filter((stop) => !stop.disabled && isSeen(stop) && (stop.type !== "radio" || stop.checked));
+    window.stops = [...all].filter((stop) => !stop.disabled && stop.tabIndex >= 0 && isSeen(stop) && (stop.type !== "radio" || stop.checked));
     window.reached = new Set();
     window.stops[0].focus();
     return window.stops.length;
@@ -154,15 +154,20 @@ async function frameIsSeen(choice) {
 
 long("forced colours hide nothing", async () => {
   await openForced(STILL);
-  for (const slider of ["#light-beam", "#exposure"]) await sliderIsSeen(slider);
-  for (const id of ["light-2-on", "handles-shown"]) await switchIsSeen(id);
+  await sliderIsSeen("#light-beam");
+  await switchIsSeen("light-2-on");
   for (const [chosen, other] of [["#lights li:nth-child(1)", "#lights li:nth-child(2)"], [".views [aria-current]", ".views a:not([aria-current])"]]) {
     assert.notDeepEqual((await seen(chosen)).ground, (await seen(other)).ground, `${chosen} looks like ${other}`);
   }
   await frameIsSeen(".picker label");
+  await press("tab-picture");
+  await sliderIsSeen("#exposure");
+  await switchIsSeen("handles-shown");
+  await press("tab-lights");
   const style = (selector, property) => ask((selector, property) => getComputedStyle(document.querySelector(selector))[property], selector, property);
   assert.notEqual(await style("#curve .angle", "fill"), await style(".desk", "backgroundColor"), "the labels of the curve");
   await openForced("#stage?play=none&scene=show");
+  await press("tab-work");
   // The frame, what was evaluated, and two kinds of what was left out.
   must((await seen(".bar")).colours, (colours) => colours > 3, "at least four colours in the bar of what was evaluated");
   await openForced("#compare");

@@ -47,7 +47,7 @@ quick(
     assert.deepEqual([await shows("view"), await shows("absent")], [true, false], "the stage");
     await change("a beam, offline", () => enter("light-beam-number", 15));
     await works();
-    await ask(() => document.getElementById("price").scrollIntoView());
+    await press("tab-price");
     await exists("#price > button");
     assert.match(await words("price"), /could not be loaded/);
     await tab.setOfflineMode(false);
@@ -182,6 +182,8 @@ quick("the folder for static hosts works under a path", async () => {
     assert.equal(await ask(() => document.querySelector(".views [aria-current]").hash), `#${view}`);
     assert.ok(!(await shows("absent")), `${view} does not open`);
   }
+  await open("?#use", { page: hosted.address });
+  await until(() => document.getElementById("use-source")?.href === "https://example.org/source/");
   // The picture for link previews has the size that the page states.
   const stated = await ask(() => ["image", "image:width", "image:height", "title", "description", "url"].map((name) => document.querySelector(`meta[property="og:${name}"]`).content));
   assert.ok(stated.every(Boolean), stated.join());

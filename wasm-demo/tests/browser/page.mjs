@@ -6,13 +6,13 @@ import {
 
 /** Windows from a telephone, or a laptop at 400 %, to a large display, in pixels. */
 const WIDTHS = [
-  320, 360, 390, 412, 480, 600, 640, 700, 768, 820, 900, 1024, 1060, 1100, 1280, 1366, 1440, 1536, 1920, 2560,
+  320, 360, 390, 412, 480, 600, 640, 700, 768, 820, 900, 1023, 1024, 1100, 1280, 1366, 1440, 1536, 1920, 2560, 3840,
 ];
 
 /** A small picture, which the page draws itself. */
 const SMALL = "?workers=0&rest=0&width=64&height=36";
 
-quick("no name is over another and nothing scrolls sideways, from 320 to 2,560 pixels", async () => {
+quick("no name is over another and nothing scrolls sideways, from 320 to 3,840 pixels", async () => {
   await open(`${SMALL}#stage?scene=bare-spot&play=none`);
   const states = (await scenes()).map((scene) => `stage?play=none&scene=${scene}`);
   for (const hash of [...states, "stage?play=none&scene=show&with=fx16&lights=0:i2073500", ...VIEWS.filter((view) => view !== "stage")]) {
@@ -47,6 +47,36 @@ long("no text is cut or covered, on four screens and at 200 %", async () => {
       await settle();
       assert.deepEqual(await ask(() => window.probe.misplaced()), [], `${state.name}, ${width} pixels wide`);
     }
+  }
+});
+
+quick("the picture is in view beside every part of the desk, and Verify in the first screen", async () => {
+  await open(`${SMALL}#stage?scene=show&play=none`);
+  await isShown("handle-aim");
+  for (const [width, height] of [[1024, 768], [1440, 900], [1920, 1080], [3840, 2160]]) {
+    await resize(width, height);
+    for (const panel of ["price", "work", "picture", "lights"]) {
+      await press(`tab-${panel}`);
+      for (const end of [0, 1e6]) {
+        await ask((end) => scrollTo(0, end), end);
+        const { top, bottom } = await ask(() => document.getElementById("frame").getBoundingClientRect().toJSON());
+        must([top, bottom], () => top >= 0 && bottom <= height, `a picture within ${width} x ${height}, beside ${panel}, at ${end}`);
+      }
+    }
+    await ask(() => scrollTo(0, 0));
+    const [verify, frame] = await ask(() => ["verify", "frame"].map((id) => document.getElementById(id).getBoundingClientRect().toJSON()));
+    must(verify.bottom, (bottom) => bottom < height, `Verify above ${height}`);
+    must(frame.width, (wide) => wide > width / 2, `a picture of over half of ${width}`);
+  }
+});
+
+quick("the tabs of the desk follow the arrow keys", async () => {
+  await open(`${SMALL}#stage?scene=bare-spot&play=none`);
+  const seen = () => ask(() => [...document.querySelectorAll("[role=tabpanel]")].filter((panel) => panel.checkVisibility()).map(({ id }) => id).join());
+  await focus("tab-lights");
+  for (const [key, id] of [["ArrowRight", "picture"], ["End", "price"], ["ArrowRight", "lights"], ["ArrowLeft", "price"], ["Home", "lights"]]) {
+    await tab.keyboard.press(key);
+    assert.deepEqual([await seen(), await ask(() => document.activeElement.id)], [`desk-${id}`, `tab-${id}`], key);
   }
 });
 
@@ -85,6 +115,7 @@ quick("the wheel scrolls the page, unless the picture has the focus or with Ctrl
 quick("a touch that the browser takes leaves camera and lights as they were", async () => {
   await open(`${SMALL}#stage?scene=three-point&play=none`);
   await isShown("handle-0");
+  await press("tab-picture");
   const client = await tab.createCDPSession();
   const touch = (type, ...touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
   for (const { target, at, changes } of [
@@ -129,8 +160,10 @@ quick("both ends of every slider are taken, in every scene and view", async () =
   for (const scene of await scenes()) {
     await ask((hash) => void (location.hash = hash), `stage?play=none&scene=${scene}`);
     await until((scene) => window.luminaire.scene === scene, scene);
-    const sliders = ["light-beam", "light-field", "light-intensity", "exposure"];
-    assert.deepEqual(await turn(sliders, ["light-error", "stage-error"]), [], scene);
+    for (const [panel, sliders] of [["picture", ["exposure"]], ["lights", ["light-beam", "light-field", "light-intensity"]]]) {
+      await press(`tab-${panel}`);
+      assert.deepEqual(await turn(sliders, ["light-error", "stage-error"]), [], scene);
+    }
   }
   await go("compare");
   assert.deepEqual(await turn(["half-angle"], ["half-angle-error"]), []);

@@ -1,6 +1,6 @@
 // The views beside the stage: the comparison of kernels, the museum of faulty ones, and the chip.
 import {
-  EXPECT, VIEWS, ask, assert, drag, enter, focus, more, must, number, open, pause, place, press, quick, redraw,
+  EXPECT, VIEWS, ask, assert, drag, enter, focus, go, more, must, number, open, pause, place, press, quick, redraw,
   requests, shows, tab, until, words,
 } from "./visit.mjs";
 
@@ -201,6 +201,27 @@ more("pictures of the museum have their own size", async () => {
   await open("#museum");
   const scales = await ask(() => Array.from(document.querySelectorAll(".sides canvas"), (canvas) => canvas.getBoundingClientRect().width / canvas.width));
   assert.deepEqual(scales, [1, 1, 1, 1]);
+});
+
+quick("threads of the museum are links to their host", async () => {
+  await open("#museum?exhibit=pow-zero");
+  const links = await ask(() => Array.from(document.querySelectorAll("#exhibit-thread a"), ({ href, textContent }) => [textContent, href]));
+  must(links, (links) => links.length > 1 && links.every(([text, href]) => href.endsWith(`/issues/${text.split("#")[1]}`)), "links");
+  must(links[1], ([, href]) => href.includes("/godotengine/godot/"), "the repository of the number before");
+});
+
+quick("the view of the use has the program of the selected light, and files", async () => {
+  const [{ scene, light, texts }] = EXPECT.code.lights;
+  const script = "window.blobs = {}; { const make = URL.createObjectURL; URL.createObjectURL = (blob) => { const url = make.call(URL, blob); window.blobs[url] = blob; return url; }; }";
+  await open(`#stage?play=none&scene=${scene}`, { script });
+  await press(`light-${light}`);
+  await go("use");
+  assert.equal(await ask(() => document.getElementById("use-code").textContent), texts["rust-program"]);
+  for (const [id, name] of [["script", "rust-build"], ["header", "luminaire.h"], ["constants", "luminaire_constant.h"], ["constant", "c-fx16"]]) {
+    const text = await ask(async (id) => window.blobs[document.getElementById(`use-${id}`).href].text(), id);
+    assert.equal(text, texts[name] ?? EXPECT.code.headers[name], name);
+  }
+  assert.ok(!(await shows("use-links")), "links to no repository");
 });
 
 // The chip.

@@ -197,7 +197,7 @@ export async function type(id, text) {
 
 /** Waits until a view has loaded and shows what it is about. */
 export async function isOpen(view) {
-  const shown = { stage: "#lights li", compare: "#ledger-title", museum: "#exhibit-title:not(:empty)", chip: "#chip canvas" };
+  const shown = { stage: "#lights li", compare: "#ledger-title", museum: "#exhibit-title:not(:empty)", chip: "#chip canvas", use: "#use-code:not(:empty)" };
   await until((selector) => [...document.querySelectorAll(selector)].some((found) => found.checkVisibility()), shown[view]);
   await settle();
 }
@@ -282,10 +282,17 @@ export async function give(name, text = readFileSync(new URL(`../../../exchange/
   await until(() => !document.getElementById("file-told").textContent.startsWith("Reading"));
 }
 
-/** Opens every panel and drawer, also those that are loaded when they are in view. */
-async function openAll() {
+/** Shows the price, which is loaded when it is in view. */
+export async function openPrice() {
+  await press("tab-price");
   await ask(() => document.getElementById("price").scrollIntoView());
   await exists("#price-picked b");
+}
+
+/** Opens every panel and drawer, also those that are loaded when they are in view. */
+async function openAll() {
+  await openPrice();
+  await press("tab-lights");
   await give("spot.ies");
   await ask(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
   await until(() => [...document.querySelectorAll("details pre")].every((pre) => pre.textContent));
@@ -305,6 +312,9 @@ export const EVERY_PANEL = { name: "every panel open", address: "#stage?scene=th
 export const STATES = [
   { name: "the show", address: "#stage?scene=show&play=none" },
   EVERY_PANEL,
+  { name: "the settings of the picture", address: "#stage?scene=three-point&play=none&map=lights&with=fx16", act: () => press("tab-picture") },
+  { name: "what was evaluated", address: "#stage?scene=three-point&play=none", act: () => press("tab-work") },
+  { name: "the price", address: "#stage?scene=three-point&play=none&format=fx16", act: openPrice },
   { name: "a refused address", address: "#stage?scene=three-point&play=none&lights=0:b0.1&format=fx16" },
   { name: "a refused angle", address: "#stage?scene=three-point&play=none", act: () => enter("light-beam-number", 1000) },
   { name: "a divided picture", address: "#stage?scene=pocket&play=none", act: () => enter("divided-format", "fx16") },
@@ -315,6 +325,7 @@ export const STATES = [
   { name: "a refused form", address: "#compare?left=fx16&half=0.1" },
   { name: "the museum", address: "#museum", act: () => enter("exhibit-number", 1000) },
   { name: "the chip", address: "#chip", act: runBoard },
+  { name: "the use", address: "#use" },
 ].filter(({ address }) => VIEWS.includes(address.match(/\w+/)[0]));
 
 /** Opens the page in a state. */

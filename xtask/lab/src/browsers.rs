@@ -35,6 +35,7 @@ const NOT_SERVED: &str = "not run, because the demo is not served";
 /// The path under which the folder for static hosts is served, and the address that it is written for.
 const PATH: &str = "some/where/";
 const STANDS: &str = "https://example.org/demo/";
+const SOURCE: &str = "https://example.org/source/";
 
 /// What WebKitGTK needs: the display, the driver, and what the browser itself needs.
 const WEBKIT: [&str; 4] = ["xvfb", "webkit2gtk-driver", "python3-gi", "gir1.2-webkit2-4.1"];
@@ -101,7 +102,7 @@ impl Served {
         let demo = Server::start(&site::folder())?;
         let host = tempfile::tempdir()?;
         let folder = host.path().join(PATH);
-        let first = publish(&site::folder(), &folder, Some(STANDS), progress)?;
+        let first = publish(&site::folder(), &folder, [Some(STANDS), Some(SOURCE)], progress)?;
         let plain = Server::on(server::listen(0)?, "", host.path())?;
         let mut expected = expected::page()?;
         expected["hosted"] = json!({

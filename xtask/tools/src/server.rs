@@ -186,6 +186,7 @@ fn mime(path: &Path) -> &'static str {
         Some("txt") => "text/plain; charset=utf-8",
         Some("wasm") => "application/wasm",
         Some("svg") => "image/svg+xml",
+        Some("jpg") => "image/jpeg",
         Some("png") => "image/png",
         _ => "application/octet-stream",
     }

@@ -23,15 +23,16 @@ type Files = Vec<(String, Vec<u8>)>;
 
 /// Writes the demo of the folder `site` into the folder `to`, which must be absent or empty, with scripts
 /// and styles without comments and indentation: a quarter of the compressed page. `address` is where
-/// the demo will be, as in `https://example.org/demo/`; link previews need it. Returns the paths below `to` of the
+/// the demo will be, as in `https://example.org/demo/`; link previews need it. `repository` is where its source is,
+/// to which it then links. Returns the paths below `to` of the
 /// files that a browser loads for the first picture.
 pub fn publish(
     site: &Path,
     to: &Path,
-    address: Option<&str>,
+    [address, repository]: [Option<&str>; 2],
     progress: &Progress,
 ) -> Result<BTreeSet<String>> {
-    let first = place(site, to, address)?;
+    let first = place(site, to, [address, repository])?;
     let is_code = |path: &PathBuf| path.extension().is_some_and(|end| end == "js" || end == "css");
     let code = project::files(to, &[])?.into_keys().filter(is_code).map(|path| to.join(path));
     install::npm("esbuild", progress)?;
@@ -43,7 +44,7 @@ pub fn publish(
 }
 
 /// Writes the files as they are, but for their addresses in the page.
-fn place(site: &Path, to: &Path, address: Option<&str>) -> Result<BTreeSet<String>> {
+fn place(site: &Path, to: &Path, links: [Option<&str>; 2]) -> Result<BTreeSet<String>> {
     let is_free = to.read_dir().map_or(!to.exists(), |mut entries| entries.next().is_none());
     ensure!(
         is_free,
@@ -63,11 +64,11 @@ fn place(site: &Path, to: &Path, address: Option<&str>) -> Result<BTreeSet<Strin
         let written = if name.ends_with(".html") {
             let mut text = String::from_utf8_lossy(content).into_owned();
             for (other, _) in &files {
-                let prefix = if other == PREVIEW { address.unwrap_or_default() } else { "" };
+                let prefix = if other == PREVIEW { links[0].unwrap_or_default() } else { "" };
                 text = text.replace(&format!("\"{other}\""), &format!("\"{prefix}{folder}{other}\""));
             }
             let page = name == PAGE;
-            if page { with_links(&text, &folder, &first, address)? } else { text }.into_bytes()
+            if page { with_links(&text, &folder, &first, links)? } else { text }.into_bytes()
         } else {
             content.clone()
         };
@@ -104,12 +105,17 @@ fn first(files: &Files) -> Result<BTreeSet<String>> {
 }
 
 /// The page, which also preloads the modules that its own modules import.
-fn with_links(page: &str, folder: &str, first: &BTreeSet<String>, address: Option<&str>) -> Result<String> {
+fn with_links(
+    page: &str,
+    folder: &str,
+    first: &BTreeSet<String>,
+    [address, repository]: [Option<&str>; 2],
+) -> Result<String> {
     let is_linked = |name: &&String| *name == PAGE || page.contains(&format!("\"{folder}{name}\""));
     let preload = |name: &String| format!("  <link rel=\"modulepreload\" href=\"{folder}{name}\">\n");
     let mut links: String = first.iter().filter(|name| !is_linked(name)).map(preload).collect();
-    if let Some(address) = address {
-        links += &format!("  <meta property=\"og:url\" content=\"{address}\">\n");
+    for (name, url) in [("property=\"og:url\"", address), ("name=\"repository\"", repository)] {
+        links += &url.map_or_else(String::new, |url| format!("  <meta {name} content=\"{url}\">\n"));
     }
     let (head, body) = page.split_once("</head>").context("the page has no head")?;
     Ok(format!("{head}{links}</head>{body}"))
@@ -119,6 +125,6 @@ fn with_links(page: &str, folder: &str, first: &BTreeSet<String>, address: Optio
 fn folder_with_a_file_is_refused() {
     let to = tempfile::tempdir().unwrap();
     fs::write(to.path().join("mine.txt"), "").unwrap();
-    let refusal = place(to.path(), to.path(), None).unwrap_err().to_string();
+    let refusal = place(to.path(), to.path(), [None; 2]).unwrap_err().to_string();
     assert!(refusal.contains("absent or empty"), "{refusal}");
 }

@@ -59,6 +59,11 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
             let module = package.compile(progress)?;
             build.finish(&package.bind(&module, &new.join(folder), progress)?, progress)?;
         }
+        // How large the module is once a host's compression is undone: what the page's progress counts.
+        let bytes = fs::metadata(new.join("pkg/wasm_demo_bg.wasm"))?.len();
+        let page = new.join("index.html");
+        let text = fs::read_to_string(&page)?;
+        fs::write(&page, text.replace("id=\"loaded\" max=\"1\"", &format!("id=\"loaded\" max=\"{bytes}\"")))?;
         if build == Build::Part { Ok(()) } else { chip::write(new, build, progress) }
     })?;
     Ok(site)
