@@ -15,8 +15,8 @@ Usage: cargo xtask COMMAND [OPTIONS]
   demo          Build the browser demo into target/demo and serve it on 127.0.0.1; the same as
                 `cargo demo`
     --port N            Serve on this port instead of 8080
-    --view NAME         Open this view of the page: stage, compare, museum or chip; settings may
-                        follow, as in compare?half=0.1 or stage?scene=grid
+    --view NAME         Open this view of the page: stage, compare, museum, class or chip;
+                        settings may follow, as in compare?half=0.1 or stage?scene=grid
     --check             Instead of serving: run the page once in headless Chromium, print one line
                         and exit
     --screenshot FILE   Like --check, and write a PNG of the page at 1440x900 to this file

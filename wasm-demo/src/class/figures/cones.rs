@@ -27,9 +27,9 @@ pub(super) const POWER: Figure = Figure {
     draw: |values| {
         let [exponent, cutoff] = values.numbers([EXPONENT, CUTOFF]);
         let spot = opengl(exponent, cutoff)?;
-        let beam = Beam::spot("cos^p, cut off at δ", spot)?;
+        let beam = Beam::spot("cosᵖ, cut off at δ", spot)?;
         let inside = beam.at(0.999 * f64::from(cutoff));
-        let whole = Beam::spot("cos^p", opengl(exponent, 90.0)?)?;
+        let whole = Beam::spot("cosᵖ", opengl(exponent, 90.0)?)?;
         let numbers = vec![
             ("Beam angle, at 50 %", spot.cone().beam().to_degrees().into(), "°"),
             ("Light just within the cutoff", inside, ""),
@@ -83,7 +83,7 @@ pub(super) const CONES: Figure = Figure {
         let both = [Beam::of("smoothstep", cone)?, Beam::of("linear", dual(Linear, inner, outer)?)?];
         let half = cone.beam().to_degrees() / 2.0;
         Ok(Drawing {
-            pictures: vec![picture("A cut through the beam, 12 m long", seen, [480, 240], |x, y, _| {
+            pictures: vec![picture("A cut through the beam, 12 m long", seen, [640, 320], |x, y, _| {
                 light(x + 1.0, y)
             })],
             numbers: vec![

@@ -14,7 +14,7 @@ pub(super) const ATTENUATION: Figure = Figure {
     source: "Lecture CPSC 424, “Attenuation”",
     parameters: &[
         Choice("which", "Constant", &[("a", "a, constant"), ("b", "b, linear"), ("c", "c, quadratic")]),
-        Dial(CONSTANT, 1.0),
+        Dial(CONSTANT, 0.5),
         Dial(LINEAR, 0.0),
         Dial(QUADRATIC, 0.25),
     ],
@@ -55,9 +55,9 @@ fn attenuation(values: &Values) -> Result<Drawing, Refusal> {
     let [a, b, c] = constants;
     let law = arriving(Polynomial::new(a, b, c)?)?;
     let seen = format!("A strip of floor, {LONGEST} m long, lit from the left");
-    let uncapped = sampled([0.0, LONGEST], |d| (1.0 / polynomial(constants, d)).min(1.5));
+    let uncapped = sampled([0.01, LONGEST], |d| (1.0 / polynomial(constants, d)).min(2.0));
     Ok(Drawing {
-        pictures: vec![picture("The floor", seen, [480, 60], |x, _, _| law(LONGEST * (x + 1.0) / 2.0))],
+        pictures: vec![picture("The floor", seen, [640, 60], |x, _, _| law(LONGEST * (x + 1.0) / 2.0))],
         numbers: vec![
             ("f(1 m)", law(1.0), ""),
             ("f(4 m)", law(4.0), ""),
@@ -65,8 +65,8 @@ fn attenuation(values: &Values) -> Result<Drawing, Refusal> {
         ],
         graph: Some(Graph {
             across: ("distance d, m", [0.0, LONGEST]),
-            up: ("light", 1.5),
-            curves: vec![("f(d)", sampled([0.0, LONGEST], &law)), ("without the cap", uncapped)],
+            up: ("light", 2.0),
+            curves: vec![("f(d)", sampled([0.01, LONGEST], &law)), ("without the cap", uncapped)],
             marks: Vec::new(),
         }),
         ..Drawing::default()
@@ -105,7 +105,7 @@ pub(super) const SPHERE: Figure = Figure {
             tidy(lit)
         );
         Ok(Drawing {
-            pictures: vec![picture("The lit patch, ruled in square metres", seen, [300; 2], patch)],
+            pictures: vec![picture("The lit patch, ruled in square metres", seen, [400; 2], patch)],
             graph: Some(Graph {
                 across: ("distance d, m", ends),
                 up: ("share", 1.2),

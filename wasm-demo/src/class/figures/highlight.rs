@@ -13,7 +13,7 @@ pub(super) const FIGURE: Figure = Figure {
     text: "A ball of a few patches: Gouraud lights their corners and blends the light, Phong lights every pixel by its own normal. \
         The shader’s highlight takes the half vector H where Phong takes the direction V to the eye. \
         The more shininess, the smaller the highlight.",
-    formula: "m_d max(0, N·L) + mₛ max(0, R·V)^m,   shader: mₛ max(0, R·H)^m",
+    formula: "m_d max(0, N·L) + m_s max(0, R·V)^m,   shader: m_s max(0, R·H)^m",
     source: "Lecture CPSC 424, “Attenuation”; the article on the dual-cone spotlight, “Appendix”",
     parameters: &[
         Choice(
@@ -93,7 +93,7 @@ fn drawing(ball: &impl Fn(DVec3) -> f64, way: &str) -> Result<Drawing, Refusal> 
     let words =
         format!("A ball with a highlight, lit per {}", if is_per_vertex { "vertex" } else { "pixel" });
     Ok(Drawing {
-        pictures: vec![picture("The ball", words, [360; 2], |x, y, _| seen(ball, is_per_vertex, [x, y]))],
+        pictures: vec![picture("The ball", words, [400; 2], |x, y, _| seen(ball, is_per_vertex, [x, y]))],
         numbers: vec![
             ("Brightest, per pixel", brightest(ball, false), ""),
             ("Brightest, per vertex", brightest(ball, true), ""),

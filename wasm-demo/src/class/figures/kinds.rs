@@ -9,7 +9,7 @@ pub(super) const FIGURE: Figure = Figure {
     text: "A spotlight and a point light have a position, a directional light only has a direction, and ambient light has neither. \
         The same ball stands on the same floor, lit by one of them alone. \
         Raise the lamp, and see which pictures change.",
-    formula: "I = mₐIₐ + Σ f(d) · spot · [m_d Iₛ max(0, N·L) + mₛ Iₛ max(0, R·V)^m]",
+    formula: "I = m_a I_a + Σ f(d) · spot · [m_d I_s max(0, N·L) + m_s I_s max(0, R·V)^m]",
     source: "Lecture CPSC 424, “Kinds of Light Sources”; Peng Engine’s blog, “Why add Spot Lights?”",
     parameters: &[
         Choice(
@@ -105,13 +105,13 @@ fn draw(values: &Values) -> Result<Drawing, Refusal> {
     let above = DVec3::X.cross(forward);
     // The mean of four rays of a pixel.
     let light = |x: f64, y: f64, _| {
-        const NEAR: f64 = 0.5 / 480.0;
+        const NEAR: f64 = 0.5 / 640.0;
         let ray = |x, y| lamp.seen(eye, forward + 0.42 * (x * DVec3::X + y * above));
         [x - NEAR, x + NEAR].map(|x| ray(x, y - NEAR) + ray(x, y + NEAR)).iter().sum::<f64>() / 4.0
     };
     let seen = format!("A ball on a floor in {kind} light");
     Ok(Drawing {
-        pictures: vec![picture("A ball of radius 1 m on a floor", seen, [480, 300], light)],
+        pictures: vec![picture("A ball of radius 1 m on a floor", seen, [640, 400], light)],
         numbers: vec![
             ("Light on top of the ball", lamp.light(BALL + DVec3::Y, DVec3::Y), ""),
             ("Light on the floor under the lamp", lamp.light(UNDER, DVec3::Y), ""),

@@ -62,7 +62,7 @@ fn rounding(bits: f32) -> f64 {
 
 pub(super) const VERSINE: Figure = Figure {
     name: "versine",
-    title: "Thin beams: 1 − cos or |l − s|²/2",
+    title: "Thin beams lose their digits",
     text: "In a thin beam all cosines are nearly 1, and their difference loses its digits. \
         Half the squared distance of the two unit vectors is the same number, but it is small from the start. \
         Both pictures are the soft quadratic in 32-bit floats.",
@@ -101,7 +101,7 @@ pub(super) const BANDS: Figure = Figure {
     text: "A display has few codes, and a soft gradient between two of them becomes a band. \
         sRGB spends more codes on dark light, where eyes see steps best. \
         Dither shows the upper of two codes in as many pixels as the mean light needs.",
-    formula: "code = round((2ⁿ − 1) · light),   or of the light after sRGB’s curve",
+    formula: "code = round((2^n − 1) · light),   or of the light after sRGB’s curve",
     source: "IEC 61966-2-1 for sRGB; the kernel’s ordered dither, after Bayer 1973",
     parameters: &[
         Choice(
@@ -134,8 +134,8 @@ pub(super) const BANDS: Figure = Figure {
         let words = |what| format!("{what} in {bits} bits, {coding}");
         Ok(Drawing {
             pictures: vec![
-                picture("A soft pool", words("A soft pool of light"), [320; 2], pool),
-                picture("Light from 0 to 1", words("A ramp from dark to light"), [320, 60], |x, _, place| {
+                picture("A soft pool", words("A soft pool of light"), [400; 2], pool),
+                picture("Light from 0 to 1", words("A ramp from dark to light"), [640, 60], |x, _, place| {
                     shown((x + 1.0) / 2.0, place)
                 }),
             ],
