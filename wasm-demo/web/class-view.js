@@ -61,6 +61,13 @@ function drawn({ across: [name, [from, to]], up: [level, top], curves, marks }) 
   ];
 }
 
+/** @type {(kind: string, properties: object, ...within: (Node | string)[]) => HTMLElement} creates an element */
+function made(kind, properties, ...within) {
+  const element = Object.assign(document.createElement(kind), properties);
+  element.append(...within);
+  return element;
+}
+
 /** @param {string} file */
 async function text(file) {
   const answer = await fetch(new URL(file, import.meta.url));
@@ -81,7 +88,7 @@ export class ClassView {
   drawn = 0;
 
   static async open() {
-    const sheet = Object.assign(document.createElement("link"), { rel: "stylesheet", href: new URL("class.css", import.meta.url).href });
+    const sheet = made("link", { rel: "stylesheet", href: new URL("class.css", import.meta.url).href });
     // Without its style the class is plain and still right.
     const styled = new Promise((resolve) => (sheet.onload = sheet.onerror = resolve));
     document.head.append(sheet);
@@ -92,11 +99,7 @@ export class ClassView {
   }
 
   constructor() {
-    element("list").replaceChildren(...this.#figures.map(({ name, title }) => {
-      const item = document.createElement("li");
-      item.append(Object.assign(document.createElement("a"), { href: `#class?figure=${name}`, textContent: title }));
-      return item;
-    }));
+    element("list").replaceChildren(...this.#figures.map(({ name, title }, i) => made("li", {}, made("a", { href: `#class?figure=${name}`, textContent: `${i + 1}  ${title}` }))));
     this.#dials = [0, 1].map((i) =>
       new ToldDial({ slider: `class-value-${i}`, number: `class-number-${i}`, error: `class-error-${i}` }, (value) => this.#set(this.#names[i], String(value))));
     select().addEventListener("input", () => {
@@ -117,23 +120,19 @@ export class ClassView {
     // A letter after ^ is an exponent, and one after _ an index.
     element("formula").replaceChildren(...figure.formula.split(/(?=[\^_])|(?<=[\^_].)/).map((part) => {
       const kind = { "^": "sup", _: "sub" }[part[0]];
-      return kind ? Object.assign(document.createElement(kind), { textContent: part.slice(1) }) : part;
+      return kind ? made(kind, {}, part.slice(1)) : part;
     }));
     byId("class-details", HTMLDetailsElement).open = false;
     element("told").textContent = "";
     const place = this.#figures.indexOf(figure);
     for (const [i, link] of element("list").querySelectorAll("a").entries()) {
-      link.toggleAttribute("aria-current", i === place);
-      if (i === place) {
-        link.setAttribute("aria-current", "true");
-        // On narrow screens the list is a row that scrolls.
-        element("list").scrollLeft = link.offsetLeft - element("list").offsetLeft - 40;
-      }
+      link.ariaCurrent = i === place ? "true" : null;
+      // On narrow screens the list is a row that scrolls.
+      if (i === place) element("list").scrollLeft = link.offsetLeft - element("list").offsetLeft - 40;
     }
     for (const [name, other] of /** @type {const} */ ([["before", place - 1], ["after", place + 1]])) {
-      const found = this.#figures[other];
-      element(name).hidden = found === undefined;
-      if (found) byId(`class-${name}`, HTMLAnchorElement).href = `#class?figure=${found.name}`;
+      element(name).hidden = this.#figures[other] === undefined;
+      byId(`class-${name}`, HTMLAnchorElement).href = `#class?figure=${this.#figures[other]?.name}`;
     }
     this.#showControls();
     this.#draw();
@@ -194,16 +193,13 @@ export class ClassView {
     this.#frame = 0;
     const { address, pictures, graph, numbers, refused } = this.state;
     element("pictures").replaceChildren(...pictures.map(({ label, seen, width, height }, i) => {
-      const canvas = Object.assign(document.createElement("canvas"), { width, height });
+      const canvas = Object.assign(document.createElement("canvas"), { width, height, role: "img", ariaLabel: seen });
       const pixels = /** @type {Uint8ClampedArray<ArrayBuffer>} */ (this.#class.pixels(i));
       canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
-      canvas.setAttribute("role", "img");
-      canvas.setAttribute("aria-label", seen);
-      const figure = document.createElement("figure");
+      const figure = made("figure", {}, canvas, made("figcaption", { className: "note", textContent: label }));
       // Pixels are not enlarged, and a strip has a row of its own.
       figure.style.maxWidth = `${width}px`;
       if (width > 3 * height) figure.style.flexBasis = "100%";
-      figure.append(canvas, Object.assign(document.createElement("figcaption"), { textContent: label }));
       return figure;
     }));
     element("graph").hidden = graph === null;
@@ -212,10 +208,9 @@ export class ClassView {
       svg.replaceChildren(...drawn(graph));
       svg.setAttribute("aria-label", `${graph.up[0]} over the ${graph.across[0]}: ${graph.curves.map(([name]) => name).join(", ")}`);
       element("legend").replaceChildren(...graph.curves.map(([name], i) => {
-        const [item, sample] = [document.createElement("li"), shape("svg", { class: "sample", viewBox: "0 0 24 8" })];
+        const sample = shape("svg", { class: "sample", viewBox: "0 0 24 8" });
         sample.append(shape("path", { class: KINDS[i], d: "M0 4H24" }));
-        item.append(sample, name);
-        return item;
+        return made("li", {}, sample, name);
       }));
     }
     element("numbers").replaceChildren(...numbers.map(([name, value]) => row(name, [value])));

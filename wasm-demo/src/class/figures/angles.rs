@@ -9,9 +9,7 @@ use luminaire::{
 pub(super) const EDGES: Figure = Figure {
     name: "edges",
     title: "A soft and a hard edge",
-    text: "Two quadratics replace the power: the soft one flattens out before it ends, the hard one ends steeply. \
-        All three beams have the same field angle, at which a tenth of the light is left. \
-        Cut off earlier, as by an iris, even the soft edge is sharp.",
+    text: "Two quadratics replace the power: the soft one flattens out before it ends, the hard one ends steeply. All three beams have the same field angle, at which a tenth of the light is left. Cut off earlier, as by an iris, even the soft edge is sharp.",
     formula: "soft: ((ρ − τ) / (1 − τ))²,   hard: 1 − ((1 − ρ) / (1 − τ))²,   Warn: ρ^C,   with ρ = cos a",
     source: "Hast 2004, sections 2 and 3, figure 7; the cutoff: section 5",
     parameters: &[Dial(FIELD, 15.0), Dial(CUT, 100.0)],
@@ -64,9 +62,7 @@ fn beam_angles(field: f32) -> Result<[f64; 3], Refusal> {
 pub(super) const BEAM_FIELD: Figure = Figure {
     name: "beam-field",
     title: "Beam or field: one gives the other",
-    text: "Stage lighting names two whole angles: at the beam angle half of the light is left, at the field angle a tenth. \
-        A quadratic has one free number, the cosine τ of half its outer angle, so that one angle determines the other. \
-        The kernel computes with 1 − cos, the versine, which keeps its digits in thin beams.",
+    text: "Stage lighting names two whole angles: at the beam angle half of the light is left, at the field angle a tenth. A quadratic has one free number, the cosine τ of half its outer angle, so that one angle determines the other. The kernel computes with 1 − cos, the versine, which keeps its digits in thin beams.",
     formula: "soft: δ = (1 − τ)/√2 + τ,  σ = (1 − τ)/√10 + τ;   hard: 1 − δ = (1 − τ)/√2,  1 − σ = (1 − τ) · 3/√10",
     source: "Hast 2004, equations 9, 11, 15 and 16: δ, σ and τ are cosines of half the beam, field and outer angle",
     parameters: &[
@@ -118,9 +114,7 @@ fn angles<P: Falloff + 'static>(label: &'static str, cone: Cone<P>) -> Result<Dr
 pub(super) const BOTH: Figure = Figure {
     name: "both",
     title: "Both angles at once",
-    text: "A data sheet gives both angles, but a quadratic of Hast has only one. \
-        The kernel fits a falloff to both: a quadratic between hard and soft, a hard one with a bright core, or a cubic. \
-        The ratio r of the two versines decides which, and far ratios are refused.",
+    text: "A data sheet gives both angles, but a quadratic of Hast has only one. The kernel fits a falloff to both: a quadratic between hard and soft, a hard one with a bright core, or a cubic. The ratio r of the two versines decides which, and far ratios are refused.",
     formula: "r = (1 − cos field/2) / (1 − cos beam/2)",
     source: "Hast 2004, section 5, “Discussion”: a Fresnel of 15° field and 7° beam",
     parameters: &[Dial(BEAM, 7.0), Dial(FIELD, 15.0)],

@@ -12,9 +12,7 @@ type Imported = SpotLight<AnyFalloff, AnyAttenuation>;
 pub(super) const POWER: Figure = Figure {
     name: "power",
     title: "A power of the cosine",
-    text: "OpenGL concentrates a spotlight by a power of the cosine of the angle off its axis, and cuts it at an angle δ. \
-        A larger exponent gives a smaller pool, but no sharper edge. \
-        At the cutoff the light jumps to 0.",
+    text: "OpenGL concentrates a spotlight by a power of the cosine of the angle off its axis, and cuts it at an angle δ. A larger exponent gives a smaller pool, but no sharper edge. At the cutoff the light jumps to 0.",
     formula: "spot = (−L·d)^p where −L·d ≥ cos δ, else 0",
     source: "Lecture CPSC 424, “Spotlights”; Hast 2004, equation 1",
     parameters: &[Dial(EXPONENT, 20.0), Dial(CUTOFF, 30.0)],
@@ -49,9 +47,7 @@ pub(super) fn opengl(spot_exponent: f32, spot_cutoff: f32) -> Result<Imported, R
 pub(super) const CONES: Figure = Figure {
     name: "cones",
     title: "An inner and an outer cone",
-    text: "Full light up to the inner angle, none from the outer angle on, and smoothstep between their cosines. \
-        The range fades the light with the distance by the same curve. \
-        The picture is a cut through the beam, with the lamp at the left.",
+    text: "Full light up to the inner angle, none from the outer angle on, and smoothstep between their cosines. The range fades the light with the distance by the same curve. The picture is a cut through the beam, with the lamp at the left.",
     formula: "smoothstep(cos outer, cos inner, cos a) · smoothstep(range, 0, d)",
     source: "The article on the dual-cone spotlight, “Implementation”; linear: Peng Engine’s blog, “Soft Spotlights”",
     parameters: &[
@@ -102,9 +98,7 @@ fn dual<P: Falloff>(falloff: P, inner: f32, outer: f32) -> Result<Cone<P>, Refus
 pub(super) const DIRECT3D: Figure = Figure {
     name: "direct3d",
     title: "Direct3D’s falloff",
-    text: "Theta and Phi are whole angles, so the formula halves them. \
-        Between the two cones, the place among the cosines is raised to a power. \
-        With p = 1 it is the straight ramp from umbra to penumbra.",
+    text: "Theta and Phi are whole angles, so the formula halves them. Between the two cones, the place among the cosines is raised to a power. With p = 1 it is the straight ramp from umbra to penumbra.",
     formula: "I = ((cos a − cos φ/2) / (cos θ/2 − cos φ/2))^p",
     source: "Microsoft DirectX 9.0, “Spotlight Model”; p = 1: Peng Engine’s blog, “Soft Spotlights”",
     parameters: &[

@@ -7,9 +7,7 @@ use std::f64::consts::PI;
 pub(super) const ATTENUATION: Figure = Figure {
     name: "attenuation",
     title: "Attenuation that looks good",
-    text: "A light fades with the distance d, and three constants choose how. \
-        The result is capped at 1, because a surface can’t receive more light than left the lamp. \
-        The strip is a floor whose every point faces the lamp at its left end.",
+    text: "A light fades with the distance d, and three constants choose how. The result is capped at 1, because a surface can’t receive more light than left the lamp. The strip is a floor whose every point faces the lamp at its left end.",
     formula: "f(d) = min(1, 1 / (a + b d + c d²))",
     source: "Lecture CPSC 424, “Attenuation”",
     parameters: &[
@@ -76,9 +74,7 @@ fn attenuation(values: &Values) -> Result<Drawing, Refusal> {
 pub(super) const SPHERE: Figure = Figure {
     name: "sphere",
     title: "Why the square of the distance",
-    text: "Around a lamp that shines alike in all directions, the same light crosses every sphere. \
-        The sphere’s area grows as d², so each square metre of it gets 1/d² of the light. \
-        The patch is lit by the same bundle of rays at every distance, and covers one square metre at 1 m.",
+    text: "Around a lamp that shines alike in all directions, the same light crosses every sphere. The sphere’s area grows as d², so each square metre of it gets 1/d² of the light. The patch is lit by the same bundle of rays at every distance, and covers one square metre at 1 m.",
     formula: "E = I / d²,   4π d² · E = 4π I",
     source: "Lecture CPSC 424, “Attenuation”: a patch of area A gets A / 4πr²",
     parameters: &[Dial(DISTANCE, 2.0)],

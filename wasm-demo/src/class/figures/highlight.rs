@@ -10,9 +10,7 @@ use luminaire::{
 pub(super) const FIGURE: Figure = Figure {
     name: "highlight",
     title: "Highlights: per vertex or per pixel",
-    text: "A ball of a few patches: Gouraud lights their corners and blends the light, Phong lights every pixel by its own normal. \
-        The shader’s highlight takes the half vector H where Phong takes the direction V to the eye. \
-        The more shininess, the smaller the highlight.",
+    text: "A ball of a few patches: Gouraud lights their corners and blends the light, Phong lights every pixel by its own normal. The shader’s highlight takes the half vector H where Phong takes the direction V to the eye. The more shininess, the smaller the highlight.",
     formula: "m_d max(0, N·L) + m_s max(0, R·V)^m,   shader: m_s max(0, R·H)^m",
     source: "Lecture CPSC 424, “Attenuation”; the article on the dual-cone spotlight, “Appendix”",
     parameters: &[

@@ -6,9 +6,7 @@ use luminaire::{AmbientLight, DirectionalLight, dynamic::AnyLight, dynamic::Comp
 pub(super) const FIGURE: Figure = Figure {
     name: "kinds",
     title: "Four kinds of light",
-    text: "A spotlight and a point light have a position, a directional light only has a direction, and ambient light has neither. \
-        The same ball stands on the same floor, lit by one of them alone. \
-        Raise the lamp, and see which pictures change.",
+    text: "A spotlight and a point light have a position, a directional light only has a direction, and ambient light has neither. The same ball stands on the same floor, lit by one of them alone. Raise the lamp, and see which pictures change.",
     formula: "I = m_a I_a + Σ f(d) · spot · [m_d I_s max(0, N·L) + m_s I_s max(0, R·V)^m]",
     source: "Lecture CPSC 424, “Kinds of Light Sources”; Peng Engine’s blog, “Why add Spot Lights?”",
     parameters: &[

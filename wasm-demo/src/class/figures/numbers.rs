@@ -7,9 +7,7 @@ use luminaire_oracle::{srgb_code, srgb_linear, versine, versine_between};
 pub(super) const BITS_FIGURE: Figure = Figure {
     name: "bits",
     title: "How many bits does light need?",
-    text: "The soft quadratic, whose place t and square are rounded to n bits: a sign, one bit before the point, and n − 2 behind it. \
-        With few bits the pool gets rings. \
-        With 16 it has the steps of the kernel’s 16-bit format, 2⁻¹⁴.",
+    text: "The soft quadratic, whose place t and square are rounded to n bits: a sign, one bit before the point, and n − 2 behind it. With few bits the pool gets rings. With 16 it has the steps of the kernel’s 16-bit format, 2⁻¹⁴.",
     formula: "t = round((ρ − τ) / (1 − τ)),   light = round(t · t)",
     source: "Hast 2004, section 2, in the arithmetic of a chip without floats",
     parameters: &[Dial(BITS, 8.0)],
@@ -63,9 +61,7 @@ fn rounding(bits: f32) -> f64 {
 pub(super) const VERSINE: Figure = Figure {
     name: "versine",
     title: "Thin beams lose their digits",
-    text: "In a thin beam all cosines are nearly 1, and their difference loses its digits. \
-        Half the squared distance of the two unit vectors is the same number, but it is small from the start. \
-        Both pictures are the soft quadratic in 32-bit floats.",
+    text: "In a thin beam all cosines are nearly 1, and their difference loses its digits. Half the squared distance of the two unit vectors is the same number, but it is small from the start. Both pictures are the soft quadratic in 32-bit floats.",
     formula: "1 − l·s  =  |l − s|² / 2",
     source: "Hast 2004, section 2: ρ as a dot product; the second form is the kernel’s",
     parameters: &[Dial(THIN, 0.05)],
@@ -98,9 +94,7 @@ pub(super) const VERSINE: Figure = Figure {
 pub(super) const BANDS: Figure = Figure {
     name: "bands",
     title: "Bands, and how dither hides them",
-    text: "A display has few codes, and a soft gradient between two of them becomes a band. \
-        sRGB spends more codes on dark light, where eyes see steps best. \
-        Dither shows the upper of two codes in as many pixels as the mean light needs.",
+    text: "A display has few codes, and a soft gradient between two of them becomes a band. sRGB spends more codes on dark light, where eyes see steps best. Dither shows the upper of two codes in as many pixels as the mean light needs.",
     formula: "code = round((2^n − 1) · light),   or of the light after sRGB’s curve",
     source: "IEC 61966-2-1 for sRGB; the kernel’s ordered dither, after Bayer 1973",
     parameters: &[
