@@ -20,7 +20,7 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(
     not(feature = "default"),
-    allow(dead_code, unused_imports, reason = "each part uses some of what they share")
+    allow(dead_code, unused_imports, unused_macros, reason = "each part uses some of what they share")
 )]
 
 #[cfg(feature = "stage")]

@@ -90,7 +90,7 @@ pub(crate) fn beams(beams: &[Beam], reach: f64, marks: &[(f64, &str)]) -> Drawin
     let mark = |&(degrees, label): &(f64, &str)| ([degrees, beams[0].at(degrees)], label.to_owned());
     let dome = |beam: &Beam| {
         let seen = format!("{}: a round spot of light in a picture {:.1}° wide", beam.label, 2.0 * reach);
-        picture(beam.label, seen, [400; 2], |x, y, _| beam.toward(reach * x.hypot(y), y.atan2(x)))
+        picture(beam.label, seen, [360; 2], |x, y, _| beam.toward(reach * x.hypot(y), y.atan2(x)))
     };
     Drawing {
         pictures: beams.iter().map(dome).collect(),

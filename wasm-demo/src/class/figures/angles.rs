@@ -1,6 +1,9 @@
 //! Hast's two quadratics, and the angles of stage lighting.
 
-use super::{cones::opengl, *};
+use super::{
+    cones::{Imported, opengl},
+    *,
+};
 use luminaire::{
     error::Expected,
     falloff::{FittedFalloff, Hard, Soft},
@@ -46,9 +49,7 @@ fn iris<P: Falloff>(cone: Cone<P>, part: f32) -> Result<Cone<P>, Refusal> {
 }
 
 /// Warn's power of the cosine with this field angle.
-fn warn(
-    field: f32,
-) -> Result<SpotLight<luminaire::falloff::AnyFalloff, luminaire::attenuation::AnyAttenuation>, Refusal> {
+fn warn(field: f32) -> Result<Imported, Refusal> {
     opengl((0.1_f64.ln() / (f64::from(field) / 2.0).to_radians().cos().ln()) as f32, 90.0)
 }
 
@@ -134,13 +135,8 @@ pub(super) const BOTH: Figure = Figure {
             Err(Expected::AngleBetween(least, most)) => Angle::degrees(field.to_degrees().clamp(least, most)),
             _ => field,
         };
-        let told = |error| {
-            format!(
-                "{error}. Drawn is the nearest pair, {}° and {}°.",
-                beam.to_degrees(),
-                nearest.to_degrees()
-            )
-        };
+        let pair = [beam, nearest].map(|angle| tidy(angle.to_degrees()));
+        let told = |error| format!("{error}. Drawn is the nearest pair, {}° and {}°.", pair[0], pair[1]);
         let refused = Cone::from_beam_and_field(beam, field).map_or_else(told, |_| String::new());
         let cone = Cone::from_beam_and_field(beam, nearest)?;
         let mut drawing = angles(kind(&cone), cone)?;

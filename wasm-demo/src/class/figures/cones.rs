@@ -7,7 +7,7 @@ use luminaire::{
     import::{Direct3d, OpenGl, OpenGlLight},
 };
 
-type Imported = SpotLight<AnyFalloff, AnyAttenuation>;
+pub(super) type Imported = SpotLight<AnyFalloff, AnyAttenuation>;
 
 pub(super) const POWER: Figure = Figure {
     name: "power",

@@ -101,7 +101,7 @@ pub(super) const SPHERE: Figure = Figure {
             tidy(lit)
         );
         Ok(Drawing {
-            pictures: vec![picture("The lit patch, ruled in square metres", seen, [400; 2], patch)],
+            pictures: vec![picture("The lit patch, ruled in square metres", seen, [360; 2], patch)],
             graph: Some(Graph {
                 across: ("distance d, m", ends),
                 up: ("share", 1.2),

@@ -23,14 +23,14 @@ pub(super) const FIGURE: Figure = Figure {
                 ("shader", "R·H, per pixel"),
             ],
         ),
-        Dial(SHININESS, 40.0),
+        Dial(SHININESS, 16.0),
     ],
     question: "Why does Gouraud’s highlight fade while the shininess grows?",
     answer: || {
-        let ball = ball(Phong, 40.0)?;
+        let ball = ball(Phong, 16.0)?;
         let [corners, pixels] = [true, false].map(|is_per_vertex| tidy(brightest(&ball, is_per_vertex)));
         Ok(format!(
-            "It is only computed at corners, and a small highlight lies between them: at a shininess of 40 the brightest light is {corners} per vertex, {pixels} per pixel."
+            "It is only computed at corners, and a small highlight lies between them: at a shininess of 16 the brightest light is {corners} per vertex, {pixels} per pixel."
         ))
     },
     draw: |values| {
@@ -91,7 +91,7 @@ fn drawing(ball: &impl Fn(DVec3) -> f64, way: &str) -> Result<Drawing, Refusal> 
     let words =
         format!("A ball with a highlight, lit per {}", if is_per_vertex { "vertex" } else { "pixel" });
     Ok(Drawing {
-        pictures: vec![picture("The ball", words, [400; 2], |x, y, _| seen(ball, is_per_vertex, [x, y]))],
+        pictures: vec![picture("The ball", words, [360; 2], |x, y, _| seen(ball, is_per_vertex, [x, y]))],
         numbers: vec![
             ("Brightest, per pixel", brightest(ball, false), ""),
             ("Brightest, per vertex", brightest(ball, true), ""),

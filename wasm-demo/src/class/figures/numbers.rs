@@ -128,7 +128,7 @@ pub(super) const BANDS: Figure = Figure {
         let words = |what| format!("{what} in {bits} bits, {coding}");
         Ok(Drawing {
             pictures: vec![
-                picture("A soft pool", words("A soft pool of light"), [400; 2], pool),
+                picture("A soft pool", words("A soft pool of light"), [360; 2], pool),
                 picture("Light from 0 to 1", words("A ramp from dark to light"), [640, 60], |x, _, place| {
                     shown((x + 1.0) / 2.0, place)
                 }),
