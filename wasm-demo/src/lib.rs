@@ -6,7 +6,7 @@
 //! under the visitor's settings, and lists the effects that the scene needs. [`Painter`] draws a
 //! share of its picture, mostly in a worker, and counts the skipped work. [`Comparison`] lights one
 //! wall in two forms and measures the error of each against f64. [`Museum`] shows faulty spotlights
-//! of other projects.
+//! of other projects. [`Class`] draws figures that teach spotlights.
 //!
 //! The features are parts of the crate. The packages of `modules` compile each as a WebAssembly module
 //! of its own, so that the first picture waits only for what it needs:
@@ -14,12 +14,13 @@
 //! - `stage`: the stage and the painters of pictures in 16 bits
 //! - `wide`: the painters of pictures in 32 bits, fixed and float, loaded with the first such picture
 //! - `comparison`: the comparison and the museum, loaded when one of them is first requested
+//! - `class`: the figures that teach spotlights, loaded when the class is first requested
 //! - `code`: the exporter of lights, loaded when its drawer is opened
 //! - `files`: the readers of lights of other tools, loaded with the first file
 #![forbid(unsafe_code)]
 #![cfg_attr(
     not(feature = "default"),
-    allow(dead_code, unused_imports, reason = "each part uses some of what they share")
+    allow(dead_code, unused_imports, unused_macros, reason = "each part uses some of what they share")
 )]
 
 #[cfg(feature = "stage")]
@@ -30,6 +31,8 @@ mod address;
 mod aim;
 #[cfg(feature = "comparison")]
 mod canvas;
+#[cfg(feature = "class")]
+mod class;
 mod clock;
 #[cfg(feature = "code")]
 mod code;
@@ -103,6 +106,8 @@ mod viewpoint;
 #[cfg(feature = "comparison")]
 mod wall;
 
+#[cfg(feature = "class")]
+pub use class::Class;
 #[cfg(feature = "code")]
 pub use code::Code;
 #[cfg(feature = "comparison")]

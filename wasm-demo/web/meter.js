@@ -64,6 +64,12 @@ export class Meter {
   museum;
 
   /**
+   * The class; undefined until it is opened.
+   * @type {import("./class-view.js").ClassView | undefined}
+   */
+  class;
+
+  /**
    * @param {Stage} stage
    * @param {import("./stage-page.js").StagePage} page
    * @param {WebAssembly.Module} module
@@ -83,7 +89,7 @@ export class Meter {
 
   /** Number of pictures that were drawn, in all views. */
   get drawn() {
-    return this.page.drawn + (this.comparison?.drawn ?? 0) + (this.museum?.drawn ?? 0);
+    return this.page.drawn + (this.comparison?.drawn ?? 0) + (this.museum?.drawn ?? 0) + (this.class?.drawn ?? 0);
   }
 
   /** The name of the scene. */

@@ -27,7 +27,7 @@ export async function open() {
   const meter = new Meter(stage, page, module, memory);
   /**
    * A view that is loaded when it is opened, and that the meter then knows.
-   * @type {(id: "comparison" | "museum" | "chip", name: string) => import("./views.js").Source}
+   * @type {(id: "comparison" | "museum" | "class" | "chip", name: string) => import("./views.js").Source}
    */
   const late = (id, name) => ({
     element: element(id),
@@ -39,6 +39,7 @@ export async function open() {
       ["stage", { element: element("stage-page"), open: async () => page }],
       ["compare", late("comparison", "ComparisonView")],
       ["museum", late("museum", "MuseumView")],
+      ["class", late("class", "ClassView")],
       ["chip", late("chip", "ChipView")],
       ["use", { element: element("use"), open: async () => (await load("use-view.js")).UseView.open(() => page.selected) }],
     ]),

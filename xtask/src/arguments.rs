@@ -15,7 +15,7 @@ Usage: cargo xtask COMMAND [OPTIONS]
   demo          Build the browser demo into target/demo and serve it on 127.0.0.1; the same as
                 `cargo demo`
     --port N            Serve on this port instead of 8080
-    --view NAME         Open this view of the page: stage, compare, museum, chip or use;
+    --view NAME         Open this view of the page: stage, compare, museum, class, chip or use;
                         settings may follow, as in compare?half=0.1 or stage?scene=grid
     --check             Instead of serving: run the page once in headless Chromium, print one line
                         and exit

@@ -24,7 +24,7 @@ more("a browser without simd gets a message", () => fails(/simd/i, STILL, { scri
 
 more("a page that is opened as a file says so", () => fails(/cargo demo/, "", { page: `file://${join(EXPECT.site, "index.html")}` }), MAY_COMPLAIN);
 
-const OTHERS = Object.entries({ compare: "comparison", museum: "museum", chip: "chip" }).filter(([view]) => VIEWS.includes(view));
+const OTHERS = Object.entries({ compare: "comparison", museum: "museum", class: "class", chip: "chip" }).filter(([view]) => VIEWS.includes(view));
 
 const LOST = /could not be loaded.*connection/s;
 

@@ -197,7 +197,7 @@ export async function type(id, text) {
 
 /** Waits until a view has loaded and shows what it is about. */
 export async function isOpen(view) {
-  const shown = { stage: "#lights li", compare: "#ledger-title", museum: "#exhibit-title:not(:empty)", chip: "#chip canvas", use: "#use-code:not(:empty)" };
+  const shown = { stage: "#lights li", compare: "#ledger-title", museum: "#exhibit-title:not(:empty)", class: "#class-title:not(:empty)", chip: "#chip canvas", use: "#use-code:not(:empty)" };
   await until((selector) => [...document.querySelectorAll(selector)].some((found) => found.checkVisibility()), shown[view]);
   await settle();
 }
@@ -324,6 +324,7 @@ export const STATES = [
   { name: "the comparison", address: "#compare?left=fx16&half=10" },
   { name: "a refused form", address: "#compare?left=fx16&half=0.1" },
   { name: "the museum", address: "#museum", act: () => enter("exhibit-number", 1000) },
+  { name: "the class", address: "#class?figure=both&beam=8&field=140" },
   { name: "the chip", address: "#chip", act: runBoard },
   { name: "the use", address: "#use" },
 ].filter(({ address }) => VIEWS.includes(address.match(/\w+/)[0]));

@@ -28,10 +28,11 @@ pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip");
 /// The modules of the demo's page, and the folders of their bindings on it: the stage, which draws
 /// pictures in 16 bits, and what is loaded when it is first needed. The chip's is apart: it has the
 /// firmware beside it.
-pub const PAGE: [(Package, &str); 6] = [
+pub const PAGE: [(Package, &str); 7] = [
     (Package::new("demo-stage", "wasm_demo"), "pkg"),
     (Package::new("demo-wide", "wide"), "pkg"),
     (Package::new("demo-comparison", "comparison"), "pkg"),
+    (Package::new("demo-class", "class"), "pkg"),
     (Package::new("demo-code", "code"), "pkg"),
     (Package::new("demo-files", "files"), "pkg"),
     (Package::new("luminaire-price", "luminaire_price"), "price"),
