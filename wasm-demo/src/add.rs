@@ -1,9 +1,10 @@
 //! The light that a visitor adds: in view, at a free place, and seen at once.
 
 use crate::{
-    aim::plus, light::position_of, refusal::Refusal, rig, setting::Setting, stage::Stage, state::SWITCHABLE,
+    aim::plus, format::Format, light::position_of, refusal::Refusal, rig, setting::Setting, stage::Stage,
+    state::SWITCHABLE,
 };
-use luminaire::{Vec3, dynamic::Effect, projector::Fixture};
+use luminaire::{Fx16, Vec3, dynamic::Effect, number::Length, projector::Fixture};
 use luminaire_render::{Renderer, Surfaces};
 use wasm_bindgen::prelude::*;
 
@@ -92,9 +93,11 @@ impl Stage {
             Ok(rig.fixture(&state, setting)?.at(state.seconds[0])?)
         };
         let mut fixtures = state.lights.iter().map(fixture).collect::<Result<Vec<_>, _>>()?;
+        // The small picture is drawn in the format that this module has a renderer of.
+        fixtures.retain(|fixture| Format::Fx16.check_fixture(fixture).is_ok());
         let (width, height) = state.scene.size();
         let (width, height) = (WIDTH, WIDTH * height / width);
-        let mut picture = Renderer::<f32>::new(width, height)?;
+        let mut picture = Renderer::<Fx16>::new(width, height)?;
         picture.draw_geometry(rig.scene(), &camera);
         picture.draw_light(&fixtures)?;
         let before = picture.encode().to_vec();
@@ -114,6 +117,7 @@ impl Stage {
         for [x, y] in AIMS {
             let pixel = ((x * width as f32) as usize, (y * height as f32) as usize);
             let Some((target, normal, _)) = picture.surface(pixel.0, pixel.1) else { continue };
+            let (target, normal) = (target.map(Length::to_f32), normal.map(Fx16::to_f32));
             let way = plus(target, -1.0, position);
             let cosine = -normal.dot(way) / way.dot(way).sqrt();
             let is_met = surfaces.first(position, way).is_some_and(|met| met > 0.99);
