@@ -656,7 +656,7 @@ fn every_law_and_kind_keeps_the_light_at_the_throw_and_has_an_address() {
                     }
                 }
             }
-            ["kind", "law"].map(|name| stage.set_choice(light, name, "own").unwrap());
+            ["kind", "law"].iter().for_each(|name| stage.set_choice(light, name, "own").unwrap());
             assert!(is_moved || stage.rig().fixtures_at(0.0).unwrap() == opened, "{scene:?}");
         }
     }
