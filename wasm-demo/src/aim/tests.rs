@@ -146,3 +146,20 @@ fn a_position_that_no_light_can_have_is_refused() {
     assert_eq!(stage.state(), &before);
     assert!(near(spot(&stage, 0).0, position));
 }
+
+#[test]
+fn the_distances_of_a_light_enclose_its_throw() {
+    for &scene in Example::ALL {
+        let stage = Stage::of(scene).unwrap();
+        for light in 0..stage.rig().lights() {
+            let (distances, throw) =
+                (stage.distances(light).unwrap(), stage.light_state(light).unwrap().throw);
+            let Some(throw) = throw else { continue };
+            let [near, far] = distances[..] else { panic!("{scene:?}, light {light}: {distances:?}") };
+            assert!(
+                near > 0.0 && near <= throw && throw <= far,
+                "{scene:?}, light {light}: {distances:?}, {throw}"
+            );
+        }
+    }
+}
