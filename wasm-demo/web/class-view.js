@@ -56,7 +56,7 @@ function drawn({ across: [name, [from, to]], up: [level, top], curves, marks }) 
     ...marks.flatMap(([[x, y], text]) => [
       line("drop", across(x), up(y), across(x), BOX.bottom),
       shape("circle", { class: "dot", cx: across(x), cy: up(y), r: 4 }),
-      label(`mark ${across(x) > 425 ? "end" : ""}`, across(x) + (across(x) > 425 ? -8 : 8), up(y) - 7, text),
+      label(`mark ${across(x) > 440 ? "end" : ""}`, across(x) + (across(x) > 440 ? -8 : 8), up(y) - 7, text),
     ]),
   ];
 }
