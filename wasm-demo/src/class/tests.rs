@@ -104,6 +104,8 @@ fn numbers_are_those_of_the_published_formulas() {
             );
         }
     }
+    // Of the texts.
+    assert_eq!((Fx16::STEP, format!("{:.0e}", f32::EPSILON / 2.0)), (0.5_f32.powi(14), "6e-8".to_owned()));
     let [naive, ours] = [0, 1]
         .map(|i| ["0.05", "10"].map(|half| opened(&format!("versine&half={half}")).drawing.numbers[i].1));
     assert!(naive[0] > 10.0 && naive[1] < 0.1 && ours.iter().all(|error| *error < 0.1), "{naive:?} {ours:?}");
