@@ -56,7 +56,7 @@ function drawn({ across: [name, [from, to]], up: [level, top], curves, marks }) 
     ...marks.flatMap(([[x, y], text]) => [
       line("drop", across(x), up(y), across(x), BOX.bottom),
       shape("circle", { class: "dot", cx: across(x), cy: up(y), r: 4 }),
-      label(`mark ${across(x) > 425 ? "end" : ""}`, across(x) + (across(x) > 425 ? -8 : 8), up(y) - 7, text),
+      label(`mark ${across(x) > 440 ? "end" : ""}`, across(x) + (across(x) > 440 ? -8 : 8), up(y) - 7, text),
     ]),
   ];
 }
@@ -99,7 +99,8 @@ export class ClassView {
   }
 
   constructor() {
-    element("list").replaceChildren(...this.#figures.map(({ name, title }, i) => made("li", {}, made("a", { href: `#class?figure=${name}`, textContent: `${i + 1}  ${title}` }))));
+    element("list").replaceChildren(...this.#figures.map(({ name, title }, i) =>
+      made("li", {}, made("a", { href: `#class?figure=${name}` }, `${i + 1} `, made("span", { textContent: title })))));
     this.#dials = [0, 1].map((i) =>
       new ToldDial({ slider: `class-value-${i}`, number: `class-number-${i}`, error: `class-error-${i}` }, (value) => this.#set(this.#names[i], String(value))));
     select().addEventListener("input", () => {
@@ -127,8 +128,6 @@ export class ClassView {
     const place = this.#figures.indexOf(figure);
     for (const [i, link] of element("list").querySelectorAll("a").entries()) {
       link.ariaCurrent = i === place ? "true" : null;
-      // On narrow screens the list is a row that scrolls.
-      if (i === place) element("list").scrollLeft = link.offsetLeft - element("list").offsetLeft - 40;
     }
     for (const [name, other] of /** @type {const} */ ([["before", place - 1], ["after", place + 1]])) {
       element(name).hidden = this.#figures[other] === undefined;

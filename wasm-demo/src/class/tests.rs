@@ -86,7 +86,7 @@ fn numbers_are_those_of_the_published_formulas() {
         ("beam-field&given=soft-field", &[beams(15.0)[0], 15.0, whole(tau(15.0))], 1e-4),
         ("beam-field&given=hard-beam", &[15.0, whole(1.0 - hard * 0.9_f64.sqrt()), whole(1.0 - hard)], 1e-4),
         ("both", &[7.0, 15.0, whole(0.0), versine(7.5) / versine(3.5)], 1e-5),
-        ("highlight&way=gouraud", &[brightest(500, 16.0), brightest(6, 16.0)], 0.02),
+        ("highlight&way=gouraud", &[brightest(500, 16.0), brightest(9, 16.0)], 0.02),
         ("bits&bits=8", &[in_integers(8), 255.0 / 64.0, 65.0], 1e-9),
         ("bits&bits=16", &[in_integers(16), f64::from(255.0 * Fx16::STEP), 16_385.0], 1e-9),
         ("bands&coding=linear", &[16.0, 2.0, 1.0 / 15.0], 1e-9),
@@ -104,6 +104,8 @@ fn numbers_are_those_of_the_published_formulas() {
             );
         }
     }
+    // Of the texts.
+    assert_eq!((Fx16::STEP, format!("{:.0e}", f32::EPSILON / 2.0)), (0.5_f32.powi(14), "6e-8".to_owned()));
     let [naive, ours] = [0, 1]
         .map(|i| ["0.05", "10"].map(|half| opened(&format!("versine&half={half}")).drawing.numbers[i].1));
     assert!(naive[0] > 10.0 && naive[1] < 0.1 && ours.iter().all(|error| *error < 0.1), "{naive:?} {ours:?}");

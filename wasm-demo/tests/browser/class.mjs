@@ -26,7 +26,7 @@ quick("every figure of the class opens, its controls change it, and its link res
     for (const [id, shown] of [["choice", "select"], ["dial-0", "value-0"], ["dial-1", "value-1"]]) {
       if (!(await shows(`class-${id}`))) continue;
       const before = [await sum(), (await told()).address];
-      const other = await ask((id) => (({ min, max, options }) => options?.[1].value ?? Number(min) + 0.6 * (Number(max) - Number(min)))(document.getElementById(id)), `class-${shown}`);
+      const other = await ask((id) => (({ min, max, options }) => options?.[1].value ?? Number(min) + 0.3 * (Number(max) - Number(min)))(document.getElementById(id)), `class-${shown}`);
       await (shown === "select" ? enter("class-select", other) : redraw(`${name}, ${shown}`, () => enter(`class-${shown}`, other)));
       const after = [await sum(), (await told()).address];
       assert.notEqual(after[1], before[1], `the address of ${name}, ${shown}`);

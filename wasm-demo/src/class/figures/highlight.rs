@@ -44,7 +44,7 @@ pub(super) const FIGURE: Figure = Figure {
 };
 
 /// Half the meridians, and the parallels of the ball.
-const SEGMENTS: f64 = 6.0;
+const SEGMENTS: f64 = 9.0;
 
 /// The light that an eye in the direction +z sees of a ball, over the normal.
 fn ball<H: SpecularLobe>(lobe: H, shininess: f32) -> Result<impl Fn(DVec3) -> f64, Refusal> {
