@@ -4,10 +4,9 @@ use crate::{
     plain::plain,
     quantity::{CONSTANT, LINEAR, QUADRATIC, Quantity},
     refusal::Refusal,
-    setting::{BRIGHTEST, Setting},
 };
 use luminaire::{
-    DirectionalLight, Error, PointLight, SpotLight,
+    Error, SpotLight,
     attenuation::{AnyAttenuation, Attenuation, InverseSquare, NoAttenuation, Polynomial},
     dynamic::{AnyLight, Effect},
     falloff::AnyFalloff,
@@ -15,6 +14,9 @@ use luminaire::{
 
 /// A spotlight of any falloff and attenuation.
 pub(crate) type AnySpot = SpotLight<AnyFalloff, AnyAttenuation>;
+
+/// The largest intensity that the kernel accepts.
+pub(crate) const BRIGHTEST: f32 = 1e9;
 
 /// The kinds of light to choose from.
 pub(crate) const KINDS: [Effect; 3] = [Effect::Spot, Effect::Point, Effect::Directional];
@@ -53,27 +55,6 @@ pub(crate) fn polynomial(constants: [f32; 3]) -> Result<AnyAttenuation, Refusal>
 /// The constants of a polynomial; `None` for another law.
 pub(crate) fn constants_of(law: Option<AnyAttenuation>) -> Option<[f32; 3]> {
     if let AnyAttenuation::Polynomial(law) = law? { Some(law.attenuation().coefficients()) } else { None }
-}
-
-/// Returns a light of a scene in the kind and with the law of a setting. `hung` is the light as a
-/// spotlight, with the distance in metres at which its axis meets a surface. There the irradiance stays
-/// what it was, so that the picture keeps its exposure: see [`kept`].
-pub(crate) fn turned(own: &AnyLight, setting: &Setting, hung: (AnySpot, f32)) -> Result<AnyLight, Error> {
-    let (hung, throw) = hung;
-    let attenuation = setting.law.unwrap_or(hung.attenuation());
-    let light = match (setting.kind, own) {
-        (None | Some(Effect::Directional), AnyLight::Directional(_)) => return Ok(*own),
-        (Some(Effect::Directional), _) => {
-            let position = setting.position.unwrap_or(hung.position());
-            let way = setting.target.map_or(hung.axis(), |target| target.zip(position, |to, from| to - from));
-            DirectionalLight::new(way)?.into()
-        }
-        (Some(Effect::Point), _) | (None, AnyLight::Point(_)) => {
-            PointLight::new(hung.position())?.with_attenuation(attenuation).into()
-        }
-        _ => hung.with_attenuation(attenuation).into(),
-    };
-    as_bright(light, own)?.with_intensity(kept(own, &light, throw))
 }
 
 /// Returns a light with the colours and the intensity of another one.

@@ -2,7 +2,7 @@
 
 use crate::{
     decimal::read,
-    kind::{AnySpot, kept, turned},
+    kind::{AnySpot, kept},
     refusal::Refusal,
     setting::Setting,
     state::{SWITCHABLE, State},
@@ -166,7 +166,7 @@ impl Rig {
         if (setting.kind, setting.law) == (None, None) {
             return Ok(*own);
         }
-        let light = turned(own.light(), setting, self.hung(setting.of, own.light())?)?;
+        let light = setting.turned(own.light(), self.hung(setting.of, own.light())?)?;
         let fixture = own.with_light(light);
         let is_spot = matches!(light, AnyLight::Spot(_));
         Ok(if is_spot { fixture } else { fixture.aimed().without_gobo().without_shadow() })

@@ -4,11 +4,11 @@ use crate::{
     design::{Design, Mark},
     edge::{self, FITTED},
     fixture,
-    kind::{AnySpot, CONSTANTS, KINDS, as_bright, constants_of, law_named, polynomial},
+    kind::{AnySpot, BRIGHTEST, CONSTANTS, KINDS, as_bright, constants_of, kept, law_named, polynomial},
     refusal::{Refusal, choose},
 };
 use luminaire::{
-    Cone, Error, PointLight, Rgb, SpotLight, Vec3,
+    Cone, DirectionalLight, Error, PointLight, Rgb, SpotLight, Vec3,
     attenuation::AnyAttenuation,
     display::decode_srgb,
     dynamic::{AnyLight, Effect},
@@ -16,9 +16,6 @@ use luminaire::{
 };
 use luminaire_fixtures::Fixture;
 use luminaire_render::scenes::MovingLight;
-
-/// The largest intensity that the kernel accepts.
-pub(crate) const BRIGHTEST: f32 = 1e9;
 
 /// A change of a setting, given the cone before it.
 type Reshape<'a> = dyn Fn(&mut Setting, &Cone<AnyFalloff>) -> Result<(), Refusal> + 'a;
@@ -244,6 +241,27 @@ impl Setting {
     /// Whether the angle of the design is the beam angle or the field angle.
     pub(crate) fn reading(&self) -> Mark {
         self.design.one().map_or(Mark::Field, |(mark, _)| mark)
+    }
+
+    /// Returns a light of a scene in the kind and with the law of this setting. `hung` is the light as a
+    /// spotlight, with the distance in metres at which its axis meets a surface. There the irradiance stays
+    /// what it was, so that the picture keeps its exposure: see [`kept`].
+    pub(crate) fn turned(&self, own: &AnyLight, (hung, throw): (AnySpot, f32)) -> Result<AnyLight, Error> {
+        let attenuation = self.law.unwrap_or(hung.attenuation());
+        let light = match (self.kind, own) {
+            (None | Some(Effect::Directional), AnyLight::Directional(_)) => return Ok(*own),
+            (Some(Effect::Directional), _) => {
+                let position = self.position.unwrap_or(hung.position());
+                let way =
+                    self.target.map_or(hung.axis(), |target| target.zip(position, |to, from| to - from));
+                DirectionalLight::new(way)?.into()
+            }
+            (Some(Effect::Point), _) | (None, AnyLight::Point(_)) => {
+                PointLight::new(hung.position())?.with_attenuation(attenuation).into()
+            }
+            _ => hung.with_attenuation(attenuation).into(),
+        };
+        as_bright(light, own)?.with_intensity(kept(own, &light, throw))
     }
 
     /// Applies the settings to the light of the scene, whose intensity is multiplied by `gain`.
