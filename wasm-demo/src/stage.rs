@@ -204,11 +204,11 @@ impl Stage {
         Some(job::write(self.size(), self.load, &other, self.rig.lights()))
     }
 
-    /// The picture of the state in another number format, in the size of pictures that move.
+    /// The picture of the state in another number format.
     #[wasm_bindgen(js_name = jobIn)]
     pub fn job_in(&self, format: &str) -> Result<String, Refusal> {
         let state = State { format: Format::named(format)?, map: Subject::Nothing, ..self.state.clone() };
-        Ok(job::write(self.fixed.unwrap_or(self.composed()), self.load, &state, self.rig.lights()))
+        Ok(job::write(self.size(), self.load, &state, self.rig.lights()))
     }
 
     /// Pixels in a row.

@@ -11,6 +11,7 @@ import { percent, whole } from "./numbers.js";
 export function apart({ pixels, differing, beyond = 0, most }, reference) {
   if (differing === 0) return `all pixels are those of ${reference}`;
   const share = `${percent(differing / pixels, "none")} of the pixels differ from ${reference}`;
-  if (most === 1 || beyond === 0) return `${share}, by at most ${most} of 255`;
+  // Few may differ by more than rounding: beside the edges of shadows.
+  if (most < 3 || beyond === 0 || beyond === differing) return `${share}, by at most ${most} of 255`;
   return `${share}, by 1 of 255, and ${whole(beyond)} of them by up to ${most}`;
 }

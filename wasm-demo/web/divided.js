@@ -1,5 +1,6 @@
 // The other half of a divided picture: the same scene, camera and time in another number format.
 import { Divided } from "./pkg/wasm_demo.js";
+import { apart } from "./apart.js";
 import { Divider } from "./divider.js";
 import { element as find, encircle } from "./elements.js";
 import { colours, counted } from "./numbers.js";
@@ -111,13 +112,12 @@ export class DividedPicture {
    * @param {number} width of the picture
    * @param {number} pixels their number
    */
-  #tell({ largest, place, differing, end }, width, pixels) {
-    const share = Number(((100 * differing) / pixels).toPrecision(2));
+  #tell({ largest, place, differing, beyond, end }, width, pixels) {
     const [x, y] = [place % width, Math.floor(place / width)];
     element("-note").textContent =
       largest === 0
         ? "A and B are equal, pixel by pixel."
-        : `A and B differ by at most ${counted(largest, "code")} (ring, at ${x}, ${y}), and at ${share} % of the pixels.`;
+        : `A: ${apart({ pixels, differing, beyond, most: largest }, "B")} (ring, at ${x}, ${y}).`;
     element("-end").textContent = counted(end, "code");
     element("-bar").setAttribute("aria-label", `From no difference, dark blue, to ${counted(end, "code")}, pale yellow`);
     encircle(element("-ring"), largest > 0, place, { width, height: pixels / width });

@@ -75,16 +75,18 @@ export function draw(svg, points, { tolerance, cost, error }) {
     line("tolerance", LEFT, y.place(tolerance), end, y.place(tolerance)),
     label("end allowed", end, y.place(tolerance) - 5, "allowed"),
     shape("path", { class: "front", d: steps(ahead.map((point) => [x.place(point.cost), y.place(point.error)])) }),
-    ...points.flatMap((point) => {
+    ...points.flatMap((point, i) => {
       const [left, top] = [x.place(point.cost), y.place(point.error)];
       const kinds = ["point", point.isStage && "current", point.isPicked && "picked", !ahead.includes(point) && "beaten"];
       const isRight = left > end - 90;
+      // Of two names at one place, the second is below its point.
+      const isTaken = points.slice(0, i).some((other) => Math.abs(x.place(other.cost) - left) < 90 && Math.abs(y.place(other.error) - top) < 16);
       return [
         ...(point.isPicked ? [shape("circle", { class: "ring", cx: left, cy: top, r: 11 })] : []),
         shape("circle", { class: kinds.filter(Boolean).join(" "), cx: left, cy: top, r: point.isStage ? 6.5 : 4.5 }),
         ...(point.onpick ? [pressable(shape("circle", { class: "press", cx: left, cy: top, r: 14 }), point.name, point.onpick)] : []),
         // Above the staircase, which leaves the point to the right, and comes from above or from the left.
-        label(isRight ? "end name" : "start name", left + (isRight ? -9 : 9), top - 7, point.name),
+        label(isRight ? "end name" : "start name", left + (isRight ? -9 : 9), top + (isTaken ? 22 : -7), point.name),
       ];
     }),
   );

@@ -420,7 +420,9 @@ export class StagePage {
       return;
     }
     const width = Math.round(element("view").getBoundingClientRect().width * devicePixelRatio);
-    if (width > 0 && stage.rest(width)) this.#view.request();
+    if (width === 0 || !stage.rest(width)) return;
+    this.#view.request();
+    this.#verdict?.later();
   }
 
   /** @param {Element} [source] the control that a change comes from */
