@@ -91,7 +91,7 @@ export class ClassView {
       this.#dials[0].tell(refusalOf(() => this.#set(select().name, select().value)));
       this.#showControls();
     });
-    element("copy").addEventListener("click", async () => (element("told").textContent = await copyTextOf(element("link"))));
+    element("copy").addEventListener("click", () => copyTextOf(element("link"), element("told")));
   }
 
   /**
