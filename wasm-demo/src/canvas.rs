@@ -12,9 +12,23 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
+    /// A picture and its errors for each of two sides, each a square of at most `largest` pixels a side.
+    pub(crate) fn pairs(
+        elements: [[&HtmlCanvasElement; 2]; 2],
+        size: u32,
+        largest: u32,
+    ) -> Result<[[Self; 2]; 2], Refusal> {
+        if !(1..=largest).contains(&size) {
+            return Err(Refusal::outside("size", size as f32, [1.0, largest as f32], "pixels"));
+        }
+        let canvas = |element| Self::new(element, size);
+        let [[one, one_errors], [other, other_errors]] = elements;
+        Ok([[canvas(one)?, canvas(one_errors)?], [canvas(other)?, canvas(other_errors)?]])
+    }
+
     /// Sets the canvas to the size of the picture, so that each pixel of the picture is one pixel
     /// of the canvas.
-    pub(crate) fn new(element: &HtmlCanvasElement, size: u32) -> Result<Self, Refusal> {
+    fn new(element: &HtmlCanvasElement, size: u32) -> Result<Self, Refusal> {
         element.set_width(size);
         element.set_height(size);
         let context = element.get_context("2d").map_err(refused)?;

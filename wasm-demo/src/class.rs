@@ -6,7 +6,7 @@ mod lit;
 #[cfg(test)]
 mod tests;
 
-use crate::{panic, quantity::Quantity, refusal::Refusal};
+use crate::{false_colour::rgba, panic, quantity::Quantity, refusal::Refusal};
 use figure::{Drawing, Figure, Parameter, Picture, Values, tidy};
 use figures::ALL;
 use serde_json::{Value, json};
@@ -101,7 +101,7 @@ impl Class {
     /// The pixels of a picture of the figure: RGBA, sRGB.
     pub fn pixels(&self, picture: usize) -> Clamped<Vec<u8>> {
         let codes = self.drawing.pictures.get(picture).map_or(&[][..], |picture| &picture.codes);
-        Clamped(codes.iter().flat_map(|&code| [code, code, code, u8::MAX]).collect())
+        Clamped(rgba(codes.iter().map(|&code| [code; 3])))
     }
 }
 

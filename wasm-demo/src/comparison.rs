@@ -34,7 +34,6 @@ pub struct Comparison {
     chosen: Option<Scale>,
     /// A picture and its errors for each side.
     canvases: [[Canvas; 2]; 2],
-    pixels: Vec<u8>,
     clock: Clock,
 }
 
@@ -52,32 +51,26 @@ impl Comparison {
         size: u32,
     ) -> Result<Self, Refusal> {
         panic::tell_the_page();
-        if !(1..=LARGEST).contains(&size) {
-            return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels"));
-        }
-        let canvas = |element| Canvas::new(element, size);
+        let canvases = Canvas::pairs([[left, left_errors], [right, right_errors]], size, LARGEST)?;
         let (forms, half_angle) = FIRST;
         let wall = Wall::new(size, half_angle)?;
         Ok(Self {
             sides: light(forms, &wall),
             palette: Palette::new(),
             chosen: None,
-            canvases: [[canvas(left)?, canvas(left_errors)?], [canvas(right)?, canvas(right_errors)?]],
-            pixels: vec![0; 4 * wall.sites().len()],
+            canvases,
             clock: Clock::new(),
             wall,
         })
     }
 
     /// Shows both pictures and their errors.
-    pub fn draw(&mut self) -> Result<(), Refusal> {
+    pub fn draw(&self) -> Result<(), Refusal> {
         let scale = self.scale_in_force();
         for (side, [picture, errors]) in self.sides.iter().zip(&self.canvases) {
-            if side.show(&mut self.pixels) {
-                picture.show(&self.pixels)?;
-            }
-            if side.show_difference(&self.palette, scale, &mut self.pixels) {
-                errors.show(&self.pixels)?;
+            if let Some([light, colours]) = side.pixels(&self.palette, scale) {
+                picture.show(&light)?;
+                errors.show(&colours)?;
             }
         }
         Ok(())

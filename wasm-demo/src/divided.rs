@@ -1,7 +1,7 @@
 //! The difference between two pictures of one scene, in displayed codes.
 
 use crate::{
-    false_colour::{Palette, Scale},
+    false_colour::{Palette, Scale, rgba},
     refusal::Refusal,
 };
 use wasm_bindgen::{Clamped, prelude::*};
@@ -42,19 +42,14 @@ impl Divided {
         let largest = differences.iter().copied().max().unwrap_or_default();
         let scale = Scale::holding(f64::from(largest).max(1.0));
         let palette = Palette::new();
-        let colours: Vec<[u8; 4]> = (0..=u8::MAX)
-            .map(|code| {
-                let [red, green, blue] = palette.colour(scale, code.into());
-                [red, green, blue, u8::MAX]
-            })
-            .collect();
+        let colours: Vec<_> = (0..=u8::MAX).map(|code| palette.colour(scale, code.into())).collect();
         Ok(Self {
             largest,
             place: differences.iter().position(|&difference| difference == largest).unwrap_or_default(),
             differing: differences.iter().filter(|&&difference| difference > 0).count(),
             beyond: differences.iter().filter(|&&difference| difference > 1).count(),
             end: scale.end,
-            pixels: differences.iter().flat_map(|&difference| colours[usize::from(difference)]).collect(),
+            pixels: rgba(differences.iter().map(|&difference| colours[usize::from(difference)])),
         })
     }
 

@@ -73,6 +73,12 @@ impl Scale {
     }
 }
 
+/// Returns colours as the bytes of a picture: RGBA.
+pub(crate) fn rgba(colours: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
+    let pixels: Vec<_> = colours.map(|[red, green, blue]| [red, green, blue, u8::MAX]).collect();
+    pixels.into_flattened()
+}
+
 /// Returns the linear red, green and blue at a position in [0, 1] on the palette.
 fn linear(place: f64) -> [f64; 3] {
     let between = |[from, to]: [f64; 2]| from + (to - from) * place;

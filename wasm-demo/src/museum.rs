@@ -2,7 +2,7 @@
 
 use crate::{
     canvas::Canvas,
-    false_colour::{Palette, Scale},
+    false_colour::{Palette, Scale, rgba},
     panic,
     plain::plain,
     refusal::Refusal,
@@ -82,22 +82,11 @@ impl Museum {
         size: u32,
     ) -> Result<Self, Refusal> {
         panic::tell_the_page();
-        if !(1..=LARGEST).contains(&size) {
-            return Err(Refusal::outside("size", size as f32, [1.0, LARGEST as f32], "pixels"));
-        }
-        let canvas = |element| Canvas::new(element, size);
+        let canvases = Canvas::pairs([[faulty, faulty_errors], [ours, our_errors]], size, LARGEST)?;
         let [exhibit, ..] = &ALL;
         let value = exhibit.control.start;
         let (picture, errors) = look(exhibit, value, size)?;
-        Ok(Self {
-            exhibit,
-            value,
-            size,
-            picture,
-            errors,
-            palette: Palette::new(),
-            canvases: [[canvas(faulty)?, canvas(faulty_errors)?], [canvas(ours)?, canvas(our_errors)?]],
-        })
+        Ok(Self { exhibit, value, size, picture, errors, palette: Palette::new(), canvases })
     }
 
     /// The exhibits in the order of a visit.
@@ -219,10 +208,6 @@ fn shown(lights: &[f32]) -> Vec<u8> {
         if light.is_nan() { UNDEFINED } else { [encode_srgb(light); 3] }
     };
     rgba(lights.iter().map(code))
-}
-
-fn rgba(colours: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
-    colours.flat_map(|[red, green, blue]| [red, green, blue, u8::MAX]).collect()
 }
 
 #[cfg(test)]

@@ -20,9 +20,7 @@ pub(crate) struct Quantity {
 
 /// The constants of the law of distance `1 / (a + b d + c d^2)`, capped at 1.
 pub(crate) const CONSTANT: Quantity = linear("a", "Constant a", "", [0.0, 4.0]);
-/// See [`CONSTANT`].
 pub(crate) const LINEAR: Quantity = linear("b", "Linear b", " /m", [0.0, 2.0]);
-/// See [`CONSTANT`].
 pub(crate) const QUADRATIC: Quantity = linear("c", "Quadratic c", " /m²", [0.0, 2.0]);
 /// The exponent of a highlight.
 pub(crate) const SHININESS: Quantity = whole(logarithmic("shininess", "Shininess", "", [8.0, 1024.0]));

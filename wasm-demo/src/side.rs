@@ -2,7 +2,7 @@
 
 use crate::{
     difference::{Difference, Truth},
-    false_colour::{Palette, Scale},
+    false_colour::{Palette, Scale, rgba},
     form::{self as forms, Curve, Form},
     picture::Picture,
     plain::plain,
@@ -61,7 +61,6 @@ impl Side {
         Self { form, view }
     }
 
-    /// The form.
     pub(crate) fn form(&self) -> Form {
         self.form
     }
@@ -78,23 +77,11 @@ impl Side {
         Some(())
     }
 
-    /// Writes the picture as RGBA. Returns whether there is one.
-    pub(crate) fn show(&self, pixels: &mut [u8]) -> bool {
-        let Ok(view) = &self.view else { return false };
-        for (pixel, &code) in pixels.chunks_exact_mut(4).zip(&view.difference.codes) {
-            pixel.copy_from_slice(&[code, code, code, u8::MAX]);
-        }
-        true
-    }
-
-    /// Writes the errors in false colours as RGBA. Returns whether there are any.
-    pub(crate) fn show_difference(&self, palette: &Palette, scale: Scale, pixels: &mut [u8]) -> bool {
-        let Ok(view) = &self.view else { return false };
-        for (pixel, &error) in pixels.chunks_exact_mut(4).zip(&view.difference.errors) {
-            let [red, green, blue] = palette.colour(scale, error);
-            pixel.copy_from_slice(&[red, green, blue, u8::MAX]);
-        }
-        true
+    /// The picture, and its errors in false colours, as RGBA; `None` if the form was refused.
+    pub(crate) fn pixels(&self, palette: &Palette, scale: Scale) -> Option<[Vec<u8>; 2]> {
+        let Difference { codes, errors, .. } = &self.view.as_ref().ok()?.difference;
+        let colours = errors.iter().map(|&error| palette.colour(scale, error));
+        Some([rgba(codes.iter().map(|&code| [code; 3])), rgba(colours)])
     }
 
     /// Returns the state for the page.
@@ -170,10 +157,9 @@ mod tests {
     #[test]
     fn the_pictures_show_light_and_errors() {
         let side = side(Form::Cosine, 0.05);
-        let (mut picture, mut errors) = ([0; 40 * 40 * 4], [0; 40 * 40 * 4]);
         let palette = Palette::new();
         let scale = Scale::holding(side.largest().unwrap());
-        assert!(side.show(&mut picture) && side.show_difference(&palette, scale, &mut errors));
+        let [picture, errors] = side.pixels(&palette, scale).unwrap();
         assert!(
             picture.chunks(4).any(|pixel| *pixel == [255; 4]) && picture.chunks(4).any(|pixel| pixel[0] == 0)
         );

@@ -336,7 +336,6 @@ impl Stage {
         (self.past, self.future, self.grip) = (past, future, grip);
     }
 
-    /// The state.
     pub(crate) fn state(&self) -> &State {
         &self.state
     }

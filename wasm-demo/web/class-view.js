@@ -2,8 +2,9 @@
 import { Class, initSync } from "./pkg/class.js";
 import { remember } from "./address.js";
 import { copyTextOf } from "./clipboard.js";
-import { element as byId, row } from "./elements.js";
-import { hasFailed, refusalOf } from "./failure.js";
+import { element as byId, fetchText, made, row, styled } from "./elements.js";
+import { refusalOf } from "./failure.js";
+import { Frame } from "./frame.js";
 import { compile } from "./module.js";
 import { exact } from "./numbers.js";
 import { label, line, shape } from "./shapes.js";
@@ -61,20 +62,6 @@ function drawn({ across: [name, [from, to]], up: [level, top], curves, marks }) 
   ];
 }
 
-/** @type {(kind: string, properties: object, ...within: (Node | string)[]) => HTMLElement} creates an element */
-function made(kind, properties, ...within) {
-  const element = Object.assign(document.createElement(kind), properties);
-  element.append(...within);
-  return element;
-}
-
-/** @param {string} file */
-async function text(file) {
-  const answer = await fetch(new URL(file, import.meta.url));
-  if (!answer.ok) throw new Error(`${file}: the server answers ${answer.status}`);
-  return answer.text();
-}
-
 export class ClassView {
   #class = new Class();
   /** @type {Figure[]} */
@@ -82,17 +69,14 @@ export class ClassView {
   #dials;
   /** The parameters that the dials set. */
   #names = ["", ""];
-  #frame = 0;
+  #frame = new Frame(() => this.#draw());
 
   /** How many times a figure has been drawn. */
   drawn = 0;
 
   static async open() {
-    const sheet = made("link", { rel: "stylesheet", href: new URL("class.css", import.meta.url).href });
-    // Without its style the class is plain and still right.
-    const styled = new Promise((resolve) => (sheet.onload = sheet.onerror = resolve));
-    document.head.append(sheet);
-    const [module, page] = await Promise.all([compile(new URL("pkg/class_bg.wasm", import.meta.url)), text("class.html"), styled]);
+    const address = new URL("pkg/class_bg.wasm", import.meta.url);
+    const [module, page] = await Promise.all([compile(address), fetchText("class.html"), styled("class.css")]);
     initSync({ module });
     byId("class").innerHTML = page;
     return new ClassView();
@@ -107,7 +91,7 @@ export class ClassView {
       this.#dials[0].tell(refusalOf(() => this.#set(select().name, select().value)));
       this.#showControls();
     });
-    element("copy").addEventListener("click", async () => (element("told").textContent = await copyTextOf(element("link"))));
+    element("copy").addEventListener("click", () => copyTextOf(element("link"), element("told")));
   }
 
   /**
@@ -120,7 +104,7 @@ export class ClassView {
     for (const name of TEXTS) element(name).textContent = figure[name];
     // A letter after ^ is an exponent, and one after _ an index.
     element("formula").replaceChildren(...figure.formula.split(/(?=[\^_])|(?<=[\^_].)/).map((part) => {
-      const kind = { "^": "sup", _: "sub" }[part[0]];
+      const kind = /** @type {Record<string, "sup" | "sub">} */ ({ "^": "sup", _: "sub" })[part[0]];
       return kind ? made(kind, {}, part.slice(1)) : part;
     }));
     byId("class-details", HTMLDetailsElement).open = false;
@@ -134,14 +118,13 @@ export class ClassView {
       byId(`class-${name}`, HTMLAnchorElement).href = `#class?figure=${this.#figures[other]?.name}`;
     }
     this.#showControls();
-    this.#draw();
+    this.#frame.draw();
     this.#dials[0].tell(refused);
   }
 
   /** Called when the view is hidden. */
   hide() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.#frame.cancel();
   }
 
   /** What is drawn, for tests. @returns {Told} */
@@ -155,10 +138,10 @@ export class ClassView {
     return /** @type {Figure} */ (this.#figures.find(({ name }) => name === figure));
   }
 
-  /** @type {(name: string, value: string) => void} draws with the next frame of the browser */
+  /** @type {(name: string, value: string) => void} */
   #set(name, value) {
     this.#class.set(name, value);
-    if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame(() => this.#draw());
+    this.#frame.request();
   }
 
   /** Shows the choice, and the dial that it chooses or else all dials. */
@@ -188,11 +171,9 @@ export class ClassView {
   }
 
   #draw() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
     const { address, pictures, graph, numbers, refused } = this.state;
     element("pictures").replaceChildren(...pictures.map(({ label, seen, width, height }, i) => {
-      const canvas = Object.assign(document.createElement("canvas"), { width, height, role: "img", ariaLabel: seen });
+      const canvas = made("canvas", { width, height, role: "img", ariaLabel: seen });
       const pixels = /** @type {Uint8ClampedArray<ArrayBuffer>} */ (this.#class.pixels(i));
       canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
       const figure = made("figure", {}, canvas, made("figcaption", { className: "note", textContent: label }));

@@ -28,9 +28,7 @@ export class CodeDrawer {
   constructor(code) {
     this.#code = code;
     this.#language.addEventListener("input", () => this.show(this.#light));
-    element("copy").addEventListener("click", async () => {
-      element("told").textContent = await copyTextOf(element("text"));
-    });
+    element("copy").addEventListener("click", () => copyTextOf(element("text"), element("told")));
   }
 
   /**

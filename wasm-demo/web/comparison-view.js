@@ -4,7 +4,8 @@ import { remember } from "./address.js";
 import { Divider } from "./divider.js";
 import { element, encircle, find } from "./elements.js";
 import { ErrorScale } from "./error-scale.js";
-import { hasFailed, refusalOf } from "./failure.js";
+import { refusalOf } from "./failure.js";
+import { Frame } from "./frame.js";
 import { Ledger } from "./ledger.js";
 import { compile } from "./module.js";
 import { degrees, exact } from "./numbers.js";
@@ -55,7 +56,7 @@ export class ComparisonView {
   #halfAngle;
   #scale;
   #ledger;
-  #frame = 0;
+  #frame = new Frame(() => this.#draw());
   /** The rejected choices of the address, for each side. */
   #unknown = ["", ""];
 
@@ -78,11 +79,11 @@ export class ComparisonView {
     this.#forms = new Map(Comparison.forms().map((form) => [form.name, form]));
     this.#halfAngle = new ToldDial({ slider: "half-angle", number: "half-angle-number", error: "half-angle-error" }, (value) => {
       this.#comparison.setHalfAngle(value);
-      this.#request();
+      this.#frame.request();
     });
     this.#halfAngle.range(exact(Comparison.narrowest()), exact(Comparison.widest()), "°");
     this.#scale = new ErrorScale(this.#comparison, Comparison.scales());
-    this.#scale.onchange = () => this.#request();
+    this.#scale.onchange = () => this.#frame.request();
     this.#ledger = new Ledger(this.#comparison, this.#forms, prices);
     new Divider(element("comparison"));
     // In the next frame: a change of size within this one would be an error of the observer.
@@ -103,13 +104,12 @@ export class ComparisonView {
     this.#halfAngle.show(exact(this.#comparison.halfAngle));
     const half = query.get("half");
     if (half !== null) this.#halfAngle.take(half.trim() === "" ? NaN : Number(half));
-    this.#draw();
+    this.#frame.draw();
   }
 
   /** Called when the view is hidden. */
   hide() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.#frame.cancel();
     this.#ledger.stop();
   }
 
@@ -138,7 +138,7 @@ export class ComparisonView {
     for (const { name, label } of this.#forms.values()) select.add(new Option(label, name));
     select.addEventListener("input", () => {
       this.#ask(side, select.value);
-      this.#request();
+      this.#frame.request();
     });
     on("widen", side).addEventListener("click", () => {
       this.#halfAngle.take(exact(this.sides[side]?.narrowest ?? NaN));
@@ -147,14 +147,7 @@ export class ComparisonView {
     });
   }
 
-  /** Draws with the next frame of the browser, once for any number of calls. */
-  #request() {
-    if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame(() => this.#draw());
-  }
-
   #draw() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
     this.#comparison.draw();
     const states = this.sides;
     for (const [side, state] of states.entries()) this.#tell(side, state);

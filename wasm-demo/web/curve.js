@@ -1,6 +1,6 @@
 // The intensity of a light across its axis, with a handle for each of its angles and curves to
 // compare it with.
-import { element } from "./elements.js";
+import { element, made } from "./elements.js";
 import { degrees, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
 import { Press } from "./press.js";
@@ -71,11 +71,9 @@ export class Curve {
     this.#svg.append(this.#drawn, ...this.#handles);
     /** @type {(kind: string, words: string) => HTMLElement} */
     const item = (kind, words) => {
-      const entry = document.createElement("li");
       const sample = shape("svg", { viewBox: "0 0 24 8", class: "sample", "aria-hidden": "true" });
       sample.append(line(kind, 0, 4, 24, 4));
-      entry.append(sample, words);
-      return entry;
+      return made("li", {}, sample, words);
     };
     this.#legend.append(
       item("trace", "this light"),

@@ -1,5 +1,5 @@
 // The effects of the library: those that the scene needs, and switches for some of them.
-import { copyOf, element, find } from "./elements.js";
+import { copyOf, element, find, made } from "./elements.js";
 import { whole } from "./numbers.js";
 import { load } from "./support.js";
 
@@ -83,4 +83,4 @@ export class EffectList {
 }
 
 /** @param {import("./pkg/wasm_demo.js").EffectState} effect */
-const item = ({ name }) => Object.assign(document.createElement("li"), { textContent: name });
+const item = ({ name }) => made("li", {}, name);

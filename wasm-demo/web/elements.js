@@ -46,6 +46,29 @@ export async function fetchText(file) {
 }
 
 /**
+ * Loads a style sheet beside the scripts. Without its style a view is plain and still right.
+ * @param {string} file
+ */
+export function styled(file) {
+  const sheet = made("link", { rel: "stylesheet", href: new URL(file, import.meta.url).href });
+  document.head.append(sheet);
+  return new Promise((resolve) => (sheet.onload = sheet.onerror = resolve));
+}
+
+/**
+ * Creates an element.
+ * @template {keyof HTMLElementTagNameMap} Kind
+ * @param {Kind} kind
+ * @param {object} properties
+ * @param {(Node | string)[]} within
+ */
+export function made(kind, properties, ...within) {
+  const element = Object.assign(document.createElement(kind), properties);
+  element.append(...within);
+  return element;
+}
+
+/**
  * Fills the part of a slider's track that is before its value.
  * @param {HTMLInputElement} slider
  */
@@ -61,12 +84,8 @@ export function showPart(slider) {
  * @param {"td" | "th"} [kind] of its cells
  */
 export function row(head, texts, kind = "td") {
-  const line = document.createElement("tr");
-  /** @type {(kind: "td" | "th", text: string) => HTMLTableCellElement} */
-  const cell = (kind, text) => Object.assign(document.createElement(kind), { textContent: text });
-  if (head !== undefined) line.append(Object.assign(cell("th", head), { scope: "row" }));
-  line.append(...texts.map((text) => cell(kind, text)));
-  return line;
+  const heads = head === undefined ? [] : [made("th", { scope: "row" }, head)];
+  return made("tr", {}, ...heads, ...texts.map((text) => made(kind, {}, text)));
 }
 
 /**

@@ -60,7 +60,7 @@ export async function openPanel(place, { throwOf, put }) {
   select("light").addEventListener("input", show);
   select("tool").addEventListener("input", showParameters);
   element("put").addEventListener("click", () => (element("put-told").textContent = put(light())));
-  element("copy").addEventListener("click", async () => (element("copied").textContent = await copyTextOf(element("parameters"))));
+  element("copy").addEventListener("click", () => copyTextOf(element("parameters"), element("copied")));
 
   return (/** @type {string} */ name, /** @type {Uint8Array} */ bytes) => {
     file = new LightFile(name, bytes, throwOf());

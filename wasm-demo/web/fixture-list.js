@@ -1,5 +1,6 @@
 // The fixtures to choose from.
 import { Stage } from "./pkg/wasm_demo.js";
+import { made } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 
 /** @type {Record<string, string>} */
@@ -45,12 +46,8 @@ export const findFixture = (name) => table().get(name);
  */
 export function listFixtures(list) {
   /** @type {(fixture: Fixture) => HTMLOptionElement} */
-  const option = ({ name, kind, angle, flux }) => {
-    const option = document.createElement("option");
-    option.value = name;
-    option.label = [name, angle, flux, KINDS[kind]].filter((part) => part).join(", ");
-    return option;
-  };
+  const option = ({ name, kind, angle, flux }) =>
+    made("option", { value: name, label: [name, angle, flux, KINDS[kind]].filter((part) => part).join(", ") });
   list.replaceChildren(...[...table().values()].map(option));
   return table().size;
 }

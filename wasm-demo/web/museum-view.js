@@ -1,8 +1,9 @@
 // The museum: faulty spotlights of other projects, beside the exact light and the crate's.
 import { Museum, initSync } from "./pkg/comparison.js";
 import { remember } from "./address.js";
-import { copyOf, element as byId, encircle, find } from "./elements.js";
+import { copyOf, element as byId, encircle, find, made, styled } from "./elements.js";
 import { aside, hasFailed, refusalOf } from "./failure.js";
+import { Frame } from "./frame.js";
 import { compile } from "./module.js";
 import { colours, counted, exact, tidy } from "./numbers.js";
 import { ToldDial } from "./told-dial.js";
@@ -38,19 +39,6 @@ function codes(value) {
   return counted(value < 10 ? Number(value.toPrecision(2)) : Math.round(value), "code");
 }
 
-/** Loads the style sheet of this view, which the others do not need. */
-function styled() {
-  const sheet = document.createElement("link");
-  sheet.rel = "stylesheet";
-  sheet.href = new URL("museum.css", import.meta.url).href;
-  return new Promise((resolve) => {
-    sheet.addEventListener("load", resolve);
-    // Without its style the museum is plain and still right.
-    sheet.addEventListener("error", resolve);
-    document.head.append(sheet);
-  });
-}
-
 /** The side of a picture for which the window has room. */
 function room() {
   if (innerWidth >= 1700 && innerHeight >= 1000) return SIZE.roomy;
@@ -62,13 +50,13 @@ export class MuseumView {
   #size = room();
   #museum;
   #dial;
-  #frame = 0;
+  #frame = new Frame(() => this.#draw());
 
   /** How many times the pictures have been drawn. */
   drawn = 0;
 
   static async open() {
-    const [module] = await Promise.all([compile(new URL("pkg/comparison_bg.wasm", import.meta.url)), styled()]);
+    const [module] = await Promise.all([compile(new URL("pkg/comparison_bg.wasm", import.meta.url)), styled("museum.css")]);
     // After the comparison this changes nothing.
     initSync({ module });
     return new MuseumView();
@@ -80,7 +68,7 @@ export class MuseumView {
     this.#museum = new Museum(canvas("picture-0"), canvas("errors-0"), canvas("picture-1"), canvas("errors-1"), this.#size);
     this.#dial = new ToldDial({ slider: "exhibit-value", number: "exhibit-number", error: "exhibit-error" }, (value) => {
       this.#museum.setValue(value);
-      if (this.#frame === 0 && !hasFailed()) this.#frame = requestAnimationFrame(() => this.#draw());
+      this.#frame.request();
     });
     for (const exhibit of this.#exhibits.values()) this.#list(exhibit);
     for (const name of ["start", "agrees"]) {
@@ -101,15 +89,14 @@ export class MuseumView {
     this.#dial.tell(refusalOf(() => this.#museum.open(name)));
     this.#showExhibit();
     const at = query.get("at");
-    if (at === null) this.#draw();
+    if (at === null) this.#frame.draw();
     else this.#dial.take(at.trim() === "" ? NaN : Number(at));
-    if (this.drawn === 0) this.#draw();
+    if (this.drawn === 0) this.#frame.draw();
   }
 
   /** Called when the view is hidden. */
   hide() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.#frame.cancel();
   }
 
   /** The state for tests: the exhibit, its control and the errors of both pictures. */
@@ -174,8 +161,6 @@ export class MuseumView {
   }
 
   #draw() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
     this.#museum.draw();
     const { exhibit, value, format, scale, sides } = this.state;
     const { label } = this.#exhibit;
@@ -214,6 +199,6 @@ function linked(threads) {
   return threads.split(/([\w.-]+\/[\w.-]+ #\d+|#\d+)/).map((text) => {
     const [, named, number] = /^(?:(\S+) )?#(\d+)$/.exec(text) ?? [];
     project = named ?? project;
-    return number ? Object.assign(document.createElement("a"), { href: `https://github.com/${project}/issues/${number}`, textContent: text }) : text;
+    return number ? made("a", { href: `https://github.com/${project}/issues/${number}` }, text) : text;
   });
 }

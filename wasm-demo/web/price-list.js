@@ -1,5 +1,5 @@
 // The price list made by `cargo xtask measure`: error of each kernel and its cost on each target.
-import { element, row as line } from "./elements.js";
+import { element, made, row as line } from "./elements.js";
 import { words } from "./failure.js";
 import { tidy, whole } from "./numbers.js";
 
@@ -150,8 +150,7 @@ export class PriceList {
   /** Why the list is empty, and the remedy. */
   lack() {
     if (this.#problem) return [`The price list could not be loaded: ${this.#problem}. Reload the page to try again.`];
-    const command = document.createElement("code");
-    command.textContent = "cargo xtask measure";
+    const command = made("code", {}, "cargo xtask measure");
     return ["This page was built without a price list. Run ", command, ", and build the page again."];
   }
 

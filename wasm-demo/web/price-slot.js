@@ -1,5 +1,5 @@
 // The place of the price on the stage. What fills it is loaded when it comes into view.
-import { element } from "./elements.js";
+import { element, made } from "./elements.js";
 import { load } from "./support.js";
 import { words } from "./failure.js";
 import { median, tidy } from "./numbers.js";
@@ -80,8 +80,7 @@ export class PriceSlot {
       if (this.#light) panel.show(...this.#light);
       panel.live(this.#live);
     } catch (error) {
-      const again = document.createElement("button");
-      again.textContent = "Try again";
+      const again = made("button", {}, "Try again");
       again.addEventListener("click", () => this.#open());
       this.#place.replaceChildren(`The price can't be shown: ${words(error)} `, again);
     }

@@ -1,5 +1,5 @@
 // Times of the passes: medians over the last pictures, because a single time is mostly noise.
-import { element } from "./elements.js";
+import { element, made } from "./elements.js";
 import { median } from "./numbers.js";
 
 const PICTURES = 30;
@@ -50,7 +50,5 @@ function tell(place, time, isKept) {
   place.textContent = time === undefined ? "–" : `${time.toFixed(2)} ms`;
   place.classList.toggle("kept", isKept);
   if (!isKept || time === undefined) return;
-  const word = document.createElement("small");
-  word.textContent = " kept";
-  place.append(word);
+  place.append(made("small", {}, " kept"));
 }

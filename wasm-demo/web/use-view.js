@@ -41,9 +41,7 @@ export class UseView {
     find("use-source", HTMLAnchorElement).href = source ?? "";
     find("use-guide", HTMLAnchorElement).href = `${source}blob/HEAD/core/src/guide.rs`;
     for (const button of /** @type {NodeListOf<HTMLElement>} */ (find("use").querySelectorAll("[data-copies]"))) {
-      button.addEventListener("click", async () => {
-        element("told").textContent = await copyTextOf(find(button.dataset.copies ?? ""));
-      });
+      button.addEventListener("click", () => copyTextOf(find(button.dataset.copies ?? ""), element("told")));
     }
   }
 

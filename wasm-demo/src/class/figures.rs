@@ -19,7 +19,6 @@ use crate::{quantity::*, refusal::Refusal};
 use luminaire::{Angle, Cone, HalfAngle, PointLight, Rgb, SpotLight, falloff::Falloff};
 use luminaire_oracle::DVec3;
 
-/// Every figure.
 pub(crate) static ALL: [Figure; 13] = [
     kinds::FIGURE,
     distance::ATTENUATION,

@@ -35,11 +35,19 @@ pub(super) const FIGURE: Figure = Figure {
     },
     draw: |values| {
         let ([shininess], way) = (values.numbers([SHININESS]), values.choice());
-        if way == "shader" {
-            drawing(&ball(DualConeLobe, shininess)?, "phong")
-        } else {
-            drawing(&ball(Phong, shininess)?, &way)
-        }
+        let ball = if way == "shader" { ball(DualConeLobe, shininess)? } else { ball(Phong, shininess)? };
+        let is_per_vertex = way == "gouraud";
+        let unit = if is_per_vertex { "vertex" } else { "pixel" };
+        let words = format!("A ball with a highlight, lit per {unit}");
+        let light = |x: f64, y: f64, _| seen(&ball, is_per_vertex, [x, y]);
+        Ok(Drawing {
+            pictures: vec![picture("The ball", words, [360; 2], light)],
+            numbers: vec![
+                ("Brightest, per pixel", brightest(&ball, false), ""),
+                ("Brightest, per vertex", brightest(&ball, true), ""),
+            ],
+            ..Drawing::default()
+        })
     },
 };
 
@@ -47,16 +55,16 @@ pub(super) const FIGURE: Figure = Figure {
 const SEGMENTS: f64 = 9.0;
 
 /// The light that an eye in the direction +z sees of a ball, over the normal.
-fn ball<H: SpecularLobe>(lobe: H, shininess: f32) -> Result<impl Fn(DVec3) -> f64, Refusal> {
+fn ball<H: SpecularLobe + 'static>(lobe: H, shininess: f32) -> Result<Box<dyn Fn(DVec3) -> f64>, Refusal> {
     let grey = |share| Rgb::new(share, share, share);
     let material =
         Material::new(grey(0.35))?.with_highlight(lobe, grey(0.6), shininess as u32)?.compile::<f32>();
     let light = DirectionalLight::new([-0.62, -0.55, -1.0])?.compile::<f32>();
-    Ok(move |normal: DVec3| {
+    Ok(Box::new(move |normal| {
         let normal = single(normal).into();
         let surface = SurfacePoint { point: normal, normal, view: [0.0, 0.0, 1.0].into() };
         material.color(&surface, &[light], grey(0.08)).red.into()
-    })
+    }))
 }
 
 /// The light at a place of the picture, which is a bit wider than the ball.
@@ -84,18 +92,4 @@ fn seen(ball: impl Fn(DVec3) -> f64, is_per_vertex: bool, [x, y]: [f64; 2]) -> f
 fn brightest(ball: &impl Fn(DVec3) -> f64, is_per_vertex: bool) -> f64 {
     let places = (0..90_000).map(|i| [i % 300, i / 300].map(|c| f64::from(c) / 150.0 - 1.0));
     places.map(|place| seen(ball, is_per_vertex, place)).fold(0.0, f64::max)
-}
-
-fn drawing(ball: &impl Fn(DVec3) -> f64, way: &str) -> Result<Drawing, Refusal> {
-    let is_per_vertex = way == "gouraud";
-    let words =
-        format!("A ball with a highlight, lit per {}", if is_per_vertex { "vertex" } else { "pixel" });
-    Ok(Drawing {
-        pictures: vec![picture("The ball", words, [360; 2], |x, y, _| seen(ball, is_per_vertex, [x, y]))],
-        numbers: vec![
-            ("Brightest, per pixel", brightest(ball, false), ""),
-            ("Brightest, per vertex", brightest(ball, true), ""),
-        ],
-        ..Drawing::default()
-    })
 }
