@@ -51,7 +51,7 @@ quick("12 and 22 degrees are typed in both orders, with every edge", async () =>
 });
 
 quick("a drag and a slider end where they began", async () => {
-  await open(`${SMALL}#stage?scene=bare-spot&play=none&lights=0:b12:f22`);
+  await open(`${SMALL}#stage?scene=bare-spot&play=none&format=f32&lights=0:b12:f22`);
   await exists("#curve .handle");
   const flux = () => number("light-intensity-number");
   const before = await flux();
@@ -230,6 +230,7 @@ quick("the law of distance, the kind of a light and the highlights are set and u
   await isWritten(/lights=0:a0\/2\/1;/);
   await change("a point light", () => enter("light-kind", "point"));
   assert.ok(await shows("light-constants") && !(await shows("light-cone")), "a point light has a law and no cone");
+  await isWritten(/lights=0:kpoint:a0\/2\/1;/);
   await change("a directional light", () => enter("light-kind", "directional"));
   assert.ok((await isDisabled("light-law")) && !(await shows("light-constants")), "a law without a distance");
   await isWritten(/lights=0:kdirectional:a0\/2\/1;/);

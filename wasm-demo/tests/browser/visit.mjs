@@ -209,7 +209,7 @@ export async function go(hash) {
 }
 
 /** Follows a link of the navigation. */
-export const follow = (view) => ask((view) => document.querySelector(`.views a[href="#${view}"]`).click(), view);
+export const follow = (view) => ask((view) => document.querySelector(`.views a[href^="#${view}"]`).click(), view);
 
 /** Chooses a scene. */
 export async function choose(scene) {
