@@ -140,10 +140,13 @@ export class Ledger {
       return [];
     }
     const stage = forms.every((form) => form.lit.length > 0) ? "lit" : "falloff";
-    const rows = forms.map((form) => list.find(stage, ...form[stage]));
+    // The price of the other views is that with the inverse square, which some forms have not.
+    const lit = forms.map(({ lit: [, format] }) => list.find("lit", "lit-inverse-square", format));
+    const isWhole = stage === "lit" && lit.every(Boolean);
+    const rows = isWhole ? lit : forms.map((form) => list.find(stage, ...form[stage]));
     const costs = list.targets.map((target) => rows.map((row) => row?.cost?.[target]));
     this.#costs.replaceChildren(
-      heading(`Cost of ${stageName(stage)}`),
+      heading(`Cost of ${stageName(stage)}${stage === "lit" && !isWhole ? " without attenuation" : ""}`),
       ...list.targets.map((target, i) => bars(target, costs[i])),
     );
     this.#note.textContent =

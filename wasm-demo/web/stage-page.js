@@ -438,7 +438,7 @@ export class StagePage {
     if (!light) return;
     aside(() => this.#code.show({ job: this.#stage.job(), light: selected }));
     // The comparison opens with the beam that the visitor comes from.
-    if (light.isSpot) element("compare-link", HTMLAnchorElement).hash = `compare?half=${tidy(light.outer / 2)}`;
+    if (light.isSpot) element("compare-link", HTMLAnchorElement).href = `#compare?half=${tidy(light.outer / 2)}`;
   }
 
   /** Updates the address and the states to return to, once the visitor pauses. */
