@@ -91,12 +91,17 @@ fn first(files: &Files) -> Result<BTreeSet<String>> {
             continue;
         }
         let text = text(&name)?;
-        // An import begins with `./`; a module that is loaded later is named without it.
+        // An import begins with `./`; a module that is loaded later is named without it, and a type by
+        // `import(` in a comment.
         let dot = if name == PAGE { "" } else { "./" };
+        let is_named = |path: &str| {
+            let named = format!("\"{dot}{path}\"");
+            text.match_indices(&named).any(|(at, _)| !text[..at].ends_with("import("))
+        };
         let folder = name.rfind('/').map_or("", |slash| &name[..=slash]);
         for (other, _) in files.iter().filter(|(other, _)| other != PREVIEW) {
             let Some(path) = other.strip_prefix(folder) else { continue };
-            if text.contains(&format!("\"{dot}{path}\"")) && first.insert(other.clone()) {
+            if is_named(path) && first.insert(other.clone()) {
                 left.push(other.clone());
             }
         }
