@@ -25,7 +25,9 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     fitted.compile::<Fx16>()?;
     let law = spot.attenuation();
     let distance = law.range().map_or(DISTANCE, |range| DISTANCE.min(range / 2.0));
-    let full = spot.intensity() * law.exact(distance.into()) as f32;
+    let brightest = spot.intensity() * law.exact(distance.into()) as f32;
+    // Of a dark light nothing is shown.
+    let full = if brightest > 0.0 { brightest } else { 1.0 };
     let (position, axis) = (spot.position(), spot.axis());
     let half = (cone.outer().to_degrees() / 2.0).min(60.0).to_radians();
     let across = perpendicular(axis);

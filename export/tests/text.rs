@@ -286,6 +286,8 @@ fn a_program_draws_the_light_from_its_two_angles() -> Result<(), Box<dyn std::er
         * 20.0) as usize;
     assert_eq!([rows[10][20], rows[0][0], rows[20][40]], *b"@  ", "{printed}");
     assert!(b"=+".contains(&rows[10][20 + half]), "{printed}");
+    let dark = export(light.with_intensity(0.0)?, "key", Language::RustProgram)?;
+    assert!(dark.contains(".to_f32() / 1.0;"), "{dark}");
     Ok(())
 }
 

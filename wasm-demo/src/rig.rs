@@ -157,7 +157,7 @@ impl Rig {
     }
 
     /// A light of the original scene, or the light that a visitor adds, in the kind and with the law
-    /// of a setting: see [`turned`]. Without a cone it has no gobo, no shadows and no sweep.
+    /// of a setting: see [`Setting::turned`]. Without a cone it has no gobo, no shadows and no sweep.
     pub(crate) fn original(&self, setting: &Setting) -> Result<MovingLight, Refusal> {
         let lights = &self.setup.fixtures;
         let added = (setting.of == lights.len()).then_some(&self.added);
