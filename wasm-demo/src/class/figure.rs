@@ -58,8 +58,9 @@ impl Values {
 
     /// The values of dials; NaN without one.
     pub(crate) fn numbers<const N: usize>(&self, quantities: [Quantity; N]) -> [f32; N] {
-        let texts = |quantity: Quantity| self.texts().find(|(name, _)| *name == quantity.name);
-        quantities.map(|quantity| texts(quantity).and_then(|(_, text)| text.parse().ok()).unwrap_or(f32::NAN))
+        let parameters = self.figure.parameters;
+        let place = |Quantity { name, .. }| parameters.iter().position(|parameter| parameter.name() == name);
+        quantities.map(|quantity| place(quantity).map_or(f32::NAN, |place| self.values[place]))
     }
 
     /// The name of the chosen option of the first parameter.
