@@ -158,8 +158,8 @@ impl Stage {
         let AnyLight::Spot(spot) = self.lit(light)? else { return Ok(Vec::new()) };
         let surfaces = Surfaces::of(self.rig().scene());
         let half = f64::from(spot.cone().outer().to_degrees() / 2.0).to_radians();
-        let rings = (0..=RINGS).map(|ring| half * f64::from(ring) / f64::from(RINGS));
-        let within = rings.flat_map(|off| rays(spot.axis(), off));
+        let rings = (1..=RINGS).map(|ring| half * f64::from(ring) / f64::from(RINGS));
+        let within = rings.flat_map(|off| rays(spot.axis(), off)).chain([spot.axis()]);
         let met = within.filter_map(|ray| surfaces.first(spot.position(), ray));
         let ends = met.fold(None, |ends: Option<[f32; 2]>, distance| {
             let [near, far] = ends.unwrap_or([distance; 2]);

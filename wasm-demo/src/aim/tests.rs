@@ -150,7 +150,7 @@ fn a_position_that_no_light_can_have_is_refused() {
 #[test]
 fn the_distances_of_a_light_enclose_its_throw() {
     for &scene in Example::ALL {
-        let stage = Stage::of(scene).unwrap();
+        let stage = stage(scene);
         for light in 0..stage.rig().lights() {
             let (distances, throw) =
                 (stage.distances(light).unwrap(), stage.light_state(light).unwrap().throw);
@@ -162,4 +162,11 @@ fn the_distances_of_a_light_enclose_its_throw() {
             );
         }
     }
+    // Straight down onto a floor.
+    let mut stage = stage(Example::Grid);
+    stage.place_light(0, 0.0, 3.0, 0.0).unwrap();
+    stage.aim_light(0, 0.0, 0.0, 0.0).unwrap();
+    let rim = 3.0 / (stage.light_state(0).unwrap().outer / 2.0).to_radians().cos();
+    let [near, far] = stage.distances(0).unwrap()[..] else { panic!("no surface") };
+    assert!((near - 3.0).abs() < 1e-4 && (far - rim).abs() < 1e-3, "{near} to {far}, expected 3 to {rim}");
 }
