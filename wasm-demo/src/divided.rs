@@ -22,7 +22,7 @@ pub struct Divided {
     pub beyond: usize,
     /// The end of the scale of the false colours.
     pub end: f64,
-    pixels: Vec<u8>,
+    differences: Vec<u8>,
 }
 
 #[wasm_bindgen]
@@ -40,23 +40,22 @@ impl Divided {
         };
         let differences: Vec<u8> = pixels(one).zip(pixels(other)).map(difference).collect();
         let largest = differences.iter().copied().max().unwrap_or_default();
-        let scale = Scale::holding(f64::from(largest).max(1.0));
-        let palette = Palette::new();
-        let colours: Vec<_> = (0..=u8::MAX).map(|code| palette.colour(scale, code.into())).collect();
         Ok(Self {
             largest,
             place: differences.iter().position(|&difference| difference == largest).unwrap_or_default(),
             differing: differences.iter().filter(|&&difference| difference > 0).count(),
             beyond: differences.iter().filter(|&&difference| difference > 1).count(),
-            end: scale.end,
-            pixels: rgba(differences.iter().map(|&difference| colours[usize::from(difference)])),
+            end: Scale::holding(f64::from(largest).max(1.0)).end,
+            differences,
         })
     }
 
     /// The differences in false colours: RGBA. The same differences have the same colours in each
     /// picture with the same end of the scale.
     pub fn pixels(&self) -> Clamped<Vec<u8>> {
-        Clamped(self.pixels.clone())
+        let (palette, scale) = (Palette::new(), Scale { end: self.end });
+        let colours: Vec<_> = (0..=u8::MAX).map(|code| palette.colour(scale, code.into())).collect();
+        Clamped(rgba(self.differences.iter().map(|&difference| colours[usize::from(difference)])))
     }
 
     /// The colours of the scale from no difference to its end: red, green, blue of each.
@@ -76,7 +75,8 @@ mod tests {
         let divided = Divided::new(&one, &other).unwrap();
         assert_eq!((divided.largest, divided.place, divided.end), (3, 1, 5.0));
         assert_eq!((divided.differing, divided.beyond), (3, 2));
-        let [first, .., last] = divided.pixels.as_chunks::<4>().0 else { panic!("no pixels") };
+        let pixels = divided.pixels();
+        let [first, .., last] = pixels.as_chunks::<4>().0 else { panic!("no pixels") };
         assert_eq!(first[..3], Palette::new().colours()[0]);
         assert_ne!(first, last);
         let same = Divided::new(&one, &one).unwrap();

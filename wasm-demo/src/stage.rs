@@ -29,7 +29,7 @@ const FIRST: Example = Example::Show;
 const REST: u32 = 8_000_000;
 
 /// Largest number of pixels of a picture at rest with four for each of the screen: mixed by the browser,
-/// they smooth the edges of shadows and gobos. A painter lights them in a few tenths of a second.
+/// they smooth the edges of shadows and gobos.
 const SMOOTH: u32 = 3_500_000;
 
 /// Largest number of pixels that an address can ask for: 7680 x 4320.
@@ -199,16 +199,13 @@ impl Stage {
     /// The picture of the state in the format of the other half; nothing if the picture is whole.
     #[wasm_bindgen(js_name = otherJob)]
     pub fn other_job(&self) -> Option<String> {
-        let state = &self.state;
-        let other = State { format: state.other?, map: Subject::Nothing, ..state.clone() };
-        Some(job::write(self.size(), self.load, &other, self.rig.lights()))
+        Some(self.plain_job(self.state.other?))
     }
 
     /// The picture of the state in another number format.
     #[wasm_bindgen(js_name = jobIn)]
     pub fn job_in(&self, format: &str) -> Result<String, Refusal> {
-        let state = State { format: Format::named(format)?, map: Subject::Nothing, ..self.state.clone() };
-        Ok(job::write(self.size(), self.load, &state, self.rig.lights()))
+        Format::named(format).map(|format| self.plain_job(format))
     }
 
     /// Pixels in a row.
@@ -353,6 +350,12 @@ impl Stage {
     /// The scene's own camera.
     fn own_camera(&self) -> Camera {
         self.rig.camera_at(self.state.seconds[1])
+    }
+
+    /// The picture of the state in a number format, without a map.
+    fn plain_job(&self, format: Format) -> String {
+        let state = State { format, map: Subject::Nothing, ..self.state.clone() };
+        job::write(self.size(), self.load, &state, self.rig.lights())
     }
 
     fn size(&self) -> (u32, u32) {
