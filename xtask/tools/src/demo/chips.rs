@@ -139,4 +139,14 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_floats_are_those_of_the_price_list() {
+        let prices = fs::read_to_string(project::root().join("docs/PRICES.md")).unwrap();
+        assert!(prices.contains(&format!(
+            "took {},{:03}, where gcc's",
+            FLOATS as u32 / 1000,
+            FLOATS as u32 % 1000
+        )));
+    }
 }
