@@ -141,9 +141,11 @@ export class Ledger {
     }
     const stage = forms.every((form) => form.lit.length > 0) ? "lit" : "falloff";
     // The price of the other views is that with the inverse square, which some forms have not.
-    const lit = forms.map(({ lit: [, format] }) => list.find("lit", "lit-inverse-square", format));
-    const isWhole = stage === "lit" && lit.every(Boolean);
-    const rows = isWhole ? lit : forms.map((form) => list.find(stage, ...form[stage]));
+    const whole = forms.map(({ lit: [, format] }) => list.find("lit", "lit-inverse-square", format));
+    const isWhole = whole.every(Boolean);
+    const lit = isWhole ? whole : forms.map((form) => list.find("lit", ...form.lit));
+    const falloff = forms.map((form) => list.find("falloff", ...form.falloff));
+    const rows = stage === "lit" ? lit : falloff;
     const costs = list.targets.map((target) => rows.map((row) => row?.cost?.[target]));
     this.#costs.replaceChildren(
       heading(`Cost of ${stageName(stage)}${stage === "lit" && !isWhole ? " without attenuation" : ""}`),
@@ -152,7 +154,7 @@ export class Ledger {
     this.#note.textContent =
       "Numbers without a unit are exact counts of instructions, from the price list below." +
       (stage === "lit" ? "" : " Formulas are on it by their falloff alone.");
-    list.mark(forms.map((form) => [list.find("lit", ...form.lit), list.find("falloff", ...form.falloff)]));
+    list.mark(forms.map((_, side) => [lit[side], falloff[side]]));
     return costs;
   }
 

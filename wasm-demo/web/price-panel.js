@@ -1,5 +1,5 @@
 // What the selected light costs on each chip, by each evaluation, and which one is enough.
-import { element as find, row } from "./elements.js";
+import { element as find, fetchText, row } from "./elements.js";
 import { tidy, whole } from "./numbers.js";
 import { draw } from "./price-chart.js";
 
@@ -118,11 +118,8 @@ export class PricePanel {
    * @param {HTMLElement} place
    */
   static async open(place) {
-    const [text, chips] = await Promise.all(["price.html", "chips.json"].map(async (file) => {
-      const answer = await fetch(new URL(file, import.meta.url));
-      if (!answer.ok) throw new Error(`${file}: the server answers ${answer.status}`);
-      return file.endsWith(".json") ? answer.json() : answer.text();
-    }));
+    const [text, list] = await Promise.all(["price.html", "chips.json"].map(fetchText));
+    const chips = JSON.parse(list);
     if (chips === null) throw new Error("the page was built without a record of prices. Run cargo xtask measure, and build it again.");
     place.innerHTML = text;
     return new PricePanel(chips, new Worker(new URL("price-worker.js", import.meta.url), { type: "module" }));

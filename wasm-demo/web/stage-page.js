@@ -295,7 +295,7 @@ export class StagePage {
     };
     /** @type {(module: typeof import("./verdict.js")) => void} */
     const joinVerdict = ({ Verdict }) => {
-      this.#verdict = new Verdict(this.#stage, this.#module);
+      this.#verdict = new Verdict(this.#stage, this.#module, (job) => (job === this.#drawnJob && this.#isShown ? this.pixels() : undefined));
       this.#verdict.onwhere = (format) => this.#set(() => {
         this.#stage.set("with", format);
         this.#stage.set("difference", true);
@@ -433,7 +433,9 @@ export class StagePage {
     const { lightCount, fullScale } = this.#stage;
     const { selected } = this.#lights;
     const light = selected < lightCount ? plain(this.#stage.light(selected)) : undefined;
-    const distances = () => Array.from(this.#stage.distances(selected));
+    /** @type {number[] | undefined} */
+    let found;
+    const distances = () => (found ??= Array.from(this.#stage.distances(selected)));
     this.#price.show(light && { ...light, intensity: light.intensity / fullScale, distances }, this.#stage.get("format"));
     if (!light) return;
     aside(() => this.#code.show({ job: this.#stage.job(), light: selected }));

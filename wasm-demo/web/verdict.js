@@ -1,7 +1,7 @@
 // How much a number format changes the picture that is shown, in one sentence that is measured.
 import { Divided } from "./pkg/wasm_demo.js";
 import { apart } from "./apart.js";
-import { element } from "./elements.js";
+import { element, fetchText } from "./elements.js";
 import { words } from "./failure.js";
 import { Pool } from "./pool.js";
 
@@ -14,6 +14,7 @@ const NAMES = /** @type {const} */ ({ fx16: "16 bits", fx32: "32 bits" });
 export class Verdict {
   #stage;
   #module;
+  #shown;
   /** @type {number | undefined} */
   #timer;
   /** The jobs of the last measurement. */
@@ -30,10 +31,12 @@ export class Verdict {
   /**
    * @param {import("./pkg/wasm_demo.js").Stage} stage
    * @param {WebAssembly.Module} module
+   * @param {(job: string) => Uint8ClampedArray | undefined} shown the pixels of a job, if the page shows it
    */
-  constructor(stage, module) {
+  constructor(stage, module, shown) {
     this.#stage = stage;
     this.#module = module;
+    this.#shown = shown;
     element("verdict-where").addEventListener("click", () => {
       this.onwhere(this.#stage.get("format") === "f32" ? "fx16" : "f32");
     });
@@ -59,18 +62,25 @@ export class Verdict {
     const stage = this.#stage;
     const format = this.#format;
     const jobs = [format, "f32"].map((name) => stage.jobIn(name));
-    if (jobs.join() === this.#measured) return;
-    this.#measured = jobs.join();
+    const asked = jobs.join();
+    if (asked === this.#measured) return;
+    this.#measured = asked;
     const pool = new Pool(Promise.resolve(this.#module), 1);
     try {
+      const shown = jobs.map((job) => this.#shown(job));
       const pictures = [];
-      for (const job of jobs) pictures.push(bytes(await pool.draw(job)));
+      for (const [i, job] of jobs.entries()) pictures.push(bytes(shown[i] ?? (await pool.draw(job)).parts[0].pixels));
       const divided = new Divided(pictures[0], pictures[1]);
       const { differing, beyond, largest: most } = divided;
       divided.free();
       const difference = apart({ pixels: pictures[0].length / 4, differing, beyond, most }, "32-bit floats");
-      this.#tell(`${NAMES[format]}: ${difference}; ${await this.#price(format)}.`, most > 0);
+      const price = await this.#price(format);
+      // A later picture may have been measured in the meantime.
+      if (asked === this.#measured) this.#tell(`${NAMES[format]}: ${difference}; ${price}.`, most > 0);
     } catch (refusal) {
+      if (asked !== this.#measured) return;
+      this.#measured = "";
+      this.#cheaper = undefined;
       this.#tell(`${NAMES[format]}: not measured: ${words(refusal)}`, false);
     } finally {
       pool.end();
@@ -88,17 +98,17 @@ export class Verdict {
 
   /** @param {string} format */
   async #price(format) {
-    this.#cheaper ??= fetch(new URL("chips.json", import.meta.url)).then(async (answer) => (await answer.json()).cheaper);
+    this.#cheaper ??= fetchText("chips.json").then((text) => JSON.parse(text).cheaper);
     const factor = (await this.#cheaper)[format];
     return `${Number(factor.toPrecision(2))} times fewer instructions than the best floats on a Cortex-M0`;
   }
 }
 
 /**
- * The bytes of a picture that one worker has drawn.
- * @param {import("./pool.js").Drawn} picture
+ * The bytes of a picture.
+ * @param {Uint8ClampedArray | undefined} pixels
  */
-function bytes({ parts: [{ pixels }] }) {
+function bytes(pixels) {
   if (!pixels) throw new Error("the picture is empty");
   return new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.length);
 }
