@@ -2,7 +2,9 @@
 
 use luminaire::attenuation::Attenuation;
 use luminaire::dynamic::AnyLight;
-use luminaire::{Cone, Fx16, Rgb, Vec3};
+use luminaire::falloff::Step;
+use luminaire::projector::Projection;
+use luminaire::{Angle, Cone, Fx16, Rgb, Vec3};
 
 use crate::error::ExportError;
 use crate::head::head;
@@ -30,9 +32,10 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     let full = if brightest > 0.0 { brightest } else { 1.0 };
     let (position, axis) = (spot.position(), spot.axis());
     let half = (cone.outer().to_degrees() / 2.0).min(60.0).to_radians();
-    let across = perpendicular(axis);
-    let [right, down] =
-        [across, axis.cross(across)].map(|way| way.map(|way| way * distance * half.tan() / REACH));
+    // Of any width: the directions alone are taken.
+    let square = Projection::of(&spot.with_cone(Cone::from_outer(Step, Angle::degrees(90.0))?))?;
+    let step = distance * half.tan() / REACH;
+    let (right, down) = (square.right().map(|way| step * way), square.up().map(|way| -step * way));
     let middle = position.zip(axis, |position, axis| position + distance * axis);
     let (law, imports) = match attenuation(law).1 {
         Some(call) => (call, "use luminaire::attenuation::*;\n"),
@@ -81,12 +84,4 @@ fn main() -> Result<(), Error> {{
 /// Returns a vector with four decimals.
 fn short(vector: Vec3<f32>) -> String {
     format!("{:?}", <[f32; 3]>::from(vector.map(|number| (number * 1e4).round() / 1e4 + 0.0)))
-}
-
-/// Returns a unit vector perpendicular to a unit vector, horizontal unless that is vertical.
-fn perpendicular(axis: Vec3<f32>) -> Vec3<f32> {
-    let helper = if axis.y.abs() < 0.99 { Vec3::new(0.0, 1.0, 0.0) } else { Vec3::new(0.0, 0.0, 1.0) };
-    let across = axis.cross(helper);
-    let length = across.dot(across).sqrt();
-    across.map(|along| along / length)
 }
