@@ -20,12 +20,21 @@ const RELIT: (f32, f32) = (0.7, 0.0);
 /// system has interrupted its worker.
 const HELD: f64 = 0.99;
 
-/// Returns the count for a time in nanoseconds: at most 65,535. `rest` is what rounding has left of
-/// the times before, so that the counts of a picture have the sum of its times.
-pub(crate) fn count_of_nanoseconds(time: f64, rest: &mut f64) -> u16 {
-    let count = (time + *rest).round() as u16;
-    *rest = (time + *rest - f64::from(count)).clamp(-0.5, 0.5);
-    count
+/// Lighting passes for a map of costs, which shows their medians: the system may interrupt a worker in
+/// any block, but seldom twice in the same.
+pub(crate) const PASSES: usize = 3;
+
+/// Returns the counts of blocks for their medians of times in nanoseconds: at most 65,535. Each takes up
+/// what rounding has left of those before, so that the counts of a picture have the sum of its times.
+pub(crate) fn counts_of_nanoseconds(times: &[[f64; PASSES]]) -> Vec<u16> {
+    let mut rest = 0.0;
+    let count = |&[a, b, c]: &[f64; PASSES]| {
+        let time = rest + a.min(b).max(a.max(b).min(c));
+        let count = time.round() as u16;
+        rest = (time - f64::from(count)).clamp(-0.5, 0.5);
+        count
+    };
+    times.iter().map(count).collect()
 }
 
 /// Subject of a map.
@@ -176,9 +185,9 @@ mod tests {
 
     #[test]
     fn the_map_of_costs_adds_up() {
-        // Two rows of two blocks, the second of which has 8 pixels. One block was interrupted.
-        let mut rest = 0.0;
-        let counts = [3.4, 6.4, 1.2, 99_999.0].map(|time| count_of_nanoseconds(time, &mut rest));
+        // Two rows of two blocks, the second of which has 8 pixels. Three blocks were interrupted, the last twice.
+        let times = [[3.4, 1.0, 90.0], [1e9, 6.4, 2.0], [1.2, 1.3, 0.0], [99_999.0, 1e9, 2.0]];
+        let counts = counts_of_nanoseconds(&times);
         assert_eq!(counts, [3, 7, 1, u16::MAX]);
         let mut map = Map::new();
         let pixels = map.draw(Subject::Cost, &counts, LANES + 8).unwrap();

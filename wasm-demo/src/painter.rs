@@ -8,7 +8,7 @@ use crate::{
     equality::Equality,
     format::{Draw, Format},
     job::{self, Task},
-    map::{self, Subject},
+    map::{self, PASSES, Subject},
     panic,
     refusal::Refusal,
     scene_state,
@@ -30,6 +30,8 @@ pub struct Painter {
     renderer: Option<Renderer>,
     /// The renderer of the size before: pictures alternate between motion and rest.
     other: Option<Renderer>,
+    /// What a pixel of each block has taken in nanoseconds, in each pass for the map of costs.
+    costs: Vec<[f64; PASSES]>,
     times: Times,
 }
 
@@ -69,6 +71,7 @@ impl Painter {
             fixtures: Vec::new(),
             renderer: None,
             other: None,
+            costs: Vec::new(),
             times: Times::default(),
         })
     }
@@ -169,12 +172,26 @@ impl Painter {
         let (Some(task), Some(renderer)) = (&self.task, &mut self.renderer) else { return Ok(false) };
         let (state, display) = (&task.job.state, task.rig.display(&task.job.state));
         let Renderer { draw, shown, .. } = renderer;
-        draw.set_clock((state.map == Subject::Cost).then_some(clock::nanoseconds));
-        let (lighting, lit) = self.clock.time(|| match state.is_everything {
-            true => draw.draw_everything(&self.fixtures).map(|()| true),
-            false => draw.draw_light(&self.fixtures),
-        });
+        let (clock, fixtures) = (&self.clock, &self.fixtures);
+        let light = |draw: &mut dyn Draw| match state.is_everything {
+            true => draw.draw_everything(fixtures).map(|()| true),
+            false => draw.draw_light(fixtures),
+        };
+        let (lighting, lit) = clock.time(|| light(&mut **draw));
         let is_lit = lit?;
+        if state.map == Subject::Cost {
+            self.costs = blocks(self.stripes, task.job.size).map(|_| [0.0; PASSES]).collect();
+            for pass in 0..PASSES {
+                // After a new clock all is lit again.
+                draw.set_clock(None);
+                draw.set_clock(Some(clock::nanoseconds));
+                light(&mut **draw)?;
+                for (costs, (x, y)) in self.costs.iter_mut().zip(blocks(self.stripes, task.job.size)) {
+                    costs[pass] = draw.cost(x, y).unwrap_or(0.0);
+                }
+            }
+            draw.set_clock(None);
+        }
         let showing = Some((state.scene, state.is_everything, display));
         let is_drawn = std::mem::replace(shown, showing) != showing || is_lit;
         if is_drawn {
@@ -209,18 +226,13 @@ impl Painter {
     /// has no map.
     pub fn counts(&self) -> Vec<u16> {
         let (Some(task), Some(renderer)) = (&self.task, &self.renderer) else { return Vec::new() };
-        let (width, height) = (task.job.size.0 as usize, task.job.size.1 as usize);
-        let draw = &renderer.draw;
-        let mut rest = 0.0;
-        let mut count = |x: usize, y: usize| match task.job.state.map {
-            Subject::Nothing => None,
-            Subject::Lights => draw.lights_evaluated(x, y),
-            Subject::Cost => draw.cost(x, y).map(|time| map::count_of_nanoseconds(time, &mut rest)),
-            Subject::Tiles => draw.is_relit(x, y).map(u16::from),
-        };
-        let places = self.stripes.rows(height).flatten();
-        let places = places.flat_map(|y| (0..width).step_by(LANES).map(move |x| (x, y)));
-        places.filter_map(|(x, y)| count(x, y)).collect()
+        let (draw, places) = (&renderer.draw, blocks(self.stripes, task.job.size));
+        match task.job.state.map {
+            Subject::Nothing => Vec::new(),
+            Subject::Lights => places.filter_map(|(x, y)| draw.lights_evaluated(x, y)).collect(),
+            Subject::Cost => map::counts_of_nanoseconds(&self.costs),
+            Subject::Tiles => places.filter_map(|(x, y)| draw.is_relit(x, y)).map(u16::from).collect(),
+        }
     }
 
     /// The counts of the work for the stripes of the last picture.
@@ -256,6 +268,12 @@ impl Painter {
         let pixels = painter.renderer.as_ref().map_or(Vec::new(), |renderer| renderer.draw.pixels().to_vec());
         Ok(Clamped(pixels))
     }
+}
+
+/// The first pixel of each block in the stripes of a picture of this size, row by row.
+fn blocks(stripes: Stripes, (width, height): (u32, u32)) -> impl Iterator<Item = (usize, usize)> {
+    let columns = (0..width as usize).step_by(LANES);
+    stripes.rows(height as usize).flatten().flat_map(move |y| columns.clone().map(move |x| (x, y)))
 }
 
 impl fmt::Debug for Painter {

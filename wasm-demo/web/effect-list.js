@@ -1,10 +1,7 @@
 // The effects of the library: those that the scene needs, and switches for some of them.
-import { copyOf, element, find, made } from "./elements.js";
+import { copyOf, element, find, made, onceSeen } from "./elements.js";
 import { whole } from "./numbers.js";
 import { load } from "./support.js";
-
-/** Delay before the prices are loaded, in milliseconds: the first picture goes before them. */
-const LATER = 500;
 
 /** @typedef {import("./pkg/wasm_demo.js").Stage} Stage */
 
@@ -26,7 +23,7 @@ export class EffectList {
   /** @param {Stage} stage */
   constructor(stage) {
     this.#stage = stage;
-    setTimeout(() => this.#price().catch(reportError), LATER);
+    onceSeen([this.#switches, this.#count], () => this.#price().catch(reportError));
   }
 
   /** Shows the price of each switch, once the list of prices has loaded. */

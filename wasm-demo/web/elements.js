@@ -100,3 +100,17 @@ export function encircle(ring, isShown, place, { width, height }) {
   ring.style.left = `${(100 * ((place % width) + 0.5)) / width}%`;
   ring.style.top = `${(100 * (Math.floor(place / width) + 0.5)) / height}%`;
 }
+
+/**
+ * Calls `act` once, when one of the elements comes into view.
+ * @param {Element[]} elements
+ * @param {() => void} act
+ */
+export function onceSeen(elements, act) {
+  const observer = new IntersectionObserver((entries) => {
+    if (!entries.some((entry) => entry.isIntersecting)) return;
+    observer.disconnect();
+    act();
+  });
+  for (const element of elements) observer.observe(element);
+}

@@ -1,5 +1,5 @@
 // The place of the price on the stage. What fills it is loaded when it comes into view.
-import { element, made } from "./elements.js";
+import { element, made, onceSeen } from "./elements.js";
 import { load } from "./support.js";
 import { words } from "./failure.js";
 import { median, tidy } from "./numbers.js";
@@ -32,12 +32,7 @@ export class PriceSlot {
   onformat = /** @type {(format: string) => void} */ (() => {});
 
   constructor() {
-    const observer = new IntersectionObserver((entries) => {
-      if (!entries.some((entry) => entry.isIntersecting)) return;
-      observer.disconnect();
-      this.#open();
-    });
-    observer.observe(this.#place);
+    onceSeen([this.#place], () => this.#open());
   }
 
   /** What fills the place; undefined until it is loaded. */

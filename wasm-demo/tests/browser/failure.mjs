@@ -174,7 +174,7 @@ quick("the folder for static hosts works under a path", async () => {
   const names = new Set(requests.filter((address) => !address.startsWith("data:")).map((address) => address.replace(hosted.address, "")));
   const version = hosted.files.find((name) => name.includes("/")).split("/")[0];
   // What the page loads by itself after the first picture, and what a browser without a window does not need.
-  const late = /^(curve|effect-prices|prices|handles|press|shapes|icon|verdict)\./;
+  const late = /^(curve|handles|press|shapes|icon|verdict)\./;
   const first = (names) => [...names].map((name) => name.replace(`${version}/`, "")).filter((name) => name && name !== "index.html" && !late.test(name)).sort();
   assert.deepEqual(first(names), first(hosted.files), "the files of the first picture");
   for (const view of VIEWS) {
