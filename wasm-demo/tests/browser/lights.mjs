@@ -139,6 +139,7 @@ more("an empty field is no error, and a field that is left shows what is in forc
 
 more("what a format refuses is stated under no other control", async () => {
   await open();
+  await enter("format", "f32");
   await enter("light-beam-number", "1");
   await enter("format", "fx16");
   assert.match(await words("stage-error"), /16-bit fixed point cannot hold light 1/);
