@@ -136,7 +136,7 @@ fn on_a_board(board: &'static Board, progress: &Progress) -> Result<String> {
 /// Builds the page, opens it, and returns what it reports.
 fn in_a_browser(progress: &Progress) -> Result<String> {
     let site = project::target().join("conform");
-    wasm::CONFORM.bind(&wasm::CONFORM.compile(progress)?, &site.join("pkg"), progress)?;
+    wasm::CONFORM.bind(&wasm::CONFORM.compile(wasm::LOCAL, progress)?, &site.join("pkg"), progress)?;
     fs::copy(folder().join("wasm/index.html"), site.join("index.html"))?;
     fs::copy(file(), site.join("vectors.txt"))?;
     let server = Server::start(&site)?;

@@ -90,7 +90,7 @@ pub(crate) fn host(progress: &Progress) -> Result<Record> {
 /// host's.
 pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     let package = if simd { wasm::SIMD_PRICES } else { wasm::PRICES };
-    let module = package.compile(progress)?;
+    let module = package.compile(wasm::PUBLISHED, progress)?;
     let site = tempfile::Builder::new().prefix("prices-").tempdir_in(project::target())?;
     fs::write(site.path().join("index.html"), PAGE)?;
     package.bind(&module, &site.path().join("pkg"), progress)?;

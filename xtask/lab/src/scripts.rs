@@ -5,6 +5,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result};
 use serde_json::json;
+use tools::demo::site::Build;
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
@@ -18,17 +19,17 @@ const TESTS: &str = "wasm-demo/tests";
 
 /// Adds the steps. The demo's modules should be compiled already: the types are those of their
 /// bindings.
-pub(crate) fn run(suite: &mut Suite) {
-    suite.step("scripts: types", types);
+pub(crate) fn run(suite: &mut Suite, build: Build) {
+    suite.step("scripts: types", |progress| types(build, progress));
     suite.step("scripts: rules", rules);
     suite.count("scripts: unit tests", unit_tests);
 }
 
 /// Checks the types of the scripts, also at their calls of the module.
-fn types(progress: &Progress) -> Result<()> {
+fn types(build: Build, progress: &Progress) -> Result<()> {
     let folder = project::target().join("types");
     for (package, bindings) in wasm::PAGE {
-        package.bind(&package.compile(progress)?, &folder.join(bindings), progress)?;
+        package.bind(&package.compile(build.profile(), progress)?, &folder.join(bindings), progress)?;
     }
     let (root, page) = (project::root(), project::root().join(PAGE));
     let settings = json!({

@@ -101,7 +101,7 @@ fn boards(suite: &mut Suite, full: bool) {
 fn page(suite: &mut Suite, full: bool) {
     let build = if full { Build::Small } else { Build::Part };
     suite.step("browser: the demo is built", |progress| site::build(build, progress).map(drop));
-    scripts::run(suite);
+    scripts::run(suite, build);
 }
 
 /// Checks that the fuzzer's targets compile. They belong to another workspace, and only the fuzzer

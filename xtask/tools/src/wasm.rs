@@ -10,8 +10,10 @@ use crate::toolchain::Toolchain;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The profile in the workspace's manifest, and the name of the folder of what is built.
-const PROFILE: &str = "wasm";
+/// The profile in the workspace's manifest of what is tried and tested on this machine.
+pub const LOCAL: &str = "wasm";
+/// The profile of what is published or timed.
+pub const PUBLISHED: &str = "published";
 
 /// A package that a browser runs.
 #[derive(Debug)]
@@ -59,15 +61,15 @@ impl Package {
         if self.simd { "-Ctarget-feature=+simd128" } else { "" }
     }
 
-    /// Compiles the package. The resulting module still needs its bindings.
-    pub fn compile(&self, progress: &Progress) -> Result<PathBuf> {
+    /// Compiles the package in a profile. The resulting module still needs its bindings.
+    pub fn compile(&self, profile: &str, progress: &Progress) -> Result<PathBuf> {
         let toolchain = Toolchain::find(TARGET, progress)?;
-        let words = ["build", "--package", self.name, "--lib", "--profile", PROFILE];
+        let words = ["build", "--package", self.name, "--lib", "--profile", profile];
         let mut build = toolchain.cargo("std,panic_abort", words);
         build.env("CARGO_ENCODED_RUSTFLAGS", self.flags());
         let what = format_args!("{} for {}", self.name, toolchain.describe());
         progress.timed("Building", what, || progress.run(build))?;
-        Ok(toolchain.artifacts(PROFILE).join(format!("{}.wasm", self.name.replace('-', "_"))))
+        Ok(toolchain.artifacts(profile).join(format!("{}.wasm", self.name.replace('-', "_"))))
     }
 
     /// Writes the bindings, their types and the bound module into `folder`. Returns the path of the

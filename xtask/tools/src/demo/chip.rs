@@ -25,7 +25,7 @@ pub(super) fn write(site: &Path, build: Build, progress: &Progress) -> Result<()
     };
     let what = format_args!("the firmware of the {RP2040}");
     let firmware = progress.timed("Building", what, || board::build(progress))?;
-    let module = wasm::CHIP.compile(progress)?;
+    let module = wasm::CHIP.compile(build.profile(), progress)?;
     copy(&firmware, &site.join(format!("{RP2040}.elf")))?;
     bundle(site, progress)?;
     licenses::write(&site.join("chip-licenses.txt"), &emulator)?;

@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 
 use crate::progress::Progress;
-use crate::{command, install, project};
+use crate::{command, install, project, wasm};
 
 /// Enables every WebAssembly feature that the module uses: those that rustc enables by default, and
 /// simd, which the demo enables.
@@ -32,11 +32,16 @@ pub enum Build {
     Part,
     /// All of it.
     Whole,
-    /// All of it as it is published: shrunk by `wasm-opt`.
+    /// All of it as it is published: with link-time optimisation, and shrunk by `wasm-opt`.
     Small,
 }
 
 impl Build {
+    /// The profile of its modules.
+    pub fn profile(self) -> &'static str {
+        if self == Self::Small { wasm::PUBLISHED } else { wasm::LOCAL }
+    }
+
     /// Makes a bound module what the page loads.
     pub(super) fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
         if self == Self::Small { shrink(module, progress) } else { Ok(()) }

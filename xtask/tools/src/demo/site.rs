@@ -56,7 +56,7 @@ pub fn build(build: Build, progress: &Progress) -> Result<PathBuf> {
         project::mirror(&files, new, &[])?;
         chips::write(&docs, new)?;
         for (package, folder) in wasm::PAGE {
-            let module = package.compile(progress)?;
+            let module = package.compile(build.profile(), progress)?;
             build.finish(&package.bind(&module, &new.join(folder), progress)?, progress)?;
         }
         // How large the module is once a host's compression is undone: what the page's progress counts.
