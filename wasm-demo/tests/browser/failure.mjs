@@ -65,7 +65,8 @@ quick(
 more(
   "the formats of 32 bits are loaded when one is chosen, or that is told",
   async () => {
-    // Without what the page does when the visitor pauses: it compares the picture with one in 32 bits.
+    // Without what the page does when the visitor pauses (`PAUSE` of verdict.js): it compares the picture with one in
+    // 32 bits.
     await open(STILL, { script: "window.setTimeout = ((wait) => (act, time) => time === 600 ? 0 : wait(act, time))(window.setTimeout.bind(window))" });
     assert.deepEqual(requests.filter((name) => name.includes("wide")), [], "files that are loaded before a picture in 32 bits");
     await tab.setOfflineMode(true);
@@ -196,7 +197,7 @@ quick("the folder for static hosts works under a path", async () => {
 if (hosted.isSmall) {
   more("the first picture and the chip are small, and the chip has its licences", async () => {
     const gzip = (files) => files.reduce((sum, file) => sum + gzipSync(readFileSync(file), { level: 9 }).length, 0);
-    must(gzip(hosted.files.map((name) => join(hosted.folder, name))), (bytes) => bytes < 405_000, "less than 405,000 bytes by gzip for the first picture");
+    must(gzip(hosted.files.map((name) => join(hosted.folder, name))), (bytes) => bytes < 400_000, "less than 400,000 bytes by gzip for the first picture");
     const version = hosted.files.find((name) => name.includes("/")).split("/")[0];
     const files = [version, `${version}/chip`].flatMap((folder) =>
       readdirSync(join(hosted.folder, folder), { withFileTypes: true })
