@@ -32,6 +32,8 @@ mod curve;
 mod dither;
 mod encode;
 mod exposure;
+#[cfg(feature = "fixed")]
+mod fast;
 mod fit;
 mod gray;
 mod leds;

@@ -95,6 +95,18 @@ fn encoding_many_dithered_is_encoding_each() {
             assert_each((i16::MIN..=i16::MAX).map(Fx16::from_bits), x, y);
         }
         assert_each((0..1 << 15).map(|i| Fx32::from_bits(i << 16)), 0, y);
+        // On both sides of every threshold of the codes of RGB565, which are units of 2^-24 apart.
+        for (last, column) in [31, 63].into_iter().flat_map(|last| (0..8).map(move |column| (last, column))) {
+            let light = |code| oracle::srgb_linear(f64::from(code) * 255.0 / f64::from(last));
+            let part = f64::from(2 * bayer(column, y, 8) + 1) / 128.0;
+            let past = (0..last).map(|code| light(code) + part * (light(code + 1) - light(code)));
+            let near = |value: f64| (-4..4).map(move |unit| ((value * 16_777_216.0) as i32 + unit) << 6);
+            assert_each(
+                past.flat_map(near).flat_map(|bits| [[bits - 1; 8], [bits; 8]].concat()).map(Fx32::from_bits),
+                column,
+                y,
+            );
+        }
     }
     let special = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -0.0, 0.0, 1.0, 1e-30];
     assert_each(special.into_iter().chain(special.map(|value| -value)).cycle().take(64), 0, 0);

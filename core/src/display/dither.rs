@@ -123,23 +123,6 @@ pub(super) fn dithered_word<L: Law, const LAST: usize>(linear: Word, threshold: 
     }
 }
 
-/// Returns the code of [`dithered`] for the last code `COUNT - 1`, by [`CodeStart`].
-#[inline(always)]
-pub(super) fn dithered_fast<S: Scalar, const COUNT: usize>(linear: S, threshold: u8) -> u8 {
-    match linear.word() {
-        Word::Single(linear) => match COUNT {
-            32 => dithered_float::<Srgb, 31>(linear, threshold),
-            _ => dithered_float::<Srgb, 63>(linear, threshold),
-        },
-        #[cfg(feature = "fixed")]
-        Word::Steps14(linear) => {
-            CodeStart::<COUNT>::dithered(u32::from(linear.max(0) as u16) << 10, threshold)
-        }
-        #[cfg(feature = "fixed")]
-        Word::Steps30(linear) => CodeStart::<COUNT>::dithered(linear.max(0) as u32 >> 6, threshold),
-    }
-}
-
 /// Returns the dither's threshold of the pixel at `(x, y)`, for other outputs: an odd number of
 /// 128ths, from 1 to 127, of the step from one code's light to the next.
 ///
@@ -180,9 +163,10 @@ const fn rank(x: usize, y: usize) -> u8 {
 /// Fraction bits of the table of the light of each code: the precision of an f32 below 1.
 ///
 /// With 24 bits, 128 times a difference of two table values fits 32 bits.
-const BITS: u32 = 24;
+pub(super) const BITS: u32 = 24;
+
 /// Returns the light of a code in `[0, last]`, as the nearest multiple of 2^-24.
-const fn light(formula: Formula, code: usize, last: usize) -> u32 {
+pub(super) const fn light(formula: Formula, code: usize, last: usize) -> u32 {
     (linear(formula, code as f64 / last as f64) * (1 << BITS) as f64 + 0.5) as u32
 }
 
@@ -275,60 +259,4 @@ fn dithered_float<L: Law, const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let (here, next) = (light(code), light(code + 1));
     let is_past = (linear - here) * 128.0 > (next - here) * f32::from(threshold);
     (code + usize::from(is_past)) as u8
-}
-
-/// Number of leading bits of a value from which a [`CodeStart`] search starts.
-#[cfg(feature = "fixed")]
-const PLACE_BITS: u32 = 8;
-
-/// A search for the codes up to `COUNT - 1` that starts from a table.
-#[cfg(feature = "fixed")]
-struct CodeStart<const COUNT: usize>;
-
-#[cfg(feature = "fixed")]
-impl<const COUNT: usize> CodeStart<COUNT> {
-    /// The light of each code, in units of 2^-24.
-    const LIGHT: [u32; COUNT] = {
-        let mut table = [0; COUNT];
-        let mut code = 0;
-        while code < COUNT {
-            table[code] = light(Formula::Srgb, code, COUNT - 1);
-            code += 1;
-        }
-        table
-    };
-
-    /// The lower of the two codes around the smallest value with these leading bits.
-    const FIRST: [u8; 1 << PLACE_BITS] = {
-        let mut table = [0; 1 << PLACE_BITS];
-        let (mut place, mut code) = (0, 0);
-        while place < table.len() {
-            while Self::LIGHT[code + 1] <= (place << (BITS - PLACE_BITS)) as u32 {
-                code += 1;
-            }
-            table[place] = code as u8;
-            place += 1;
-        }
-        table
-    };
-
-    /// Returns the dithered code of a value in units of 2^-24.
-    #[inline(always)]
-    fn dithered(linear: u32, threshold: u8) -> u8 {
-        // With every threshold, the code of full scale is also that of the value below.
-        let linear = linear.min((1 << BITS) - 1);
-        // The remainders change no index. They show the compiler that the indices are in bounds.
-        let light = |code: usize| Self::LIGHT[code % COUNT];
-        let place = (linear >> (BITS - PLACE_BITS)) as usize;
-        let mut code = usize::from(Self::FIRST[place % Self::FIRST.len()]);
-        let mut next = light(code + 1);
-        // Ends at the last code, because its light is 1.
-        while linear >= next {
-            code += 1;
-            next = light(code + 1);
-        }
-        let here = light(code);
-        let is_past = (linear - here) << 7 > (next - here) * u32::from(threshold);
-        code as u8 + u8::from(is_past)
-    }
 }

@@ -1,9 +1,8 @@
 //! What pixels of 5 bits of red, 6 of green and 5 of blue have besides those of other widths.
 
-use super::{
-    dither::{dithered_fast, threshold},
-    pixel::{Pixel as _, Rgb565},
-};
+use super::pixel::{Pixel as _, Rgb565};
+#[cfg(feature = "fixed")]
+use super::{dither::threshold, fast};
 use crate::{color::Rgb, number::Scalar};
 
 impl Rgb565 {
@@ -29,16 +28,16 @@ impl Rgb565 {
     /// Returns the pixel of [`from_linear_dithered`](Self::from_linear_dithered), bit for bit, with
     /// fewer instructions in fixed point.
     ///
-    /// A table of 512 bytes replaces half of the search for the codes. The instructions and bytes
+    /// Tables of 1,552 bytes replace most of the search for the codes. The instructions and bytes
     /// of both are on the page of effects (`docs/EFFECTS.md`). In `f32` the two functions are the
     /// same.
     #[inline(always)] // As above.
     pub fn from_linear_dithered_fast<S: Scalar>(color: Rgb<S>, x: u32, y: u32) -> Self {
-        let threshold = threshold(x, y);
-        let red = dithered_fast::<S, 32>(color.red, threshold);
-        let green = dithered_fast::<S, 64>(color.green, threshold);
-        let blue = dithered_fast::<S, 32>(color.blue, threshold);
-        Self::of_channels(red.into(), green.into(), blue.into())
+        #[cfg(feature = "fixed")]
+        if let Some(codes) = fast::dithered(color, threshold(x, y)) {
+            return Self((codes.red << 11 | codes.green << 5 | codes.blue) as u16);
+        }
+        Self::dithered(color, x, y)
     }
 
     /// Returns the two bytes, first the upper byte with red: the order that most SPI displays

@@ -45,7 +45,7 @@ effects! { each;
     "RGB565, dithered", pixel, [Dither] over "rgb565";
     fn rgb565_dithered((color, Place { x, y }): (Color, Place)) -> Rgb565 { Rgb565::from_linear_dithered(color, x, y) }
 
-    /// The same pixels. In fixed point the search for the codes starts from a table of 512 bytes.
+    /// The same pixels. In fixed point the search for the codes starts from a table.
     "RGB565, dithered fast", pixel, [Dither] over "rgb565";
     fn rgb565_dithered_fast((color, Place { x, y }): (Color, Place)) -> Rgb565 { Rgb565::from_linear_dithered_fast(color, x, y) }
 
