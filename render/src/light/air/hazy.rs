@@ -5,7 +5,7 @@ use luminaire::{
     Cone, Error, Rgb, Scalar, Vec3,
     attenuation::AnyAttenuation,
     dynamic::AnyLight,
-    falloff::AnyFalloff,
+    falloff::{AnyFalloff, Falloff as _, Formula},
     haze::{BeamScattering, Haze, RayBundle, ViewRays},
     light::CompiledCone,
     projector::{CompiledGobo, Fixture, Gobo, Projection, Shadow},
@@ -66,6 +66,21 @@ impl Hazy {
     /// Returns false only if no ray of the bundle meets the beam.
     pub(crate) fn may_be_seen(&self, sight: &RayBundle) -> bool {
         self.beam.can_meet(sight)
+    }
+
+    /// Computes the intensity at each of many versines. For polynomials there is a loop without branches.
+    pub(super) fn intensities<const N: usize>(&self, versines: &[f32; N], intensities: &mut [f32; N]) {
+        let ([inner, outer, limit], falloff) = (self.cone.versines(), self.cone.falloff());
+        let Formula::Polynomial([a, b, c]) = falloff.formula() else {
+            return self.falloff.at_each(versines, intensities);
+        };
+        let rise = 1.0 / (outer - inner);
+        for i in 0..N {
+            let t = (outer - versines[i]) * rise;
+            let t = if (t > 0.0) & (versines[i] < limit) { t } else { 0.0 };
+            let t = if t < 1.0 { t } else { 1.0 };
+            intensities[i] = t * (a + t * (b + t * c));
+        }
     }
 
     /// Writes the in-scattered light of the beam along each ray, before its colour.

@@ -177,15 +177,21 @@ fn integrals(hazy: &Hazy, frame: &Frame, pattern: &Pattern, across: f32) -> Meas
     let least = off * off / (1.0 + radius);
     let edge = vector::sqrt((versine - least) / ((1.0 - versine) + radius));
     // The light of a direction is that of the one as far on the other side of the nearest.
-    let mut found = [0.0; STEPS];
-    let (first, second) = found.split_at_mut(STEPS / 2);
-    for (i, (first, second)) in first.iter_mut().rev().zip(second).enumerate() {
+    let (mut shares, mut versines, mut lights) = ([0.0; STEPS / 2], [0.0; STEPS / 2], [0.0; STEPS / 2]);
+    for i in 0..STEPS / 2 {
         let v = edge * ((i as i32 as f32 + 0.5) * (2.0 / STEPS as f32));
-        let share = 1.0 / (1.0 + v * v);
-        let light = 2.0 * share * hazy.falloff.at(least + 2.0 * radius * (v * v) * share);
-        (*first, *second) = (light, light);
+        shares[i] = 1.0 / (1.0 + v * v);
+        versines[i] = least + 2.0 * radius * (v * v) * shares[i];
     }
-    let open = found.iter().sum::<f32>() * (2.0 / STEPS as f32);
+    hazy.intensities(&versines, &mut lights);
+    let (mut found, mut open) = ([0.0; STEPS], 0.0);
+    for i in 0..STEPS / 2 {
+        let light = 2.0 * shares[i] * lights[i];
+        found[STEPS / 2 + i] = light;
+        found[STEPS / 2 - 1 - i] = light;
+        open += light;
+    }
+    let open = open * (4.0 / STEPS as f32);
     pattern.filter(nearest, onward, edge, &mut found);
     let (mut line, mut sum) = ([0.0; STEPS + 1], 0.0);
     for (to, light) in line[1..].iter_mut().zip(found) {
