@@ -117,8 +117,8 @@ impl Records {
             "on a Cortex-M0 a lit point in C takes {libgcc} instructions by those of gcc, and 1,733 by"
         ));
         // `cargo xtask full --only package` compares these two.
-        say("**4.1 kB of flash**".to_owned());
-        say("2.6 kB by the quick evaluation".to_owned());
+        say("**4.0 kB of flash**".to_owned());
+        say("2.4 kB by the quick evaluation".to_owned());
         say(format!("[{} instructions](docs/EFFECTS.md#evaluation-and-set-up)", added("aimed")));
         say(format!("a new cone between two others {}.", added("zoomed")));
         let stages = ["geometry", "shadow", "light", "display"];

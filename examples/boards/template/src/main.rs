@@ -10,13 +10,14 @@ use scanline::scanline;
 
 #[entry]
 fn main() -> ! {
-    let mut pixels = [0; 160];
+    // `entry` makes it a `&mut [u16; 160]`. On the stack it would need code that clears it.
+    static mut PIXELS: [u16; 160] = [0; 160];
     loop {
         let mut checksum = 0_u32;
         for row in 0..120 {
-            scanline(row, &mut pixels);
+            scanline(row, PIXELS);
             // Send the row to your display here.
-            for pixel in &pixels {
+            for pixel in PIXELS.iter() {
                 checksum = checksum.rotate_left(1) ^ u32::from(*pixel);
             }
         }
