@@ -48,7 +48,9 @@ pub fn run() -> Result<()> {
     for web_gl in [WebGl::SwiftShader, WebGl::Llvmpipe] {
         columns.push(theirs(web_gl, &rival, &progress)?);
     }
-    println!("Milliseconds a frame of 960 x 540, camera at rest / moving; times the demo's in parentheses.");
+    println!(
+        "Milliseconds a frame of 960 x 540, camera at rest / moving, in f32; times the demo's in parentheses."
+    );
     for answers in &columns {
         println!("three.js on {}", answers[0].renderer);
     }
@@ -89,9 +91,9 @@ fn file(load: &Load) -> String {
     format!("spots-{}-{}.json", load.spots, load.shadows)
 }
 
-/// The demo's median times: with the camera at rest, and moving.
+/// The demo's median times in `f32`, as three.js draws: with the camera at rest, and moving.
 fn ours(server: &Server, progress: &Progress) -> Result<Vec<(f64, f64)>> {
-    let address = format!("{}#stage?scene=three-point&play=none", server.address());
+    let address = format!("{}#stage?scene=three-point&play=none&format=f32", server.address());
     let frames: Vec<_> = LOADS.iter().map(|load| load.frame_call(scene::FRAMES)).collect();
     let found = Visit { address: &address, ..Visit::default() }.run(&frames, progress)?;
     let time = |(load, found): (&Load, _)| match Frame::of(found) {

@@ -95,7 +95,7 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     fs::write(site.path().join("index.html"), PAGE)?;
     package.bind(&module, &site.path().join("pkg"), progress)?;
     let server = Server::start(site.path())?;
-    let found = visit(&server, &vec![ROUND.to_owned(); ROUNDS], progress)?;
+    let found = visit(&server.address(), &vec![ROUND.to_owned(); ROUNDS], progress)?;
     let best = best(found.values.iter().map(|round| round.as_str().unwrap_or_default()))?;
     let mut host = Group::default();
     host.add_lines(&run(&["time"], progress)?)?;
@@ -113,9 +113,8 @@ pub(crate) fn browser(simd: bool, progress: &Progress) -> Result<Record> {
     Ok(record)
 }
 
-fn visit(server: &Server, expressions: &[String], progress: &Progress) -> Result<Found> {
-    let address = server.address();
-    let visit = Visit { address: &address, ..Visit::default() };
+fn visit(address: &str, expressions: &[String], progress: &Progress) -> Result<Found> {
+    let visit = Visit { address, ..Visit::default() };
     progress.timed("Timing", "in Chromium", || visit.run(expressions, progress))
 }
 
@@ -178,7 +177,7 @@ const TRIALS: [(Effect, &str, [&str; 2]); 5] = [
 /// Each time is the median of `FRAMES` frames.
 const FRAMES: u32 = 15;
 
-/// Times a frame with and without every effect that has a switch while the camera is at rest, and the
+/// Times a frame in `f32` with and without every effect that has a switch while the camera is at rest, and the
 /// turntable under each load. The quickest of the rounds counts; both times with and without an effect
 /// come from the same round, so that a slow machine affects both alike.
 fn frames(progress: &Progress) -> Result<Group> {
@@ -190,7 +189,7 @@ fn frames(progress: &Progress) -> Result<Group> {
         }
         acts.extend(LOADS.iter().map(|load| load.frame_call(FRAMES)));
     }
-    let found = visit(&server, &acts, progress)?;
+    let found = visit(&format!("{}#stage?play=none&format=f32", server.address()), &acts, progress)?;
     let mut group = Group::about(&[("runs_on", found.version)]);
     let per_round = 2 * TRIALS.len() + LOADS.len();
     let rounds: Vec<Vec<_>> =
