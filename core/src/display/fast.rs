@@ -79,7 +79,7 @@ fn below_one<S: Scalar>(color: Rgb<S>) -> Option<Rgb<u32>> {
 
 /// Returns the code of a channel.
 ///
-/// It is called for each channel: three loops in one function take more registers than a Cortex-M0 has.
+/// A function of its own, because three loops in one function take more registers than a Cortex-M0 has.
 #[inline(never)]
 fn code(starts: &Starts, linear: u32, threshold: u32, lights: &Lights) -> u32 {
     let mut code = u32::from(starts[(linear >> (32 - PLACE_BITS)) as usize]);
