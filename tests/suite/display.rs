@@ -95,7 +95,7 @@ fn encoding_many_dithered_is_encoding_each() {
             assert_each((i16::MIN..=i16::MAX).map(Fx16::from_bits), x, y);
         }
         assert_each((0..1 << 15).map(|i| Fx32::from_bits(i << 16)), 0, y);
-        // On both sides of every threshold of the codes of RGB565, which are units of 2^-24 apart.
+        // On both sides of every threshold of the codes of RGB565. The tables have units of 2^-24: 64 steps of `Fx32`.
         for (last, column) in [31, 63].into_iter().flat_map(|last| (0..8).map(move |column| (last, column))) {
             let light = |code| oracle::srgb_linear(f64::from(code) * 255.0 / f64::from(last));
             let part = f64::from(2 * bayer(column, y, 8) + 1) / 128.0;
