@@ -10,7 +10,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
-use tools::command;
+use tools::{command, family};
 
 use arguments::Request;
 
@@ -22,6 +22,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<ExitCode> {
+    family::end_together()?;
     match arguments::parse(env::args_os().skip(1).collect())? {
         Request::Help => print!("{}", arguments::HELP),
         Request::Demo(options) => demo::run(&options)?,
@@ -33,6 +34,7 @@ fn run() -> Result<ExitCode> {
 /// Runs a command of the laboratory's program, which cargo builds if need be.
 fn laboratory(words: &[OsString]) -> Result<ExitCode> {
     let mut cargo = command::cargo(["run", "--package", "lab", "--"]);
-    let status = cargo.args(words).status().context("cannot start cargo")?;
+    let status = family::start(cargo.args(words)).and_then(|mut cargo| cargo.child.wait());
+    let status = status.context("cannot start cargo")?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -20,11 +20,16 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use measure::{conform, device, rivals};
+use tools::family;
 use tools::suite::Suite;
 
 use arguments::Request;
 
 fn main() -> ExitCode {
+    if let Err(error) = family::end_together() {
+        eprintln!("error: {error:#}");
+        return ExitCode::FAILURE;
+    }
     let done = |()| ExitCode::SUCCESS;
     let outcome = match Request::parse() {
         Request::Test(options) => Ok(test::run(options, false)),

@@ -11,7 +11,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::progress::Progress;
-use crate::{command, install, project};
+use crate::{command, family, install, project};
 
 /// Node.js for a script that drives browsers by puppeteer-core, with what it reads of its environment.
 /// Installs what is missing: the npm packages, and as root on Debian the browser.
@@ -97,9 +97,14 @@ impl Visit<'_> {
         node.arg(project::root().join("xtask/browser/drive.mjs"))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped());
-        let mut child = node.stderr(Stdio::piped()).spawn().context("cannot start node")?;
-        child.stdin.take().context("node takes no input")?.write_all(request.to_string().as_bytes())?;
-        let ended = child.wait_with_output()?;
+        let mut program = family::start(node.stderr(Stdio::piped())).context("cannot start node")?;
+        program
+            .child
+            .stdin
+            .take()
+            .context("node takes no input")?
+            .write_all(request.to_string().as_bytes())?;
+        let ended = command::told(program)?;
         if !ended.status.success() {
             bail!("{}: {}", self.address, String::from_utf8_lossy(&ended.stderr).trim());
         }

@@ -4,12 +4,13 @@ use std::cell::Cell;
 use std::ffi::OsStr;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Command, ExitStatus, Output, Stdio};
 use std::{env, iter};
 
 use anyhow::{Context, Result, ensure};
 use wait4::Wait4 as _;
 
+use crate::family::{self, Member};
 use crate::project;
 
 /// A program that has ended.
@@ -32,8 +33,8 @@ pub fn processor_seconds() -> f64 {
 }
 
 /// Waits for the end of a program, and counts its processor time.
-fn end(child: Child) -> io::Result<ExitStatus> {
-    let used = child.wait4()?;
+fn end(program: Member) -> io::Result<ExitStatus> {
+    let used = program.child.wait4()?;
     let seconds = (used.rusage.utime + used.rusage.stime).as_secs_f64();
     PROCESSOR_SECONDS.set(PROCESSOR_SECONDS.get() + seconds);
     Ok(used.status)
@@ -58,7 +59,7 @@ pub fn cargo(words: impl IntoIterator<Item: AsRef<OsStr>>) -> Command {
 
 /// Runs a program that must succeed, with the streams that it is given.
 pub fn run(command: &mut Command) -> Result<()> {
-    let started = command.stdin(Stdio::null()).spawn();
+    let started = family::start(command.stdin(Stdio::null()));
     let child = started.with_context(|| format!("cannot start {}", describe(command)))?;
     let status = end(child).with_context(|| format!("cannot wait for {}", describe(command)))?;
     ensure!(status.success(), "{} failed ({status})", describe(command));
@@ -71,7 +72,7 @@ pub fn capture(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended
     let name = describe(&command);
     let (mut reader, writer) = io::pipe().context("cannot make a pipe")?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
-    let child = command.spawn().with_context(|| format!("cannot start {name}"))?;
+    let child = family::start(&mut command).with_context(|| format!("cannot start {name}"))?;
     // The command holds the writing ends of the pipe. While they are open, the reading end would
     // wait for more.
     drop(command);
@@ -91,11 +92,20 @@ pub fn capture(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended
 /// The stdout of a program that must succeed, without the final newline.
 pub fn answer(command: &mut Command) -> Result<String> {
     // Its processor time is not counted: it only answers a question.
-    let output = command.output().with_context(|| format!("cannot start {}", describe(command)))?;
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let child = family::start(command).with_context(|| format!("cannot start {}", describe(command)))?;
+    let output = told(child).with_context(|| format!("cannot wait for {}", describe(command)))?;
     let complaint = String::from_utf8_lossy(&output.stderr);
     let status = output.status;
     ensure!(status.success(), "{} failed ({status}): {}", describe(command), complaint.trim());
     Ok(String::from_utf8_lossy(&output.stdout).trim_end().to_owned())
+}
+
+/// Waits for a program that was started with pipes, and returns what it writes.
+pub fn told(program: Member) -> io::Result<Output> {
+    // A field that is moved out leaves the program's entry, which is dropped after this.
+    let Member { child, .. } = program;
+    child.wait_with_output()
 }
 
 /// The first of these programs that is found on PATH.

@@ -6,6 +6,7 @@ pub mod browser;
 pub mod command;
 pub mod compilers;
 pub mod demo;
+pub mod family;
 pub mod install;
 pub mod progress;
 pub mod project;
