@@ -99,12 +99,12 @@ struct Served {
 
 impl Served {
     fn new(build: Build, progress: &Progress) -> Result<Self> {
-        let demo = Server::start(&site::folder())?;
+        let demo = Server::start(&site::folder(build))?;
         let host = tempfile::tempdir()?;
         let folder = host.path().join(PATH);
-        let first = publish(&site::folder(), &folder, [Some(STANDS), Some(SOURCE)], progress)?;
+        let first = publish(&site::folder(build), &folder, [Some(STANDS), Some(SOURCE)], progress)?;
         let plain = Server::on(server::listen(0)?, "", host.path())?;
-        let mut expected = expected::page()?;
+        let mut expected = expected::page(build)?;
         expected["hosted"] = json!({
             "address": format!("{}{PATH}", plain.address()), "folder": folder, "stands": STANDS,
             "files": first, "isSmall": build == Build::Small,

@@ -13,7 +13,7 @@ use luminaire_render::{Format, Renderer, scenes::Example};
 use naga::back::glsl;
 use serde_json::{Map, Value, json};
 
-use tools::demo::site;
+use tools::demo::site::{self, Build};
 
 #[allow(dead_code, reason = "the tests of the exporter use more of them")]
 #[path = "../../../export/tests/support/lights.rs"]
@@ -29,10 +29,10 @@ const PLACES: usize = 1_024;
 const VARIANTS: usize = 3;
 
 /// What the page shows: its views, the difference of two formats, the museum's errors, and code.
-pub(crate) fn page() -> Result<Value> {
+pub(crate) fn page(build: Build) -> Result<Value> {
     Ok(json!({
-        "site": site::folder(),
-        "views": site::built_views().collect::<Vec<_>>(),
+        "site": site::folder(build),
+        "views": site::built_views(build).collect::<Vec<_>>(),
         "divided": divided()?,
         "museum": ALL.iter().map(exhibit).collect::<Result<Vec<_>>>()?,
         "code": code()?,

@@ -1,15 +1,15 @@
 //! The checks of the page's scripts: types, rules and unit tests.
 
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 use anyhow::{Context, Result};
 use serde_json::json;
-use tools::demo::site::Build;
+use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
-use tools::wasm;
 use tools::{install, project};
 
 /// The page, its settings for TypeScript, and its unit tests.
@@ -17,25 +17,26 @@ const PAGE: &str = "wasm-demo/web";
 const SETTINGS: &str = "wasm-demo/tsconfig.json";
 const TESTS: &str = "wasm-demo/tests";
 
-/// Adds the steps. The demo's modules should be compiled already: the types are those of their
-/// bindings.
+/// Adds the steps. The demo should be built already: the types are those of its bindings.
 pub(crate) fn run(suite: &mut Suite, build: Build) {
-    suite.step("scripts: types", |progress| types(build, progress));
+    let is_built = !suite.is_selective();
+    suite.step("scripts: types", |progress| {
+        let site = if is_built { site::folder(build) } else { site::build(build, progress)? };
+        types(&site, progress)
+    });
     suite.step("scripts: rules", rules);
     suite.count("scripts: unit tests", unit_tests);
 }
 
 /// Checks the types of the scripts, also at their calls of the module.
-fn types(build: Build, progress: &Progress) -> Result<()> {
+fn types(site: &Path, progress: &Progress) -> Result<()> {
     let folder = project::target().join("types");
-    for (package, bindings) in wasm::PAGE {
-        package.bind(&package.compile(build.profile(), progress)?, &folder.join(bindings), progress)?;
-    }
+    fs::create_dir_all(&folder).with_context(|| format!("cannot create {}", folder.display()))?;
     let (root, page) = (project::root(), project::root().join(PAGE));
     let settings = json!({
         "extends": root.join(SETTINGS),
-        // The bindings are in a folder of the page once it is built.
-        "compilerOptions": { "rootDirs": [page, folder] },
+        // The bindings are in folders of the demo.
+        "compilerOptions": { "rootDirs": [page, site] },
         "include": [page],
     });
     fs::write(folder.join("tsconfig.json"), settings.to_string())?;

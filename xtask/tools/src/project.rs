@@ -1,6 +1,7 @@
 //! The paths of the project's files.
 
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::{env, fs, path};
 
@@ -59,6 +60,31 @@ pub fn mirror(files: &BTreeMap<PathBuf, Vec<u8>>, folder: &Path, left_out: &[&st
     Ok(())
 }
 
+/// Writes a file in one step, because it may be in use.
+pub fn replace(file: &Path, content: &[u8]) -> Result<()> {
+    let mut new = file.as_os_str().to_owned();
+    new.push(".new");
+    fs::write(&new, content)
+        .and_then(|()| fs::rename(&new, file))
+        .with_context(|| format!("cannot write {}", file.display()))
+}
+
+/// Fills a new folder, and replaces `folder` by it once it is complete, because `folder` may be in
+/// use.
+pub fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
+    let new = folder.with_extension("new");
+    let remove = |left: &Path| match fs::remove_dir_all(left) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    };
+    // An interrupted build may have left a new folder.
+    remove(&new).with_context(|| format!("cannot remove {}", new.display()))?;
+    fill(&new)?;
+    remove(folder)
+        .and_then(|()| fs::rename(&new, folder))
+        .with_context(|| format!("cannot replace {}", folder.display()))
+}
+
 /// The CRC-32 of files and their names.
 pub fn checksum(files: &BTreeMap<PathBuf, Vec<u8>>) -> u32 {
     let names = files.keys().map(|path| path.to_string_lossy().into_owned().into_bytes());
@@ -75,4 +101,28 @@ pub fn checksum(files: &BTreeMap<PathBuf, Vec<u8>>) -> u32 {
 /// Displays a path, relative to the workspace if it is below it.
 pub fn shown(path: &Path) -> path::Display<'_> {
     path.strip_prefix(root()).unwrap_or(path).display()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_renewed_whole_or_not_at_all() {
+        let temporary = tempfile::tempdir().unwrap();
+        let folder = temporary.path().join("demo");
+        let page = || fs::read_to_string(folder.join("index.html")).unwrap();
+        let write = |new: &Path, text: &str| {
+            fs::create_dir(new)?;
+            Ok(fs::write(new.join("index.html"), text)?)
+        };
+        renew(&folder, |new| write(new, "first")).unwrap();
+        let failed = renew(&folder, |new| {
+            write(new, "half")?;
+            anyhow::bail!("no module")
+        });
+        assert_eq!((failed.unwrap_err().to_string().as_str(), page().as_str()), ("no module", "first"));
+        renew(&folder, |new| write(new, "second")).unwrap();
+        assert_eq!(page(), "second");
+    }
 }

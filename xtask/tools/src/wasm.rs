@@ -27,17 +27,17 @@ pub struct Package {
 
 /// What the board of the demo must show.
 pub const CHIP: Package = Package::new("luminaire-chip", "luminaire_chip");
-/// The modules of the demo's page, and the folders of their bindings on it: the stage, which draws
-/// pictures in 16 bits, and what is loaded when it is first needed. The chip's is apart: it has the
-/// firmware beside it.
+/// The modules of the demo's page, and the folders of their bindings on it, in the order in which a
+/// visitor is likely to need them: the stage, which draws pictures in 16 bits, and what is loaded when
+/// it is first needed. The chip's is apart: it has the firmware beside it.
 pub const PAGE: [(Package, &str); 7] = [
     (Package::new("demo-stage", "wasm_demo"), "pkg"),
     (Package::new("demo-wide", "wide"), "pkg"),
+    (Package::new("luminaire-price", "luminaire_price"), "price"),
+    (Package::new("demo-code", "code"), "pkg"),
     (Package::new("demo-comparison", "comparison"), "pkg"),
     (Package::new("demo-class", "class"), "pkg"),
-    (Package::new("demo-code", "code"), "pkg"),
     (Package::new("demo-files", "files"), "pkg"),
-    (Package::new("luminaire-price", "luminaire_price"), "price"),
 ];
 /// The check of the conformance vectors.
 pub const CONFORM: Package = Package::new("luminaire-conform-wasm", "luminaire_conform_wasm");
@@ -54,6 +54,11 @@ pub fn compiler(progress: &Progress) -> Result<String> {
 impl Package {
     const fn new(name: &'static str, bindings: &'static str) -> Self {
         Self { name, bindings, simd: true }
+    }
+
+    /// The part of the demo that it is: the last word of its name.
+    pub fn part(&self) -> &'static str {
+        self.name.rsplit('-').next().unwrap_or(self.name)
     }
 
     /// The flags of the compiler.

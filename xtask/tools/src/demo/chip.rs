@@ -14,23 +14,19 @@ use crate::progress::Progress;
 use crate::{board, install, project, wasm};
 
 /// Writes the firmware, the worker and the module into the demo's folder. Without npm, the demo is
-/// complete but for this view, so that a missing npm is reported and is no error.
-pub(super) fn write(site: &Path, build: Build, progress: &Progress) -> Result<()> {
+/// complete but for this view, so that a missing npm is no error: returns why it is left out.
+pub(super) fn write(site: &Path, build: Build, progress: &Progress) -> Result<Option<String>> {
     let emulator = match tools(progress) {
         Ok(emulator) => emulator,
-        Err(error) => {
-            progress.say("Leaving", format_args!("out the view of the chip: {error:#}"));
-            return Ok(());
-        }
+        Err(error) => return Ok(Some(format!("{error:#}"))),
     };
     let what = format_args!("the firmware of the {RP2040}");
     let firmware = progress.timed("Building", what, || board::build(progress))?;
-    let module = wasm::CHIP.compile(build.profile(), progress)?;
+    let bindings = build.bound(&wasm::CHIP, progress)?;
     copy(&firmware, &site.join(format!("{RP2040}.elf")))?;
     bundle(site, progress)?;
     licenses::write(&site.join("chip-licenses.txt"), &emulator)?;
-    let bound = wasm::CHIP.bind(&module, &site.join("chip"), progress)?;
-    build.finish(&bound, progress)
+    super::site::copy(&bindings, &site.join("chip")).map(|()| None)
 }
 
 /// Whether a folder of the demo has them.

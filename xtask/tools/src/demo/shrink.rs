@@ -1,4 +1,5 @@
-//! Shrinking a WebAssembly module with Binaryen's `wasm-opt`, if that can be found or installed.
+//! How the modules of the demo are built, and shrunk with Binaryen's `wasm-opt`, if that can be found or
+//! installed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,6 +8,7 @@ use std::process::Command;
 use anyhow::{Context, Result};
 
 use crate::progress::Progress;
+use crate::wasm::Package;
 use crate::{command, install, project, wasm};
 
 /// Enables every WebAssembly feature that the module uses: those that rustc enables by default, and
@@ -42,8 +44,23 @@ impl Build {
         if self == Self::Small { wasm::PUBLISHED } else { wasm::LOCAL }
     }
 
+    /// Compiles a module and binds it. Returns the folder of its bindings, which is kept until the module
+    /// changes.
+    pub fn bound(self, package: &Package, progress: &Progress) -> Result<PathBuf> {
+        let module = package.compile(self.profile(), progress)?;
+        let kept = project::target().join("bound").join(self.profile()).join(package.part());
+        // The module that it was bound from.
+        let source = kept.with_extension("wasm");
+        let bytes = fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
+        if !kept.is_dir() || !fs::read(&source).is_ok_and(|before| before == bytes) {
+            project::renew(&kept, |new| self.finish(&package.bind(&module, new, progress)?, progress))?;
+            project::replace(&source, &bytes)?;
+        }
+        Ok(kept)
+    }
+
     /// Makes a bound module what the page loads.
-    pub(super) fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
+    fn finish(self, module: &Path, progress: &Progress) -> Result<()> {
         if self == Self::Small { shrink(module, progress) } else { Ok(()) }
     }
 }
