@@ -7,15 +7,20 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use anyhow::{Result, anyhow};
 use percent_encoding::percent_decode_str;
 
-/// The longest time that a client may let the server wait for a byte.
+/// The longest time that a client may take for its request, and may then let the server wait before it
+/// reads on.
 const PATIENCE: Duration = Duration::from_secs(10);
+
+/// The most requests that are answered at once. A browser has six connections to a host; later clients
+/// wait until one has ended, which no client can put off for long.
+const MOST_AT_ONCE: usize = 64;
 
 /// Time that a client has to stop sending after the response. If the connection were closed at
 /// once, the client would see an error and lose the response.
@@ -69,6 +74,7 @@ impl Server {
         let port = listener.local_addr()?.port();
         let folder = Arc::<Path>::from(folder);
         let accepting = thread::spawn(move || {
+            let places = Arc::new((Mutex::new(MOST_AT_ONCE), Condvar::new()));
             for call in listener.incoming() {
                 let Ok(stream) = call else {
                     // The system may have run out of file handles.
@@ -76,8 +82,12 @@ impl Server {
                     continue;
                 };
                 let folder = Arc::clone(&folder);
+                let place = Place::wait_for(&places);
                 // If no thread can be started, the request is dropped; a later one may succeed.
-                let _ = thread::Builder::new().spawn(move || answer(&stream, &folder, headers));
+                let _ = thread::Builder::new().spawn(move || {
+                    let _place = place;
+                    answer(&stream, &folder, headers)
+                });
             }
         });
         Ok(Self { port, accepting })
@@ -95,11 +105,31 @@ impl Server {
     }
 }
 
+/// One of the places for requests that are answered at once.
+struct Place(Arc<(Mutex<usize>, Condvar)>);
+
+impl Place {
+    fn wait_for(places: &Arc<(Mutex<usize>, Condvar)>) -> Self {
+        let (free, changed) = &**places;
+        let free = free.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut free = changed.wait_while(free, |free| *free == 0).unwrap_or_else(PoisonError::into_inner);
+        *free -= 1;
+        Self(Arc::clone(places))
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        let (free, changed) = &*self.0;
+        *free.lock().unwrap_or_else(PoisonError::into_inner) += 1;
+        changed.notify_one();
+    }
+}
+
 /// Answers one request. A client that sends nothing in time gets no response.
 fn answer(mut stream: &TcpStream, folder: &Path, headers: &str) -> io::Result<()> {
-    stream.set_read_timeout(Some(PATIENCE))?;
     stream.set_write_timeout(Some(PATIENCE))?;
-    let call = call(stream)?;
+    let call = call(stream, PATIENCE)?;
     let is_head = matches!(call, Ok((true, _)));
     let found = call.and_then(|(_, path)| {
         let body = content(folder, &path).ok_or(("404 Not Found", "there is no such file"))?;
@@ -116,10 +146,18 @@ fn answer(mut stream: &TcpStream, folder: &Path, headers: &str) -> io::Result<()
     io::copy(&mut stream, &mut io::sink()).map(drop)
 }
 
-/// Reads a request: whether it wants the headers alone, and the path of a file.
-fn call(mut stream: &TcpStream) -> io::Result<Result<(bool, PathBuf), Refusal>> {
+/// Reads a request that must be complete in this time: whether it wants the headers alone, and the path of
+/// a file.
+fn call(mut stream: &TcpStream, patience: Duration) -> io::Result<Result<(bool, PathBuf), Refusal>> {
+    let end = Instant::now() + patience;
     let (mut head, mut part) = (Vec::new(), [0; 4096]);
     while head.len() < LONGEST_HEAD {
+        // A client that sends a byte now and then has no more time than one that sends none.
+        let left = end.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Err(io::ErrorKind::TimedOut.into());
+        }
+        stream.set_read_timeout(Some(left))?;
         match stream.read(&mut part)? {
             0 if head.is_empty() => return Err(io::ErrorKind::UnexpectedEof.into()),
             0 => return Ok(Err(MALFORMED)),
@@ -255,6 +293,40 @@ mod tests {
         ] {
             assert_eq!(ask(&server, request).split(' ').nth(1), Some(status), "{request}");
         }
+    }
+
+    /// With a byte now and then, a client would keep a thread for hours.
+    #[test]
+    fn a_slow_request_ends_when_its_time_is_over() {
+        let listener = listen(0).unwrap();
+        let mut client = TcpStream::connect(listener.local_addr().unwrap()).unwrap();
+        let (stream, _) = listener.accept().unwrap();
+        let slow = thread::spawn(move || {
+            // Ends once the server has closed the connection.
+            while client.write_all(b"G").is_ok() {
+                thread::sleep(Duration::from_millis(20));
+            }
+        });
+        let found = call(&stream, Duration::from_millis(200)).map(|call| call.is_ok());
+        assert!(
+            matches!(found, Err(error) if [io::ErrorKind::TimedOut, io::ErrorKind::WouldBlock].contains(&error.kind()))
+        );
+        drop(stream);
+        slow.join().unwrap();
+    }
+
+    #[test]
+    fn clients_beyond_the_most_wait_and_are_answered() {
+        let (_folder, server) = served();
+        let idle = || TcpStream::connect(("127.0.0.1", server.port)).unwrap();
+        let mut idle: Vec<_> = (0..MOST_AT_ONCE).map(|_| idle()).collect();
+        thread::scope(|scope| {
+            let late = scope.spawn(|| ask(&server, "GET /"));
+            thread::sleep(Duration::from_millis(200));
+            assert!(!late.is_finished(), "expected a client that waits");
+            idle.pop();
+            assert!(late.join().unwrap().ends_with("the page"));
+        });
     }
 
     #[test]
