@@ -4,7 +4,7 @@ use measure::MeasureOptions;
 use measure::conform::ConformOptions;
 use measure::device::DeviceOptions;
 
-use crate::test::TestOptions;
+use crate::test::{FullOptions, TestOptions};
 
 /// The commands of the laboratory.
 #[derive(Debug, PartialEq, clap::Parser)]
@@ -13,8 +13,8 @@ pub(crate) enum Request {
     /// Run the tests: format, lints, documentation, host, an emulated board, a browser
     Test(TestOptions),
     /// Run the tests with the long sweeps, on all boards, in all browsers, with all feature sets, and
-    /// from the packed crates
-    Full(TestOptions),
+    /// from the packed crates; continue a run that was interrupted
+    Full(FullOptions),
     /// Prove the errors of the fixed-point stages, by Gappa and Coq, and that C is defined, by Frama-C
     Prove,
     /// Take the pictures of the demo for the documents again

@@ -68,8 +68,11 @@ pub(crate) fn visit(suite: &mut Suite, full: bool) {
         steps.extend(TESTS.iter().chain([&ENGINES]).map(|file| (Engine::Firefox, *file)));
         steps.push((Engine::WebKit, ENGINES));
     }
-    steps.retain(|(engine, file)| suite.wants(&engine.step(file)));
+    let (steps, others): (Vec<_>, Vec<_>) =
+        steps.into_iter().partition(|(engine, file)| suite.wants(&engine.step(file)));
+    others.iter().for_each(|(engine, file)| suite.skip(&engine.step(file)));
     if steps.is_empty() && !suite.wants(CHECK) {
+        suite.skip(CHECK);
         return;
     }
     let build = if full { Build::Small } else { Build::Part };

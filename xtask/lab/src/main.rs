@@ -32,8 +32,8 @@ fn main() -> ExitCode {
     }
     let done = |()| ExitCode::SUCCESS;
     let outcome = match Request::parse() {
-        Request::Test(options) => Ok(test::run(options, false)),
-        Request::Full(options) => Ok(test::run(options, true)),
+        Request::Test(options) => Ok(test::run(options)),
+        Request::Full(options) => test::run_full(options),
         Request::Prove => {
             let mut suite = Suite::new(None);
             prove::step(&mut suite);

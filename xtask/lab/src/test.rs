@@ -1,13 +1,15 @@
 //! `cargo xtask test`, and `cargo xtask full`, which adds the long tests, all boards and all browsers.
 
+use std::fs;
 use std::process::{Command, ExitCode};
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 
 use measure::steps;
 use tools::command::cargo;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
+use tools::record::Record;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
@@ -19,7 +21,7 @@ use crate::{browsers, contributing, eva, msrv, package, prove, readers, renderer
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
 const TOOLS: [&str; 5] = ["lab", "luminaire-counter", "measure", "tools", "xtask"];
 
-/// The options of `test` and `full`.
+/// The options of `test`.
 #[derive(Debug, PartialEq, clap::Args)]
 pub(crate) struct TestOptions {
     /// Run only the steps whose name contains this text
@@ -27,9 +29,34 @@ pub(crate) struct TestOptions {
     only: Option<String>,
 }
 
+/// The options of `full`.
+#[derive(Debug, PartialEq, clap::Args)]
+pub(crate) struct FullOptions {
+    #[command(flatten)]
+    test: TestOptions,
+    /// Run also the steps that have passed on this very tree
+    #[arg(long)]
+    again: bool,
+}
+
+/// The steps of `full` that have passed, below `target`.
+const RECORD: &str = "full.json";
+
 /// Runs the tests; the last line on stdout counts them.
-pub(crate) fn run(options: TestOptions, full: bool) -> ExitCode {
-    let mut suite = Suite::new(options.only);
+pub(crate) fn run(options: TestOptions) -> ExitCode {
+    all(Suite::new(options.only), false)
+}
+
+/// Runs all tests, but for the steps that have passed before on this very tree.
+pub(crate) fn run_full(FullOptions { test, again }: FullOptions) -> Result<ExitCode> {
+    let file = project::target().join(RECORD);
+    if again && file.exists() {
+        fs::remove_file(&file).context("cannot remove the record of what has passed")?;
+    }
+    Ok(all(Suite::new(test.only).with_record(Record::read(file)?), true))
+}
+
+fn all(mut suite: Suite, full: bool) -> ExitCode {
     // Three groups for two processors, because linking the demo's modules keeps only one busy.
     suite.side_by_side([
         Box::new(|suite| host(suite, full)),

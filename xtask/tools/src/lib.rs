@@ -10,6 +10,7 @@ pub mod family;
 pub mod install;
 pub mod progress;
 pub mod project;
+pub mod record;
 pub mod server;
 pub mod suite;
 pub mod tally;

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 use std::process::ExitCode;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Instant;
 
@@ -9,6 +10,7 @@ use anyhow::Result;
 
 use crate::command;
 use crate::progress::Progress;
+use crate::record::Record;
 use crate::tally::Tally;
 
 /// The steps that have been run so far. After a step that fails, the next is still run.
@@ -19,7 +21,15 @@ pub struct Suite {
     done: Vec<Done>,
     /// Whether other steps run at the same time.
     has_company: bool,
+    is_selective: bool,
+    /// What has passed before on the same tree, if that is kept.
+    record: Option<Kept>,
+    /// The steps that were not wanted, and have not passed before.
+    left: Vec<String>,
 }
+
+/// A record that groups of steps share.
+type Kept = Arc<Mutex<Record>>;
 
 /// A step that has ended.
 #[derive(Debug)]
@@ -37,17 +47,54 @@ pub type Group<'a> = Box<dyn FnOnce(&mut Suite) + Send + 'a>;
 impl Suite {
     /// A suite of all steps, or of the steps whose name contains `only`.
     pub fn new(only: Option<String>) -> Self {
-        Self { only, start: Instant::now(), done: Vec::new(), has_company: false }
+        let (is_selective, start) = (only.is_some(), Instant::now());
+        Self {
+            only,
+            start,
+            done: Vec::new(),
+            has_company: false,
+            is_selective,
+            record: None,
+            left: Vec::new(),
+        }
     }
 
-    /// Whether a step with this name is to be run.
+    /// A suite whose passed steps are kept in a record: of all steps, those that have passed before are not
+    /// run again.
+    #[must_use]
+    pub fn with_record(mut self, record: Record) -> Self {
+        self.is_selective |= !record.is_empty();
+        self.record = Some(Arc::new(Mutex::new(record)));
+        self
+    }
+
+    /// Whether a step with this name is to be run: it has the text that is wanted, or else has not passed
+    /// before.
     pub fn wants(&self, name: &str) -> bool {
-        self.only.as_ref().is_none_or(|only| name.contains(only))
+        self.only.as_ref().map_or_else(|| self.passed(name).is_none(), |only| name.contains(only))
+    }
+
+    /// The tests of a step that has passed before.
+    fn passed(&self, name: &str) -> Option<Tally> {
+        let record = self.record.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
+        record.of(name)
+    }
+
+    /// Leaves out a step that is not wanted. If it has passed before, its tests count.
+    pub fn skip(&mut self, name: &str) {
+        match self.passed(name) {
+            Some(tally) if self.only.is_none() => {
+                println!("{name:.<90} passed before");
+                self.done.push(Done { tally, processor: 0.0, failure: None });
+            }
+            Some(_) => {}
+            None => self.left.push(name.to_owned()),
+        }
     }
 
     /// Whether only some steps are to be run, so that others that they rely on may not have been.
     pub fn is_selective(&self) -> bool {
-        self.only.is_some()
+        self.is_selective
     }
 
     /// Runs a step that counts as one test, if it is wanted.
@@ -59,6 +106,8 @@ impl Suite {
     pub fn count(&mut self, name: &str, work: impl FnOnce(&Progress) -> Result<Tally>) {
         if self.wants(name) {
             self.run(name, |progress| work(progress).map(|tally| ((), tally)));
+        } else {
+            self.skip(name);
         }
     }
 
@@ -68,6 +117,8 @@ impl Suite {
             for remark in self.require(name, work).unwrap_or_default() {
                 println!("    {remark}");
             }
+        } else {
+            self.skip(name);
         }
     }
 
@@ -101,6 +152,12 @@ impl Suite {
         if let Some(reason) = &failure {
             println!("{}error: {reason}\n", progress.into_text());
         }
+        if let (None, Some(record)) = (&failure, &self.record) {
+            let mut record = record.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Err(error) = record.note(name, tally) {
+                println!("    {error:#}");
+            }
+        }
         let failure = failure.map(|reason| format!("{name}: {reason}"));
         self.done.push(Done { tally, processor, failure });
         value
@@ -109,19 +166,21 @@ impl Suite {
     /// Runs groups of steps in parallel, for steps that keep only one processor busy. Each step is
     /// reported when it has ended.
     pub fn side_by_side<const N: usize>(&mut self, groups: [Group<'_>; N]) {
-        let only = &self.only;
+        let (only, is_selective, record) = (&self.only, self.is_selective, &self.record);
         let run = |group: Group<'_>| {
-            let mut suite = Self { has_company: true, ..Self::new(only.clone()) };
+            let mut suite =
+                Self { has_company: true, is_selective, record: record.clone(), ..Self::new(only.clone()) };
             group(&mut suite);
-            suite.done
+            (suite.done, suite.left)
         };
-        self.done.extend(thread::scope(|scope| {
+        let ended = thread::scope(|scope| {
             let threads = groups.map(|group| scope.spawn(|| run(group)));
-            let join = |thread: thread::ScopedJoinHandle<'_, _>| {
-                thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-            };
-            threads.map(join).into_iter().flatten().collect::<Vec<_>>()
-        }));
+            threads.map(|thread| thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+        });
+        for (done, left) in ended {
+            self.done.extend(done);
+            self.left.extend(left);
+        }
     }
 
     /// Prints the failures and, as the last line, the counts.
@@ -129,6 +188,9 @@ impl Suite {
         println!();
         for failure in self.done.iter().filter_map(|done| done.failure.as_ref()) {
             println!("FAIL {failure}");
+        }
+        if self.record.is_some() && !self.left.is_empty() {
+            println!("left on this tree, {} steps: {}", self.left.len(), self.left.join("; "));
         }
         if self.done.is_empty() {
             println!("no step matches the text of --only");
@@ -172,5 +234,34 @@ mod tests {
         suite.step("format", |_| bail!("never run"));
         assert_eq!(suite.require("the demo is built", |_| Ok(7)), Some(7));
         assert_eq!(sum(&suite.done), ("2 passed, 0 failed".to_owned(), Vec::new()));
+    }
+
+    #[test]
+    fn run_is_continued_where_it_was_interrupted() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = || folder.path().join("full.json");
+        let run = |only: Option<&str>, second: Result<()>| {
+            let mut suite = Suite::new(only.map(str::to_owned)).with_record(Record::read(file()).unwrap());
+            let mut ran = Vec::new();
+            suite.count("many", |_| {
+                ran.push("many");
+                Ok(Tally { passed: 5, failed: 0 })
+            });
+            suite.step("second", |_| {
+                ran.push("second");
+                second
+            });
+            (ran, sum(&suite.done).0, suite.left)
+        };
+        let left = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+        let of = |ran: &[&'static str], counts: &str, names: &[&str]| {
+            (ran.to_vec(), counts.to_owned(), left(names))
+        };
+        assert_eq!(run(Some("many"), Ok(())), of(&["many"], "5 passed, 0 failed", &["second"]));
+        assert_eq!(run(None, Err(anyhow::anyhow!("broken"))), of(&["second"], "5 passed, 1 failed", &[]));
+        assert_eq!(run(None, Ok(())), of(&["second"], "6 passed, 0 failed", &[]));
+        assert_eq!(run(None, Ok(())), of(&[], "6 passed, 0 failed", &[]));
+        // A step that is named is run again.
+        assert_eq!(run(Some("second"), Ok(())), of(&["second"], "1 passed, 0 failed", &[]));
     }
 }
