@@ -1,24 +1,16 @@
 //! No crate of the project has an import cycle between its files, and the modules of a crate whose
 //! root states an order of them, lowest first, import only from modules before them.
 
-#[path = "imports/graph.rs"]
-mod graph;
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
-use graph::Graph;
+use crate::files;
+use crate::graph::Graph;
 
 /// The root files of all crates of the repository that have more than one file.
 fn roots() -> Vec<PathBuf> {
-    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut git = Command::new("git");
-    git.args(["ls-files", "*src/lib.rs", "*src/main.rs", "tests/*/main.rs"]).current_dir(&repository);
-    let listed = git.output().expect("git lists the files").stdout;
-    let listed = String::from_utf8(listed).expect("paths are UTF-8");
-    listed.lines().map(|line| repository.join(line)).collect()
+    files(&["*src/lib.rs", "*src/main.rs", "tests/*/main.rs"])
 }
 
 #[test]
