@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::{ROOT, files};
+use crate::listing::{ROOT, files};
 
 /// A phrase for which the field has a plainer word, and what to write instead.
 const PHRASES: [(&str, &str); 18] = [

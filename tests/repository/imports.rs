@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::files;
 use crate::graph::Graph;
+use crate::listing::files;
 
 /// The root files of all crates of the repository that have more than one file.
 fn roots() -> Vec<PathBuf> {

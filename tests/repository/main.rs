@@ -4,25 +4,5 @@
 mod documents;
 mod graph;
 mod imports;
+mod listing;
 mod packed;
-
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
-/// The folder of the repository.
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-
-/// What a program that must succeed prints, line by line, when it runs in the folder of the repository.
-fn lines_of(program: &str, words: &[&str]) -> Vec<String> {
-    let ended = Command::new(program).args(words).current_dir(ROOT).output();
-    let ended = ended.unwrap_or_else(|error| panic!("cannot start {program}: {error}"));
-    assert!(ended.status.success(), "{program} {words:?}: {}", String::from_utf8_lossy(&ended.stderr));
-    String::from_utf8(ended.stdout).expect("text in UTF-8").lines().map(str::to_owned).collect()
-}
-
-/// The files of the repository that match one of git's patterns, committed or not.
-fn files(patterns: &[&str]) -> Vec<PathBuf> {
-    let words = [&["ls-files", "--cached", "--others", "--exclude-standard"], patterns].concat();
-    let files = lines_of("git", &words).into_iter().map(|line| Path::new(ROOT).join(line));
-    files.filter(|file| file.is_file()).collect()
-}

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use crate::lines_of;
+use crate::listing::lines_of;
 
 /// What stands before a file that is named relative to the folder of the file that names it.
 const NAMING: [&str; 4] = ["include_str!(\"", "include_bytes!(\"", "include!(\"", "#[path = \""];
