@@ -60,6 +60,12 @@ pub fn mirror(files: &BTreeMap<PathBuf, Vec<u8>>, folder: &Path, left_out: &[&st
     Ok(())
 }
 
+/// Adds the files of a folder to another, which may have others and be in use.
+pub fn add(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to)?;
+    files(from, &[])?.iter().try_for_each(|(name, content)| replace(&to.join(name), content))
+}
+
 /// Writes a file in one step, because it may be in use.
 pub fn replace(file: &Path, content: &[u8]) -> Result<()> {
     let mut new = file.as_os_str().to_owned();

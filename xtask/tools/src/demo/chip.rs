@@ -26,7 +26,7 @@ pub(super) fn write(site: &Path, build: Build, progress: &Progress) -> Result<Op
     copy(&firmware, &site.join(format!("{RP2040}.elf")))?;
     bundle(site, progress)?;
     licenses::write(&site.join("chip-licenses.txt"), &emulator)?;
-    super::site::copy(&bindings, &site.join("chip")).map(|()| None)
+    project::add(&bindings, &site.join("chip")).map(|()| None)
 }
 
 /// Whether a folder of the demo has them.

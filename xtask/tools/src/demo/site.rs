@@ -102,7 +102,7 @@ impl Site {
         progress.say("Gathering", project::shown(&site.folder));
         project::renew(&site.folder, |new| {
             site.gather(new)?;
-            copy(&bindings, &new.join(place))?;
+            project::add(&bindings, &new.join(place))?;
             site.tell(new)
         })?;
         Ok(site)
@@ -145,7 +145,7 @@ impl Site {
 
     /// Adds a module to the folder.
     fn add(&self, package: &Package, place: &str, progress: &Progress) -> Result<()> {
-        copy(&self.build.bound(package, progress)?, &self.folder.join(place))
+        project::add(&self.build.bound(package, progress)?, &self.folder.join(place))
     }
 
     /// Writes what needs no compiler.
@@ -207,14 +207,6 @@ fn lock(folder: &Path, progress: &Progress) -> Result<File> {
         lock.lock().with_context(|| format!("cannot wait for another build of {}", folder.display()))?;
     }
     Ok(lock)
-}
-
-/// Copies the files of a folder into another, which may have others and be in use.
-pub(super) fn copy(from: &Path, to: &Path) -> Result<()> {
-    fs::create_dir_all(to)?;
-    project::files(from, &[])?
-        .iter()
-        .try_for_each(|(name, content)| project::replace(&to.join(name), content))
 }
 
 #[cfg(test)]
