@@ -86,51 +86,17 @@ impl Records {
         [all, all - base]
     }
 
-    /// The compiler of a target.
-    fn compiler(&self, target: &str) -> &str {
-        self.0[target]["about"]["compiler"].as_str().expect("a compiler")
-    }
-
     /// The figures in their words. A blank line, a point of a list and a row of a table begin a
     /// paragraph; words are those of one paragraph.
     fn in_readme(&self) -> Vec<String> {
-        let [compiler, of_host] = ["cortex-m0", "host"].map(|target| self.compiler(target));
-        let lock = text("Cargo.lock");
-        let (_, libm) = lock.split_once("name = \"libm\"\nversion = \"").expect("libm");
-        let libm = libm.split('"').next().expect("a version");
-        let m0 = |name: &str| self.cost(name, "cortex-m0");
-        let lit = |format: &str| m0(&format!("lit-inverse-square.{format}"));
-        let added = |change| thousands(self.effect(&format!("lit-{change}"), "instructions")[1]);
         let mut stated = Vec::new();
         let mut say = |words| stated.push(words);
-        // An error of all inputs is a bound: rounded up.
-        assert_eq!(self.figures("errors", "soft.fx16")["kind"], "exhaustive");
-        let soft = self.errors("soft.fx16").into_iter().fold(0.0, f64::max);
-        say(format!("**{} instructions** for the soft edge", m0("soft.fx16")));
-        say(format!("with an error of at most {} of 255.", (1000.0 * soft).ceil() / 1000.0));
         let times =
             ARMS_FLOATS / number(&self.figures("cortex-m0", "lit-inverse-square.fx16")["instructions"]);
-        say(format!("A lit point takes {} in `Fx16`, and in C 1,733 by", lit("fx16")));
-        say(format!("{times:.1} times as many."));
-        let libgcc = m0("lit-inverse-square-libgcc.rival");
-        say(format!(
-            "on a Cortex-M0 a lit point in C takes {libgcc} instructions by those of gcc, and 1,733 by"
-        ));
+        say(format!("a lit point in C takes {} instructions: {times:.1} times", thousands(ARMS_FLOATS)));
         // `cargo xtask full --only package` compares these two.
         say("**4.0 kB of flash**".to_owned());
         say("2.4 kB by the quick evaluation".to_owned());
-        say(format!("[{} instructions](docs/EFFECTS.md#evaluation-and-set-up)", added("aimed")));
-        say(format!("a new cone between two others {}.", added("zoomed")));
-        let stages = ["geometry", "shadow", "light", "display"];
-        let cycles =
-            stages.map(|stage| number(&self.figures("cortex-m0", &format!("frame.{stage}"))["cycles"]));
-        let (cycles, pixels) = (cycles.iter().sum::<f64>(), 160.0 * 120.0);
-        let a_second = (133e6 / cycles).floor();
-        say(format!("{} cycles a pixel, which is {a_second} frames", thousands(cycles / pixels)));
-        say(" of 160 x 120 pixels a second at 133 MHz".to_owned());
-        let [quick, fine] = [lit("fx16-quick"), lit("fx16")];
-        say(format!("takes {quick} instructions instead of {fine} for a lit point in `Fx16`"));
-        say(format!("{compiler}, on the host {of_host}, and libm's version {libm}."));
         for (name, title) in [
             ("soft.fx16", "soft edge, `Fx16`"),
             ("powf-libm.rival", "power of the cosine, libm's `powf`"),
@@ -143,8 +109,6 @@ impl Records {
             let (errors, costs) = ([widest, narrowest].map(error).join(" | "), costs.join(" | "));
             say(format!("| {title} | {errors} | {} |", costs.replace(',', "")));
         }
-        let short = half_angle(Cone::narrowest::<Fx16>(Soft));
-        say(format!("half a linear code down to a half angle of {short:.2}° in `Fx16`"));
         stated
     }
 

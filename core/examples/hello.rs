@@ -1,16 +1,16 @@
-//! The light of a spotlight at one point: the shortest program with the kernel.
+//! A pixel under a spotlight: the shortest program with the kernel.
 
-use luminaire::{Angle, Cone, SpotLight, Vec3};
+use luminaire::{Angle, Cone, Fx16, Rgb, SpotLight, display};
 
 fn main() -> Result<(), luminaire::Error> {
-    // A Fresnel whose data sheet says: field angle 15 degrees. Four metres up, pointing down: an
-    // intensity of 4 x 4 is full scale on the floor below.
+    // A Fresnel with a field angle of 15 degrees, four metres up, pointing down.
     let cone = Cone::soft(Angle::degrees(15.0))?;
-    let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
-    let lit = spot.compile::<f32>()?;
+    let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?;
+    let lit = spot.with_intensity(16.0)?.compile::<Fx16>()?; // full scale on the floor
 
-    // A point on the floor 34 cm from the middle, where the beam angle ends, and its unit normal.
-    let light = lit.irradiance(Vec3::new(0.343, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
-    println!("light {light:.3} of full scale");
+    // A point on the floor where the beam angle ends, and its normal.
+    let light = lit.irradiance(Fx16::point([0.343, 0.0, 0.0]), Fx16::normal([0.0, 1.0, 0.0]));
+    let pixel = display::Rgb565::from_linear(display::clip::<Fx16>(Rgb::lit(light, lit.color())));
+    println!("{light:.3} of full scale, {:#06x} as RGB565", pixel.0);
     Ok(())
 }

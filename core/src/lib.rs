@@ -78,6 +78,20 @@
 //! means counted by an emulator. That document lists more kernels, more processors and other libraries.
 //! Without a floating-point unit, `f32` takes the software floats of Rust, the slowest of three.
 //!
+//! # What it has
+//!
+//! | | |
+//! |---|---|
+//! | lights | [`light`]: spot, point, directional and ambient lights, with a diffuse and a specular colour; they move, turn, zoom, dim and change their colour at run time, also in integers |
+//! | edges | [`falloff`]: the soft and the hard quadratic of Hast 2004; linear, smoothstep, step; any quadratic or monotone cubic; powers up to 1,024; measured tables |
+//! | distance | [`attenuation`]: the inverse square, real powers, and the range models of glTF, Filament and OpenGL |
+//! | surfaces | [`specular`]: Lambert with a highlight of Phong, Blinn-Phong or a dual cone |
+//! | projectors | [`projector`]: gobos and shadow maps, in integers |
+//! | haze | [`haze`]: the visible beam of a spotlight |
+//! | outputs | [`display`]: exposure; light over full scale clipped, or scaled to keep the hue; sRGB, grey of 1 to 8 bits, RGB332 to RGB888 and palettes, to the nearest code or dithered; LEDs of 1 to 16 bits, dithered in time, and strips of LEDs within a limit of their current |
+//! | drawables | [`draw`]: gradients without bands, pools of light on a wall, sprites lit by their normals, row by row |
+//! | choice at run time | [`dynamic`]: any light with any edge and attenuation, and a plan of the effects that a scene requires |
+//!
 //! # Units
 //!
 //! Light has no unit: 1 is full scale. An intensity of 1 gives an irradiance of 1 at a surface that

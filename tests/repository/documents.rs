@@ -64,13 +64,19 @@ fn comments_and_documents_have_none_of_the_phrases() {
 }
 
 #[test]
-fn a_block_of_the_readme_is_the_file_that_it_names() {
+fn the_program_of_the_readme_is_the_example_that_it_names() {
     let text = |file: &str| fs::read_to_string(Path::new(ROOT).join(file)).unwrap();
-    let readme = text("README.md");
-    // The text of the block whose first line is this one.
-    let block =
-        |first: &str| readme.split_once(&format!("\n{first}\n"))?.1.split_once("```").map(|block| block.0);
-    assert_eq!(block("// src/lib.rs"), Some(&*text("examples/boards/template/src/lib.rs")));
-    let hello = text("core/examples/hello.rs");
-    assert!(hello.ends_with(block("```rust").unwrap()), "expected {hello}");
+    let (readme, hello) = (text("README.md"), text("core/examples/hello.rs"));
+    assert!(readme.contains("`cargo run -p luminaire --example hello`"));
+    let (_, rest) = readme.split_once("\n```rust\n").unwrap();
+    let (program, _) = rest.split_once("```").unwrap();
+    assert!(hello.ends_with(program), "expected {hello}");
+}
+
+/// A page that is read before anything is tried.
+#[test]
+fn the_readme_has_at_most_a_thousand_words() {
+    let readme = fs::read_to_string(Path::new(ROOT).join("README.md")).unwrap();
+    let words = readme.split_whitespace().count();
+    assert!(words <= 1_000, "expected at most 1000 words, found {words}");
 }
