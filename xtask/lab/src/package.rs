@@ -34,7 +34,7 @@ const EXAMPLES: [&str; 6] = ["hello", "wall", "moving_light", "embedded_graphics
 const ACCEPTED: [&str; 2] =
     ["manifest has no documentation, homepage or repository", "is not included in the published package"];
 
-/// The firmware to copy; the README shows its library.
+/// The firmware to copy.
 const TEMPLATE: &str = "examples/boards/template";
 
 /// Changes the files of the template to the quick evaluation.
@@ -194,7 +194,10 @@ impl Unpacked {
     /// Builds a copy of the template with the unpacked kernel, and again with the quick evaluation.
     /// Returns their bytes of flash.
     fn firmware(&self, progress: &Progress) -> Result<[u64; 2]> {
-        let folder = self.copied(TEMPLATE, &["target", "Cargo.lock"])?;
+        // A copy takes the versions that are on record, so these must be for this manifest.
+        let mut locked = command::cargo(["metadata", "--locked", "--format-version=1"]);
+        command::answer(locked.current_dir(project::root().join(TEMPLATE)))?;
+        let folder = self.copied(TEMPLATE, &["target"])?;
         let exact = scanline(&folder, progress)?;
         for (file, exact, quick) in QUICK {
             let file = folder.join(file);
