@@ -6,6 +6,7 @@ mod contributing;
 mod eva;
 mod expected;
 mod features;
+mod fresh;
 mod msrv;
 mod package;
 mod pictures;

@@ -11,7 +11,7 @@ use tools::suite::Suite;
 use tools::{command, install, project};
 
 /// The compiler, as in `rust-version` of the published crates.
-const VERSION: &str = "1.85";
+pub(crate) const VERSION: &str = "1.85";
 
 /// The crates that promise it, and their folders.
 const CRATES: [(&str, &str); 4] = [

@@ -14,7 +14,7 @@ use tools::tally::{self, Tally};
 use tools::toolchain::Toolchain;
 use tools::{command, compilers, project};
 
-use crate::renderers;
+use crate::{fresh, renderers};
 
 /// The crates, each after its dependencies, with the files that each must contain beside its
 /// source.
@@ -55,11 +55,12 @@ const TARGET: &str = "thumbv6m-none-eabi";
 
 /// Adds the steps.
 pub(crate) fn run(suite: &mut Suite) {
-    const NAMES: [&str; 5] = [
+    const NAMES: [&str; 6] = [
         "package: the crates are complete",
         "package: the firmware to copy links without float or panic",
         "package: the crates' own tests pass",
         "package: renderers of other projects draw what the kernel computes",
+        "package: a new project gets few packages and no procedural macro",
         "package: the kernel compiles with the oldest dependencies that it allows",
     ];
     if !NAMES.iter().any(|name| suite.wants(name)) {
@@ -81,8 +82,12 @@ pub(crate) fn run(suite: &mut Suite) {
     });
     suite.count(NAMES[2], |progress| unpacked()?.tests(progress));
     suite.remarked(NAMES[3], |progress| unpacked()?.renderers(progress));
+    suite.remarked(NAMES[4], |progress| {
+        let crates = unpacked()?;
+        fresh::check(&crates.of("luminaire"), &crates.below("a new project"), progress)
+    });
     // Last, because it writes into the lock file.
-    suite.step(NAMES[4], |progress| unpacked()?.oldest_dependencies(progress));
+    suite.step(NAMES[5], |progress| unpacked()?.oldest_dependencies(progress));
 }
 
 /// The packed crates, unpacked in a folder outside every workspace.
