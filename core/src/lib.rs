@@ -237,8 +237,3 @@ pub use number::Scalar;
 #[doc(inline)]
 pub use number::{Fx16, Fx32, Length};
 pub use vec3::Vec3;
-
-/// Compiles the README's examples as tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

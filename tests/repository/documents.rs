@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::listing::{ROOT, files};
+use crate::listing::{ROOT, crates, files};
 
 /// A phrase for which the field has a plainer word, and what to write instead.
 const PHRASES: [(&str, &str); 18] = [
@@ -79,4 +79,21 @@ fn the_readme_has_at_most_a_thousand_words() {
     let readme = fs::read_to_string(Path::new(ROOT).join("README.md")).unwrap();
     let words = readme.split_whitespace().count();
     assert!(words <= 1_000, "expected at most 1000 words, found {words}");
+}
+
+/// On Windows git writes a symbolic link as a file with the path that it leads to, so what every crate
+/// is packed with is there as a copy.
+#[test]
+fn every_published_crate_has_the_licences_as_files() {
+    let crates = crates();
+    assert!(crates.len() >= 5, "{crates:?}");
+    for (_, folder) in crates {
+        for license in ["LICENSE-APACHE", "LICENSE-MIT"] {
+            let (copy, original) = (folder.join(license), Path::new(ROOT).join(license));
+            let text = |file: &Path| fs::read(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+            assert!(text(&copy) == text(&original), "{}: not the text of {license}", copy.display());
+        }
+    }
+    let link = files(&[]).into_iter().find(|file| file.is_symlink());
+    assert_eq!(link, None, "a symbolic link");
 }

@@ -20,3 +20,17 @@ pub(crate) fn files(patterns: &[&str]) -> Vec<PathBuf> {
     let files = lines_of("git", &words).into_iter().map(|line| Path::new(ROOT).join(line));
     files.filter(|file| file.is_file()).collect()
 }
+
+/// The published crates: their names and folders.
+pub(crate) fn crates() -> Vec<(String, PathBuf)> {
+    let metadata = lines_of("cargo", &["metadata", "--no-deps", "--offline", "--format-version=1"]).concat();
+    let metadata: serde_json::Value = serde_json::from_str(&metadata).expect("JSON");
+    let packages = metadata["packages"].as_array().expect("packages").iter();
+    let text = |value: &serde_json::Value| value.as_str().expect("text").to_owned();
+    packages
+        .filter(|package| package["publish"].is_null())
+        .map(|package| {
+            (text(&package["name"]), Path::new(&text(&package["manifest_path"])).with_file_name(""))
+        })
+        .collect()
+}

@@ -4,24 +4,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use crate::listing::lines_of;
+use crate::listing::{crates, lines_of};
 
 /// What stands before a file that is named relative to the folder of the file that names it.
 const NAMING: [&str; 4] = ["include_str!(\"", "include_bytes!(\"", "include!(\"", "#[path = \""];
-
-/// The published crates: their names and folders.
-fn crates() -> Vec<(String, PathBuf)> {
-    let metadata = lines_of("cargo", &["metadata", "--no-deps", "--offline", "--format-version=1"]).concat();
-    let metadata: serde_json::Value = serde_json::from_str(&metadata).expect("JSON");
-    let packages = metadata["packages"].as_array().expect("packages").iter();
-    let text = |value: &serde_json::Value| value.as_str().expect("text").to_owned();
-    packages
-        .filter(|package| package["publish"].is_null())
-        .map(|package| {
-            (text(&package["name"]), Path::new(&text(&package["manifest_path"])).with_file_name(""))
-        })
-        .collect()
-}
 
 /// The files that a file names.
 fn named(file: &Path, text: &str) -> Vec<PathBuf> {

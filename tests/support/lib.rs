@@ -24,6 +24,12 @@ pub mod views;
 
 pub use luminaire_oracle as oracle;
 
+/// The examples of the README are tests. They are here because the README is outside of the folder of
+/// the crate `luminaire`, which is packed with a copy of it.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
+
 use std::{fmt::Debug, ops::RangeBounds};
 
 /// Asserts a condition about values. The message has the condition, and each value by its name.

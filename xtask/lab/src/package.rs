@@ -19,7 +19,7 @@ use crate::{fresh, renderers};
 /// The crates, each after its dependencies, with the files that each must contain beside its
 /// source.
 const CRATES: [(&str, &[&str]); 5] = [
-    ("luminaire", &["README.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT"]),
+    ("luminaire", &["README.md", "LICENSE-APACHE", "LICENSE-MIT"]),
     ("luminaire-native", &["README.md", "LICENSE-APACHE", "LICENSE-MIT"]),
     ("luminaire-render", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "examples/scenes.rs"]),
     ("luminaire-fixtures", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "data/README.md"]),
