@@ -8,16 +8,14 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
 use tools::progress::Progress;
-use tools::{command, install, project};
+use tools::system::System;
+use tools::{command, install, project, tool};
 
 use crate::target::Board;
 
 /// Upper bound, in seconds, of the run time of firmware on a busy machine. Without it a crashed processor
 /// would loop for ever.
 const PATIENCE: &str = "600";
-
-/// Debian's packages of the emulators, and of the files that the emulators share.
-const PACKAGES: [&str; 4] = ["qemu-system-arm", "qemu-system-misc", "qemu-system-common", "qemu-system-data"];
 
 /// The executions in a region between two markers, by address.
 pub(crate) type Region = BTreeMap<u64, u64>;
@@ -46,9 +44,7 @@ impl Qemu {
                 unpack(&folder, progress)?;
                 unpacked
             }
-            None => {
-                bail!("{} is missing: on Debian, `apt-get install {}`", board.emulator, PACKAGES.join(" "))
-            }
+            None => bail!("{} is missing: {}", board.emulator, tool::remedy(&[&tool::QEMU], System::HERE)),
         };
         let answer = command::answer(Command::new(&program).arg("--version"))?;
         let version = version(&answer).with_context(|| format!("QEMU has no version: {answer}"))?;
@@ -144,7 +140,7 @@ fn version(answer: &str) -> Option<(u32, u32)> {
 /// would leave the machine's packages in disorder.
 fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
     let mut libraries = BTreeSet::new();
-    for file in install::unpack(&PACKAGES, folder, progress)? {
+    for file in install::unpack(tool::QEMU.debian, folder, progress)? {
         let depends = command::answer(Command::new("dpkg-deb").arg("-f").arg(&file).arg("Depends"))?;
         // The first of each choice, as in `libc6 (>= 2.34), libfdt1 | libfdt2`.
         let first = depends.split(',').filter_map(|choice| choice.split_whitespace().next());

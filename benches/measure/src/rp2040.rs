@@ -6,7 +6,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 use tools::progress::Progress;
-use tools::{board, command, install, project};
+use tools::{board, command, install, project, tool};
 
 use crate::qemu::Region;
 
@@ -16,7 +16,7 @@ const SCRIPT: &str = "benches/measure/src/rp2040.mjs";
 /// A call of a script that takes the emulator's folder as its first argument. Installs the emulator below
 /// `target` if it is missing.
 pub(crate) fn script(script: &str, progress: &Progress) -> Result<Command> {
-    let mut node = Command::new(install::node(progress)?);
+    let mut node = Command::new(install::program(&tool::NODE, progress)?);
     node.arg(project::root().join(script)).arg(board::emulator(progress)?);
     Ok(node)
 }

@@ -14,8 +14,9 @@ use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::server::{self, Server};
 use tools::suite::Suite;
+use tools::system::System;
 use tools::tally::{self, Tally};
-use tools::{command, install, project};
+use tools::{command, install, project, tool};
 
 use crate::expected;
 
@@ -37,10 +38,7 @@ const PATH: &str = "some/where/";
 const STANDS: &str = "https://example.org/demo/";
 const SOURCE: &str = "https://example.org/source/";
 
-/// What WebKitGTK needs: the display, the driver, and what the browser itself needs.
-const WEBKIT: [&str; 4] = ["xvfb", "webkit2gtk-driver", "python3-gi", "gir1.2-webkit2-4.1"];
-
-/// Debian's interpreter, whose packages those are, and a program that succeeds if it can run WebKitGTK.
+/// Debian's interpreter, whose packages WebKitGTK needs, and a program that succeeds if it can run WebKitGTK.
 const PYTHON: &str = "/usr/bin/python3";
 const HAS_WEBKIT: &str = "import gi; gi.require_version('WebKit2', '4.1')";
 
@@ -146,8 +144,7 @@ fn test(engine: Engine, file: &str, full: bool, served: &Served, progress: &Prog
             install::npm("axe-core", progress)?;
         }
         Engine::Firefox => {
-            let names = ["firefox-esr", "firefox"];
-            node.env("FIREFOX", find("FIREFOX", &names, &names[..1], progress)?);
+            node.env("FIREFOX", find("FIREFOX", &tool::FIREFOX, progress)?);
         }
         Engine::WebKit => webkit(&mut node, progress)?,
     }
@@ -158,11 +155,11 @@ fn test(engine: Engine, file: &str, full: bool, served: &Served, progress: &Prog
 fn webkit(node: &mut Command, progress: &Progress) -> Result<()> {
     let has_webkit = || command::answer(Command::new(PYTHON).args(["-c", HAS_WEBKIT])).is_ok();
     if !has_webkit() && install::debian_root() {
-        install::apt(&WEBKIT, progress)?;
+        install::apt(tool::WEBKIT.debian, progress)?;
     }
-    ensure!(has_webkit(), "{PYTHON} has no WebKitGTK: install the Debian packages {}", WEBKIT.join(" "));
-    node.env("PYTHON", PYTHON).env("XVFB", find("XVFB", &["Xvfb"], &WEBKIT, progress)?);
-    node.env("WEBKIT_DRIVER", find("WEBKIT_DRIVER", &["WebKitWebDriver"], &WEBKIT, progress)?);
+    ensure!(has_webkit(), "{PYTHON} has no WebKitGTK: {}", tool::remedy(&[&tool::WEBKIT], System::HERE));
+    node.env("PYTHON", PYTHON).env("XVFB", find("XVFB", &tool::XVFB, progress)?);
+    node.env("WEBKIT_DRIVER", find("WEBKIT_DRIVER", &tool::WEBKIT, progress)?);
     Ok(())
 }
 

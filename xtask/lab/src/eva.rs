@@ -10,9 +10,9 @@ use luminaire::Fx16;
 use luminaire::dynamic::AnyLight;
 use luminaire_export::{C_HEADERS, Language, export};
 
-use tools::install;
 use tools::progress::Progress;
 use tools::suite::Suite;
+use tools::{install, tool};
 
 use crate::expected::lights;
 
@@ -59,7 +59,7 @@ pub(crate) fn step(suite: &mut Suite) {
 }
 
 fn prove(progress: &Progress) -> Result<Vec<String>> {
-    let program = install::program(&["frama-c"], &["frama-c-base", "gcc"], progress)?;
+    let program = install::program(&tool::FRAMA_C, progress)?;
     let folder = tempfile::tempdir().context("no folder")?;
     let write = |name: &str, text: &str| {
         fs::write(folder.path().join(name), text).with_context(|| format!("cannot write {name}"))

@@ -3,10 +3,10 @@
 use anyhow::Result;
 
 use tools::command::cargo;
-use tools::install;
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
+use tools::{install, tool};
 
 /// Adds the step. As root on Debian, it installs Gappa, Coq and the library that checks Gappa's proofs.
 pub(crate) fn step(suite: &mut Suite) {
@@ -14,9 +14,8 @@ pub(crate) fn step(suite: &mut Suite) {
 }
 
 fn prove(progress: &Progress) -> Result<Tally> {
-    let packages = ["gappa", "coq", "libcoq-gappa"];
-    install::program(&["gappa"], &packages, progress)?;
-    install::program(&["coqc"], &packages, progress)?;
+    install::program(&tool::GAPPA, progress)?;
+    install::program(&tool::COQ, progress)?;
     let mut test = cargo(["test", "--package", "luminaire", "--lib", "--features", "fixed"]);
     test.args(["--", "proofs", "model_of_the_proofs", "--nocapture"]).env("LUMINAIRE_COQ", "1");
     tally::cargo_test(test, progress)

@@ -10,7 +10,7 @@ use serde_json::Value;
 use tools::command::{answer, cargo};
 use tools::progress::Progress;
 use tools::suite::Suite;
-use tools::{install, project, tally};
+use tools::{install, project, tally, tool};
 
 /// The other readers, from PyPI.
 const PACKAGES: [&str; 3] = ["photompy==0.3.1", "eulumdat-py==1.0.0", "pygdtf==1.4.5"];
@@ -28,7 +28,7 @@ pub(crate) fn run(suite: &mut Suite) {
 }
 
 fn angles(progress: &Progress) -> Result<Vec<String>> {
-    let python = install::program(&["python3"], &["python3", "python3-venv"], progress)?;
+    let python = install::program(&tool::PYTHON, progress)?;
     let folder = project::target().join("readers");
     let own = folder.join("venv/bin/python");
     if !own.exists() {

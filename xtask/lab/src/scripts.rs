@@ -10,7 +10,7 @@ use tools::demo::site::{self, Build};
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
-use tools::{install, project};
+use tools::{install, project, tool};
 
 /// The page, its settings for TypeScript, and its unit tests.
 const PAGE: &str = "wasm-demo/web";
@@ -59,7 +59,7 @@ fn rules(progress: &Progress) -> Result<()> {
 }
 
 fn unit_tests(progress: &Progress) -> Result<Tally> {
-    let mut test = Command::new(install::node(progress)?);
+    let mut test = Command::new(install::program(&tool::NODE, progress)?);
     test.arg("--test").current_dir(project::root().join(TESTS));
     tally::node_test(test, progress)
 }

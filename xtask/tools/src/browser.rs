@@ -11,15 +11,15 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::progress::Progress;
+use crate::tool::{self, Tool};
 use crate::{command, family, install, project};
 
 /// Node.js for a script that drives browsers by puppeteer-core, with what it reads of its environment.
 /// Installs what is missing: the npm packages, and as root on Debian the browser.
 pub fn node(progress: &Progress) -> Result<Command> {
     install::npm("puppeteer-core", progress)?;
-    let mut node = Command::new(install::node(progress)?);
-    let chromium =
-        find("CHROME", &["chromium", "chromium-browser", "google-chrome"], &["chromium"], progress)?;
+    let mut node = Command::new(install::program(&tool::NODE, progress)?);
+    let chromium = find("CHROME", &tool::CHROMIUM, progress)?;
     node.env("MODULES", install::npm_modules()).env("CHROMIUM", chromium);
     // Below `target`, because a sandboxed browser may have no access to `/tmp`.
     let folder = project::target().join("browsers");
@@ -28,14 +28,14 @@ pub fn node(progress: &Progress) -> Result<Command> {
     Ok(node)
 }
 
-/// The program that an environment variable names, or the first of these programs on PATH. As root
-/// on Debian, installs the packages if there is none.
-pub fn find(variable: &str, names: &[&str], packages: &[&str], progress: &Progress) -> Result<PathBuf> {
+/// The program that an environment variable names, or that of a tool. As root on Debian, installs the
+/// tool if it is missing.
+pub fn find(variable: &str, tool: &Tool, progress: &Progress) -> Result<PathBuf> {
     if let Some(named) = env::var_os(variable) {
         ensure!(Path::new(&named).is_file(), "{variable} = {}: expected a program", named.display());
         return Ok(named.into());
     }
-    install::program(names, packages, progress)
+    install::program(tool, progress)
         .with_context(|| format!("the environment variable {variable} may name the program"))
 }
 
@@ -92,7 +92,7 @@ impl Visit<'_> {
         let request = json!({ "address": self.address, "flags": flags, "display": is_mesa, "acts": acts });
         let mut node = node(progress)?;
         if is_mesa {
-            node.env("XVFB", find("XVFB", &["Xvfb"], &["xvfb", "libgl1-mesa-dri"], progress)?);
+            node.env("XVFB", find("XVFB", &tool::XVFB, progress)?);
         }
         node.arg(project::root().join("xtask/browser/drive.mjs"))
             .stdin(Stdio::piped())

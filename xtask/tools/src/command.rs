@@ -12,6 +12,7 @@ use wait4::Wait4 as _;
 
 use crate::family::{self, Member};
 use crate::project;
+use crate::system::System;
 
 /// A program that has ended.
 #[derive(Debug)]
@@ -110,11 +111,8 @@ pub fn told(program: Member) -> io::Result<Output> {
 
 /// The first of these programs that is found on PATH.
 pub fn on_path(names: &[&str]) -> Option<PathBuf> {
-    let path = env::var_os("PATH")?;
-    let mut candidates = names.iter().flat_map(|name| {
-        env::split_paths(&path).map(move |folder| folder.join(format!("{name}{}", env::consts::EXE_SUFFIX)))
-    });
-    candidates.find(|file| file.is_file())
+    let folders: Vec<_> = env::split_paths(&env::var_os("PATH")?).collect();
+    System::HERE.program(names, &folders)
 }
 
 /// The command line as one would type it, without the folder of its program.

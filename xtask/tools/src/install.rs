@@ -1,6 +1,7 @@
 //! Installing missing tools: Debian packages if the program runs as root, npm packages into the
 //! project's target folder.
 
+use std::env::consts::EXE_SUFFIX;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
@@ -10,6 +11,8 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
 use crate::progress::Progress;
+use crate::system::System;
+use crate::tool::{self, Tool};
 use crate::{command, project};
 
 /// How long to wait for another apt, such as the one that updates a fresh Debian.
@@ -26,25 +29,16 @@ pub fn debian_root() -> bool {
     is_debian && command::answer(Command::new("id").arg("-u")).is_ok_and(|user| user == "0")
 }
 
-/// The first of these programs on PATH. As root on Debian, installs the packages if there is none.
-pub fn program(names: &[&str], packages: &[&str], progress: &Progress) -> Result<PathBuf> {
-    if let Some(program) = command::on_path(names) {
+/// The program of a tool. As root on Debian, installs its packages if it is missing.
+pub fn program(tool: &Tool, progress: &Progress) -> Result<PathBuf> {
+    if let Some(program) = tool.find() {
         return Ok(program);
     }
     if debian_root() {
-        apt(packages, progress)?;
+        apt(tool.debian, progress)?;
     }
-    command::on_path(names).with_context(|| {
-        format!("none of {} is on PATH: install the Debian packages {}", names.join(", "), packages.join(" "))
-    })
+    tool.find().with_context(|| tool.missing(System::HERE))
 }
-
-/// Node.js, which runs scripts. As root on Debian, installs it and npm if there is none.
-pub fn node(progress: &Progress) -> Result<PathBuf> {
-    program(&["node", "nodejs"], &NODE_PACKAGES, progress)
-}
-
-const NODE_PACKAGES: [&str; 2] = ["nodejs", "npm"];
 
 /// Installs Debian packages. Call it only if [`debian_root`] returns true.
 pub fn apt(packages: &[&str], progress: &Progress) -> Result<()> {
@@ -146,7 +140,7 @@ pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
     if is_recorded && folder.is_dir() {
         return Ok(folder);
     }
-    let npm = program(&["npm"], &NODE_PACKAGES, progress)?;
+    let npm = program(&tool::NPM, progress)?;
     fs::write(tools().join("package.json"), NPM_PACKAGES)?;
     fs::write(tools().join("package-lock.json"), NPM_LOCK)?;
     let mut install = Command::new(npm);
@@ -168,7 +162,7 @@ pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
 /// The program of a crate, found on PATH or else built into `target/tools`, never into the user's
 /// own folder.
 pub fn cargo_program(name: &str, progress: &Progress) -> Result<PathBuf> {
-    let built = tools().join("bin").join(name);
+    let built = tools().join("bin").join(format!("{name}{EXE_SUFFIX}"));
     if let Some(program) = command::on_path(&[name]).or_else(|| built.is_file().then(|| built.clone())) {
         return Ok(program);
     }

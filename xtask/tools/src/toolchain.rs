@@ -12,6 +12,7 @@ use std::process::Command;
 use anyhow::{Result, bail};
 
 use crate::progress::Progress;
+use crate::system::System;
 use crate::{command, install, project};
 
 /// Debian's compiler for web browsers: recent, and with its library's source as a package.
@@ -48,11 +49,7 @@ impl Toolchain {
                 return Ok(Self { target, library: Library::FromSource { rustc }, flags: "" });
             }
         }
-        bail!(
-            "the standard library for {target} is not installed: run `rustup target add {target}`, \
-             or on Debian as root `apt-get install {}`",
-            DEBIAN_PACKAGES.join(" ")
-        )
+        bail!("the standard library for {target} is not installed: {}", remedy(target, System::HERE))
     }
 
     /// Compiles for a processor with more features than the target's, by a flag of rustc.
@@ -123,6 +120,16 @@ impl Toolchain {
     }
 }
 
+/// How to install the standard library for a target, in words.
+fn remedy(target: &str, system: System) -> String {
+    let packages = DEBIAN_PACKAGES.join(" ");
+    let debian = match system {
+        System::Linux => format!(", or on Debian, as root, `apt-get install {packages}`"),
+        System::Mac | System::Windows => String::new(),
+    };
+    format!("`rustup target add {target}`{debian}")
+}
+
 fn active_rustc() -> PathBuf {
     env::var_os("RUSTC").map_or_else(|| "rustc".into(), PathBuf::from)
 }
@@ -169,4 +176,20 @@ fn linker(target: &str) -> Option<PathBuf> {
     };
     let system = if target.starts_with("wasm") { "wasm-ld" } else { "ld.lld" };
     bundled().or_else(|| command::on_path(&[system]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_target_is_named_with_what_adds_it() {
+        let rustup = "`rustup target add thumbv7m-none-eabi`";
+        let linux = format!(
+            "{rustup}, or on Debian, as root, `apt-get install rustc-web rust-web-src cargo-web lld`"
+        );
+        for (system, words) in [(System::Linux, &*linux), (System::Mac, rustup), (System::Windows, rustup)] {
+            assert_eq!(remedy("thumbv7m-none-eabi", system), words, "{system:?}");
+        }
+    }
 }
