@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use serde_json::json;
 use tools::demo::site::{self, Build};
 use tools::progress::Progress;
@@ -40,8 +40,7 @@ fn types(site: &Path, progress: &Progress) -> Result<()> {
         "include": [page],
     });
     fs::write(folder.join("tsconfig.json"), settings.to_string())?;
-    install::npm("typescript", progress)?;
-    let mut check = node_program("tsc")?;
+    let mut check = install::npm_program("typescript", "tsc", progress)?;
     check.args(["--pretty", "false", "--project"]).arg(&folder).current_dir(root);
     progress.run(check)
 }
@@ -52,7 +51,7 @@ fn rules(progress: &Progress) -> Result<()> {
     // Beside the packages that it imports.
     let rules = folder.with_file_name("eslint.config.mjs");
     fs::copy(project::root().join("xtask/tools/npm/eslint.config.mjs"), &rules)?;
-    let mut check = node_program("eslint")?;
+    let mut check = install::npm_program("eslint", "eslint", progress)?;
     check.current_dir(project::root()).arg("--config").arg(rules);
     check.args(["--max-warnings=0", "wasm-demo", "xtask/browser"]);
     progress.run(check)
@@ -62,8 +61,4 @@ fn unit_tests(progress: &Progress) -> Result<Tally> {
     let mut test = Command::new(install::program(&tool::NODE, progress)?);
     test.arg("--test").current_dir(project::root().join(TESTS));
     tally::node_test(test, progress)
-}
-
-fn node_program(name: &str) -> Result<Command> {
-    Ok(Command::new(install::npm_program(name).with_context(|| format!("npm has not installed {name}"))?))
 }

@@ -105,16 +105,35 @@ const NPM_PACKAGES: &str = include_str!("../npm/package.json");
 /// The versions of all packages that those need.
 const NPM_LOCK: &str = include_str!("../npm/package-lock.json");
 
-/// The program of an npm package in `target/tools`, if it is installed there.
-pub fn npm_program(name: &str) -> Option<PathBuf> {
-    let program = npm_modules().join(".bin").join(name);
-    program.is_file().then_some(program)
+/// A call of a program of an npm package, which is installed if need be: its script, run by Node.js. What
+/// npm puts into `.bin` is a script for the shell of each system.
+pub fn npm_program(package: &str, program: &str, progress: &Progress) -> Result<Command> {
+    let script = script(&npm(package, progress)?, program)?;
+    let mut node = Command::new(self::program(&tool::NODE, progress)?);
+    node.arg(script);
+    Ok(node)
+}
+
+/// The script of a program in the folder of an npm package, as its manifest names it: `bin` is a file, or
+/// has files by the names of programs.
+fn script(folder: &Path, program: &str) -> Result<PathBuf> {
+    let manifest = folder.join("package.json");
+    let text =
+        fs::read_to_string(&manifest).with_context(|| format!("cannot read {}", manifest.display()))?;
+    let bin = &serde_json::from_str::<Value>(&text)?["bin"];
+    let file = bin.as_str().or_else(|| bin[program].as_str());
+    Ok(folder.join(file.with_context(|| format!("{}: expected a program {program}", manifest.display()))?))
 }
 
 /// The folder of the npm packages in `target/tools`.
 pub fn npm_modules() -> PathBuf {
-    tools().join("node_modules")
+    tools().join(MODULES)
 }
+
+const MODULES: &str = "node_modules";
+
+/// The file there with the versions of the packages.
+const INSTALLED: &str = "installed.json";
 
 /// The recorded version of an npm package, as in `rp2040js 1.4.1`.
 pub fn npm_version(name: &str) -> Result<String> {
@@ -130,32 +149,47 @@ pub fn npm_version(name: &str) -> Result<String> {
 /// needs one.
 pub fn npm(name: &str, progress: &Progress) -> Result<PathBuf> {
     npm_version(name)?;
-    // Written last, so that an interrupted installation is done again.
-    let (folder, installed) = (npm_modules().join(name), tools().join("npm-installed.json"));
+    let (modules, folder) = (npm_modules(), npm_modules().join(name));
     fs::create_dir_all(tools()).with_context(|| format!("cannot create {}", tools().display()))?;
     // Steps that run side by side wait for each other.
     let one_at_a_time = fs::File::create(tools().join("npm.lock")).context("cannot write npm.lock")?;
     one_at_a_time.lock().context("cannot wait for another npm")?;
-    let is_recorded = fs::read_to_string(&installed).is_ok_and(|lock| lock == NPM_LOCK);
+    let is_recorded = fs::read_to_string(modules.join(INSTALLED)).is_ok_and(|lock| lock == NPM_LOCK);
     if is_recorded && folder.is_dir() {
         return Ok(folder);
     }
     let npm = program(&tool::NPM, progress)?;
-    fs::write(tools().join("package.json"), NPM_PACKAGES)?;
-    fs::write(tools().join("package-lock.json"), NPM_LOCK)?;
+    // npm begins with an empty folder. Another step may use the packages that are there, and npm may be
+    // interrupted: the new ones take their place when they are complete.
+    let new = tools().join("npm");
+    project::remove(&new)?;
+    fs::create_dir(&new).with_context(|| format!("cannot create {}", new.display()))?;
+    fs::write(new.join("package.json"), NPM_PACKAGES)?;
+    fs::write(new.join("package-lock.json"), NPM_LOCK)?;
     let mut install = Command::new(npm);
-    // Without a network the default retries would hold up the build for minutes.
-    install.args(["install", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=60000"]);
+    // What the lock file has, or nothing; and no script of a package is run. Without a network the default
+    // retries would hold up the build for minutes.
+    install.args(["ci", "--ignore-scripts", "--prefer-offline", "--no-audit", "--no-fund"]);
+    install.args(["--fetch-retries=1", "--fetch-timeout=60000"]);
     let is_for_tests = serde_json::from_str::<Value>(NPM_PACKAGES)?["devDependencies"][name].is_string();
-    let has_tests = npm_modules().join("typescript").is_dir();
+    let has_tests = modules.join("typescript").is_dir();
     if !is_for_tests && !has_tests {
         install.arg("--omit=dev");
     }
-    install.current_dir(tools());
+    install.current_dir(&new);
     let what = "the npm packages of xtask/tools/npm into target/tools";
     progress.timed("Installing", what, || progress.run(install))?;
-    ensure!(folder.is_dir(), "npm has not installed {name} into {}", folder.display());
-    fs::write(&installed, NPM_LOCK)?;
+    let fresh = new.join(MODULES);
+    ensure!(fresh.join(name).is_dir(), "npm has not installed {name} into {}", fresh.display());
+    fs::write(fresh.join(INSTALLED), NPM_LOCK)?;
+    let put = || {
+        if modules.exists() {
+            fs::rename(&modules, new.join("old"))?;
+        }
+        fs::rename(&fresh, &modules)
+    };
+    put().with_context(|| format!("cannot replace {}", modules.display()))?;
+    project::remove(&new)?;
     Ok(folder)
 }
 
@@ -198,5 +232,17 @@ mod tests {
             assert_eq!(npm_version(name).unwrap(), format!("{name} {}", locked.as_str().unwrap()));
         }
         assert!(npm_version("left-pad").unwrap_err().to_string().contains("left-pad"));
+    }
+
+    #[test]
+    fn a_program_of_npm_is_the_script_that_its_package_names() {
+        let folder = tempfile::tempdir().unwrap();
+        let found = |bin: &str| {
+            fs::write(folder.path().join("package.json"), format!("{{\"bin\": {bin}}}")).unwrap();
+            script(folder.path(), "tsc")
+        };
+        assert_eq!(found(r#"{"tsc": "./bin/tsc.js"}"#).unwrap(), folder.path().join("./bin/tsc.js"));
+        assert_eq!(found(r#""tsc.js""#).unwrap(), folder.path().join("tsc.js"));
+        assert!(found(r#"{"other": "a.js"}"#).unwrap_err().to_string().contains("expected a program tsc"));
     }
 }

@@ -1,9 +1,8 @@
 //! The paths of the project's files.
 
 use std::collections::BTreeMap;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use std::{env, fs, path};
+use std::{env, fs, io, path};
 
 use anyhow::{Context, Result};
 
@@ -79,16 +78,21 @@ pub fn replace(file: &Path, content: &[u8]) -> Result<()> {
 /// use.
 pub fn renew(folder: &Path, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     let new = folder.with_extension("new");
-    let remove = |left: &Path| match fs::remove_dir_all(left) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
-    };
     // An interrupted build may have left a new folder.
-    remove(&new).with_context(|| format!("cannot remove {}", new.display()))?;
+    remove(&new)?;
     fill(&new)?;
-    remove(folder)
-        .and_then(|()| fs::rename(&new, folder))
-        .with_context(|| format!("cannot replace {}", folder.display()))
+    remove(folder)?;
+    fs::rename(&new, folder).with_context(|| format!("cannot replace {}", folder.display()))
+}
+
+/// Removes a folder, if it is there.
+pub fn remove(folder: &Path) -> Result<()> {
+    match fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => {
+            Err(error).with_context(|| format!("cannot remove {}", shown(folder)))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The CRC-32 of files and their names.

@@ -3,7 +3,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use anyhow::{Context, Result};
 
@@ -43,8 +42,7 @@ fn tools(progress: &Progress) -> Result<PathBuf> {
 /// Bundles the worker with what it imports, so that a browser loads one small file, but for the bindings of the module, whose address it
 /// needs.
 fn bundle(site: &Path, progress: &Progress) -> Result<()> {
-    let esbuild = install::npm_program("esbuild").context("npm has not installed esbuild")?;
-    let mut bundle = Command::new(esbuild);
+    let mut bundle = install::npm_program("esbuild", "esbuild", progress)?;
     bundle.arg(project::root().join("wasm-demo/chip/worker.js"));
     bundle.args(["--bundle", "--minify", "--format=esm", "--external:./chip/*", "--log-level=error"]);
     bundle.arg(format!("--outfile={}", site.join("chip-worker.js").display()));

@@ -7,7 +7,6 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
@@ -35,8 +34,7 @@ pub fn publish(
     let first = place(site, to, [address, repository])?;
     let is_code = |path: &PathBuf| path.extension().is_some_and(|end| end == "js" || end == "css");
     let code = project::files(to, &[])?.into_keys().filter(is_code).map(|path| to.join(path));
-    install::npm("esbuild", progress)?;
-    let mut minify = Command::new(install::npm_program("esbuild").context("npm has not installed esbuild")?);
+    let mut minify = install::npm_program("esbuild", "esbuild", progress)?;
     minify.args(["--minify-whitespace", "--minify-syntax", "--allow-overwrite", "--log-level=error"]);
     minify.arg(format!("--outdir={}", to.display())).arg(format!("--outbase={}", to.display())).args(code);
     progress.run(minify)?;

@@ -2,7 +2,7 @@
 //! installed.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use anyhow::{Context, Result};
@@ -68,26 +68,24 @@ impl Build {
 /// Shrinks the module in place. Without `wasm-opt` the demo works but is larger, so a missing
 /// `wasm-opt` is reported and is no error.
 fn shrink(module: &Path, progress: &Progress) -> Result<()> {
-    let Some(wasm_opt) = find(progress) else {
-        let name = module.display();
-        progress.say("Leaving", format_args!("{name}: no wasm-opt (install binaryen, or npm) to shrink it"));
-        return Ok(());
+    let mut shrinking = match find(progress) {
+        Ok(wasm_opt) => wasm_opt,
+        Err(error) => {
+            progress.say("Leaving", format_args!("{} as it is: no wasm-opt: {error:#}", module.display()));
+            return Ok(());
+        }
     };
     let kilobytes = || fs::metadata(module).map_or(0, |file| file.len() / 1000);
     let (before, shrunk) = (kilobytes(), module.with_extension("shrunk"));
-    let mut shrinking = Command::new(&wasm_opt);
     shrinking.arg(module).arg("--output").arg(&shrunk).args(ARGUMENTS);
-    let what = format_args!("with {}", project::shown(&wasm_opt));
-    progress.timed("Shrinking", what, || progress.run(shrinking))?;
+    progress.timed("Shrinking", project::shown(module), || progress.run(shrinking))?;
     fs::rename(&shrunk, module).with_context(|| format!("cannot replace {}", module.display()))?;
     progress.say("Shrunk", format_args!("{before} kB before, {} kB after", kilobytes()));
     Ok(())
 }
 
-/// `wasm-opt` from PATH or from the project's tools, else from npm.
-fn find(progress: &Progress) -> Option<PathBuf> {
-    command::on_path(&["wasm-opt"]).or_else(|| {
-        install::npm("binaryen", progress).ok()?;
-        install::npm_program("wasm-opt")
-    })
+/// A call of `wasm-opt` from PATH, else from npm.
+fn find(progress: &Progress) -> Result<Command> {
+    let own = command::on_path(&["wasm-opt"]).map(Command::new);
+    own.map_or_else(|| install::npm_program("binaryen", "wasm-opt", progress), Ok)
 }
