@@ -10,13 +10,13 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
-use tools::{command, family};
+use tools::{command, family, trouble};
 
 use arguments::Request;
 
 fn main() -> ExitCode {
     run().unwrap_or_else(|error| {
-        eprintln!("error: {error:#}");
+        eprintln!("error: {}", trouble::explained(&error));
         ExitCode::FAILURE
     })
 }

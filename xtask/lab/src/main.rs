@@ -23,6 +23,7 @@ use clap::Parser;
 use measure::{conform, device, rivals};
 use tools::family;
 use tools::suite::Suite;
+use tools::trouble;
 
 use arguments::Request;
 
@@ -49,7 +50,7 @@ fn main() -> ExitCode {
         Request::Conform(options) => conform::run(&options),
     };
     outcome.unwrap_or_else(|error| {
-        eprintln!("error: {error:#}");
+        eprintln!("error: {}", trouble::explained(&error));
         ExitCode::FAILURE
     })
 }

@@ -58,15 +58,6 @@ pub fn cargo(words: impl IntoIterator<Item: AsRef<OsStr>>) -> Command {
     command
 }
 
-/// Runs a program that must succeed, with the streams that it is given.
-pub fn run(command: &mut Command) -> Result<()> {
-    let started = family::start(command.stdin(Stdio::null()));
-    let child = started.with_context(|| format!("cannot start {}", describe(command)))?;
-    let status = end(child).with_context(|| format!("cannot wait for {}", describe(command)))?;
-    ensure!(status.success(), "{} failed ({status})", describe(command));
-    Ok(())
-}
-
 /// Runs a program and keeps what it writes to stdout and stderr, in the order of writing. `tell` also
 /// receives each piece of output as it is written.
 pub fn capture(mut command: Command, mut tell: impl FnMut(&str)) -> Result<Ended> {

@@ -17,5 +17,6 @@ pub mod system;
 pub mod tally;
 pub mod tool;
 pub mod toolchain;
+pub mod trouble;
 pub mod turntable;
 pub mod wasm;

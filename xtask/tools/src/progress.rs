@@ -1,14 +1,24 @@
 //! Reporting the progress of long work.
 
 use std::cell::RefCell;
+use std::env;
 use std::fmt::Display;
-use std::io;
+use std::io::{self, IsTerminal as _};
 use std::process::Command;
 use std::time::Instant;
 
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail};
 
 use crate::command::{self, Ended};
+use crate::system::System;
+use crate::trouble;
+
+/// Settings of cargo for a terminal that it does not see. A bar of this width fits any.
+const ON_A_TERMINAL: [(&str, &str); 3] = [
+    ("CARGO_TERM_COLOR", "always"),
+    ("CARGO_TERM_PROGRESS_WHEN", "always"),
+    ("CARGO_TERM_PROGRESS_WIDTH", "72"),
+];
 
 /// Where progress is written: to stderr as it happens, or into a text that is shown only if
 /// something fails.
@@ -55,21 +65,27 @@ impl Progress {
         Ok(result)
     }
 
-    /// Runs a program that must succeed. Its output is part of the progress, and keeps its colours on a
-    /// terminal.
+    /// Runs a program that must succeed. Its output is part of the progress, and cargo's keeps colours and
+    /// bar on a terminal.
     pub fn run(&self, mut command: Command) -> Result<()> {
-        match self {
-            // Stdout is reserved for results.
-            Self::Live => command::run(command.stdout(io::stderr())),
-            Self::Kept(_) => self.output(command).map(drop),
+        // The output goes through this program, which reads why it failed, so that cargo sees no terminal.
+        if matches!(self, Self::Live) && io::stderr().is_terminal() {
+            let is_free = |name: &str| env::var_os(name).is_none();
+            let is_wanted = |name: &str| is_free(name) && (name != ON_A_TERMINAL[0].0 || is_free("NO_COLOR"));
+            command.envs(ON_A_TERMINAL.into_iter().filter(|(name, _)| is_wanted(name)));
         }
+        self.output(command).map(drop)
     }
 
-    /// Runs a program that must succeed. Returns its output, which is part of the progress.
+    /// Runs a program that must succeed. Returns its output, which is part of the progress. An error names
+    /// the program, and the remedy for a trouble that is not its own.
     pub fn output(&self, command: Command) -> Result<String> {
         let name = command::describe(&command);
         let ended = self.capture(command)?;
-        ensure!(ended.success, "{name} failed");
+        if !ended.success {
+            let remedy = trouble::remedy(&ended.output, System::HERE);
+            bail!("{name} failed{}", remedy.map_or_else(String::new, |remedy| format!(": {remedy}")));
+        }
         Ok(ended.output)
     }
 

@@ -12,6 +12,7 @@ use crate::command;
 use crate::progress::Progress;
 use crate::record::Record;
 use crate::tally::Tally;
+use crate::trouble;
 
 /// The steps that have been run so far. After a step that fails, the next is still run.
 #[derive(Debug)]
@@ -143,7 +144,7 @@ impl Suite {
                 let failed = format!("{} of its tests failed or were ignored", tally.failed);
                 (Some(value), tally, (tally.failed > 0).then_some(failed))
             }
-            Err(error) => (None, Tally::FAILED, Some(format!("{error:#}"))),
+            Err(error) => (None, Tally::FAILED, Some(trouble::explained(&error))),
         };
         let label = if self.has_company { &*label } else { "" };
         let verdict = if failure.is_none() { "pass" } else { "FAIL" };
