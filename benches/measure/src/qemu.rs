@@ -139,12 +139,14 @@ fn version(answer: &str) -> Option<(u32, u32)> {
 /// packages have some of the same files as a `qemu-utils` of another release: installed beside one, they
 /// would leave the machine's packages in disorder.
 fn unpack(folder: &Path, progress: &Progress) -> Result<()> {
-    let mut libraries = BTreeSet::new();
-    for file in install::unpack(tool::QEMU.debian, folder, progress)? {
-        let depends = command::answer(Command::new("dpkg-deb").arg("-f").arg(&file).arg("Depends"))?;
-        // The first of each choice, as in `libc6 (>= 2.34), libfdt1 | libfdt2`.
-        let first = depends.split(',').filter_map(|choice| choice.split_whitespace().next());
-        libraries.extend(first.filter(|name| name.starts_with("lib")).map(str::to_owned));
-    }
-    install::apt(&libraries.iter().map(String::as_str).collect::<Vec<_>>(), progress)
+    install::unpack(tool::QEMU.debian, folder, progress, |files| {
+        let mut libraries = BTreeSet::new();
+        for file in files {
+            let depends = command::answer(Command::new("dpkg-deb").arg("-f").arg(file).arg("Depends"))?;
+            // The first of each choice, as in `libc6 (>= 2.34), libfdt1 | libfdt2`.
+            let first = depends.split(',').filter_map(|choice| choice.split_whitespace().next());
+            libraries.extend(first.filter(|name| name.starts_with("lib")).map(str::to_owned));
+        }
+        install::apt(&libraries.iter().map(String::as_str).collect::<Vec<_>>(), progress)
+    })
 }

@@ -1,6 +1,5 @@
 //! The oldest compiler that the published crates promise to support.
 
-use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -56,7 +55,7 @@ fn unpacked(progress: &Progress) -> Result<Option<PathBuf>> {
     }
     let Some(packages) = PACKAGES.iter().find_map(|packages| offered(packages)) else { return Ok(None) };
     let packages: Vec<_> = [LLVM].into_iter().chain(packages.iter().map(String::as_str)).collect();
-    install::unpack(&packages, &folder, progress)?.iter().try_for_each(fs::remove_file)?;
+    install::unpack(&packages, &folder, progress, |_| Ok(()))?;
     Ok(Some(usr))
 }
 
@@ -72,6 +71,8 @@ fn offered(packages: &[&str]) -> Option<Vec<String>> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

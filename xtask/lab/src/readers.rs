@@ -30,14 +30,17 @@ pub(crate) fn run(suite: &mut Suite) {
 fn angles(progress: &Progress) -> Result<Vec<String>> {
     let python = install::program(&tool::PYTHON, progress)?;
     let folder = project::target().join("readers");
-    let own = folder.join("venv/bin/python");
-    if !own.exists() {
+    let own = folder.join(if cfg!(windows) { "venv/Scripts/python.exe" } else { "venv/bin/python" });
+    // Written last, so that an interrupted installation is done again.
+    let (installed, packages) = (folder.join("venv/packages.txt"), PACKAGES.join("\n"));
+    if fs::read_to_string(&installed).ok().as_ref() != Some(&packages) {
         let mut make = command(&python, ["-m", "venv"]);
         make.arg(folder.join("venv"));
         progress.run(make)?;
         let mut install = command(&own, ["-m", "pip", "install", "--quiet"]);
         install.args(PACKAGES);
         progress.run(install)?;
+        fs::write(installed, packages)?;
     }
     let tests = project::root().join("exchange/tests");
     // What is written is read by another reader; one file of each kind is read by both.

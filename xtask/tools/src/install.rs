@@ -5,7 +5,7 @@ use std::env::consts::EXE_SUFFIX;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
-use std::{fs, thread};
+use std::{fs, io, thread};
 
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
@@ -73,24 +73,30 @@ fn apt_get(words: &[&str], folder: &Path, progress: &Progress) -> Result<()> {
     }
 }
 
-/// Downloads Debian packages with apt into a folder, and unpacks them there without installing them.
-/// Returns their files.
-pub fn unpack(packages: &[&str], folder: &Path, progress: &Progress) -> Result<Vec<PathBuf>> {
-    fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+/// Downloads Debian packages with apt, and unpacks them into a folder without installing them. `finish`
+/// gets their files. The folder is there when all that has succeeded.
+pub fn unpack(
+    packages: &[&str],
+    folder: &Path,
+    progress: &Progress,
+    finish: impl FnOnce(&[PathBuf]) -> Result<()>,
+) -> Result<()> {
+    let new = folder.with_extension("new");
+    project::remove(&new)?;
+    fs::create_dir_all(&new).with_context(|| format!("cannot create {}", new.display()))?;
     for words in [&["update"][..], &[&["download"], packages].concat()] {
-        apt_get(words, folder, progress)?;
+        apt_get(words, &new, progress)?;
     }
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        let file = entry?.path();
-        if file.extension().is_some_and(|extension| extension == "deb") {
-            let mut extract = Command::new("dpkg-deb");
-            extract.arg("-x").arg(&file).arg(folder);
-            progress.run(extract)?;
-            files.push(file);
-        }
+    let files = fs::read_dir(&new)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
+    for file in &files {
+        let mut extract = Command::new("dpkg-deb");
+        extract.arg("-x").arg(file).arg(&new);
+        progress.run(extract)?;
     }
-    Ok(files)
+    finish(&files)?;
+    files.iter().try_for_each(fs::remove_file)?;
+    project::remove(folder)?;
+    fs::rename(&new, folder).with_context(|| format!("cannot replace {}", folder.display()))
 }
 
 /// Whether apt has ended because another holds its lock on the package lists or on the archive, for
