@@ -1,9 +1,10 @@
 //! GDTF files (DIN SPEC 15800): zips with a `description.xml`, whose `Beam` geometries are lights.
 
-use std::io::{Cursor, Read};
+use std::borrow::Cow;
 
+use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_with_limit};
+use rawzip::{CompressionMethod, ZipArchive, ZipVerification, crc32};
 use roxmltree::Node;
-use zip::{ZipArchive, result::ZipError};
 
 use super::xml;
 use crate::lamp::Lamps;
@@ -61,19 +62,50 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
 
 /// Returns the text of `description.xml`, if the text and its tree take at most 60 MB.
 fn description(bytes: &[u8]) -> Result<String, Refusal> {
-    let refused = |error: ZipError| Refusal::new("GDTF file", error, "a zip with a description.xml");
-    // The crate reserves memory for the declared number of files: at most 65,535 without zip64, whose
-    // locator is near the end.
-    if bytes[bytes.len().saturating_sub(1 << 17)..].windows(4).any(|four| four == b"PK\x06\x07") {
-        return Err(Refusal::new("GDTF file", "a zip64", "a zip of less than 4 GiB, without zip64"));
+    let refused = |error: rawzip::Error| Refusal::new("GDTF file", error, "a zip with a description.xml");
+    let archive = ZipArchive::from_slice(bytes).map_err(refused)?;
+    let mut found = None;
+    for entry in archive.entries() {
+        let entry = entry.map_err(refused)?;
+        // The last one counts: what is added to a zip replaces what was in it.
+        found = if entry.file_path().as_ref() == b"description.xml" { Some(entry) } else { found };
     }
-    let mut unpacked = Vec::new();
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(refused)?;
-    let file = archive.by_name("description.xml").map_err(refused)?;
-    // One byte more than is accepted, whatever size the zip declares.
-    file.take((16 << 20) + 1).read_to_end(&mut unpacked).map_err(|error| refused(error.into()))?;
-    drop(archive);
-    text::decode(&unpacked).map_err(|refusal| refusal.at("description.xml"))
+    let none = || Refusal::new("GDTF file", "a zip without it", "a zip with a description.xml");
+    let entry = found.ok_or_else(none)?;
+    let file = archive.get_entry(entry.wayfinder()).map_err(refused)?;
+    if entry.flags().is_encrypted() {
+        return Err(Refusal::new("GDTF file", "an encrypted zip", "a zip without a password"));
+    }
+    let text = unpack(file.data(), entry.compression_method()).and_then(|text| {
+        let found = ZipVerification { crc: crc32(&text), uncompressed_size: text.len() as u64 };
+        file.claim_verifier().valid(found).map_err(refused)?;
+        text::decode(&text)
+    });
+    text.map_err(|refusal| refusal.at("description.xml"))
+}
+
+/// Returns the bytes of a file in a zip, whatever size the zip declares.
+///
+/// # Errors
+/// A method but deflate, damaged data, or bytes over the limit of XML.
+fn unpack(packed: &[u8], method: CompressionMethod) -> Result<Cow<'_, [u8]>, Refusal> {
+    let bytes: Cow<[u8]> = match method {
+        CompressionMethod::STORE => packed.into(),
+        // One byte more than is accepted.
+        CompressionMethod::DEFLATE => match decompress_to_vec_with_limit(packed, xml::LARGEST + 1) {
+            Ok(bytes) => bytes.into(),
+            Err(error) if error.status == TINFLStatus::HasMoreOutput => error.output.into(),
+            Err(error) => return Err(Refusal::new("deflated data", error, "a whole file")),
+        },
+        _ => {
+            let expected = "STORE or DEFLATE: unpack the file, and zip what was in it by one of these";
+            return Err(Refusal::new("compression method", method.name().unwrap_or("unknown"), expected));
+        }
+    };
+    match bytes.len() {
+        ..=xml::LARGEST => Ok(bytes),
+        size => Err(Refusal::new("size", size, format_args!("at most {} bytes", xml::LARGEST))),
+    }
 }
 
 /// Returns the numbers of a beam at both ends of the zoom.
@@ -129,20 +161,31 @@ fn short(node: Node, key: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::io::Write;
+    use std::io::{self, Write};
 
     use luminaire::dynamic::AnyLight;
-    use zip::ZipWriter;
+    use miniz_oxide::deflate::compress_to_vec;
+    use rawzip::ZipArchiveWriter;
 
     use super::*;
 
     const DESCRIPTION: &str = include_str!("../../tests/files/description.xml");
 
     fn zipped(description: &str) -> Vec<u8> {
-        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
-        writer.start_file("description.xml", zip::write::SimpleFileOptions::default()).expect("a name");
-        writer.write_all(description.as_bytes()).expect("memory");
-        writer.finish().expect("memory").into_inner()
+        packed(description, CompressionMethod::DEFLATE, &compress_to_vec(description.as_bytes(), 6))
+    }
+
+    /// Returns a zip whose `description.xml` is packed by a method.
+    fn packed(description: &str, method: CompressionMethod, packed: &[u8]) -> Vec<u8> {
+        let mut archive = ZipArchiveWriter::new(Vec::new());
+        let entry = archive.new_file("description.xml").compression_method(method);
+        let (mut entry, config) = entry.start().expect("a name");
+        let mut text = config.wrap(io::sink());
+        text.write_all(description.as_bytes()).expect("a sink");
+        let (_, declared) = text.finish().expect("a sink");
+        entry.write_all(packed).expect("memory");
+        entry.finish(declared).expect("memory");
+        archive.finish().expect("memory")
     }
 
     #[test]
@@ -168,6 +211,18 @@ mod tests {
     }
 
     #[test]
+    fn what_is_stored_or_deflated_is_read_and_another_method_named() {
+        let stored = packed(DESCRIPTION, CompressionMethod::STORE, DESCRIPTION.as_bytes());
+        assert_eq!(read(&stored), read(&zipped(DESCRIPTION)));
+        let refusal = read(include_bytes!("../../tests/files/bzip2.gdtf")).unwrap_err().to_string();
+        assert_eq!(
+            refusal,
+            "description.xml: compression method = BZIP2: expected STORE or DEFLATE: unpack the file, and zip what was \
+             in it by one of these"
+        );
+    }
+
+    #[test]
     fn refusals_have_the_path_of_the_element() {
         for (from, to) in [("\"10\"", "\"ten\""), ("\"Wash\"", "\"Wish\""), ("\"15\"", "\"5\"")] {
             let lamps = read(&zipped(&DESCRIPTION.replace(from, to))).expect("the other beam");
@@ -179,13 +234,26 @@ mod tests {
     fn bombs_and_pieces_are_refused() {
         let whole = zipped(DESCRIPTION);
         assert!((0..whole.len()).all(|end| read(&whole[..end]).is_err()));
-        // The size that the directory declares is 24 bytes after its signature.
+        // The checksum and the size that the directory declares are 16 and 24 bytes after its signature.
+        let declare = |zip: &mut [u8], at, number: u32| {
+            let directory = zip.windows(4).rposition(|four| four == b"PK\x01\x02").expect("a directory");
+            zip[directory + at..][..4].copy_from_slice(&number.to_le_bytes());
+        };
+        let refused = |zip: &[u8], word| {
+            let refusal = read(zip).unwrap_err().to_string();
+            assert!(refusal.contains(word), "expected {word}, found {refusal}");
+        };
+        for (at, word) in [(16, "checksum"), (24, "size")] {
+            let mut false_one = whole.clone();
+            declare(&mut false_one, at, 100);
+            refused(&false_one, word);
+        }
+        refused(&packed(DESCRIPTION, CompressionMethod::DEFLATE, &[0xff]), "deflated data = Invalid");
         let mut bomb = zipped(&"a".repeat(20 << 20));
-        let directory = bomb.windows(4).rposition(|four| four == b"PK\x01\x02").expect("a directory");
-        for (declared, word) in [(20 << 20, "16777217"), (100, "declared"), (u32::MAX - 1, "16777217")] {
-            bomb[directory + 24..][..4].copy_from_slice(&declared.to_le_bytes());
-            let refusal = read(&bomb[..]).unwrap_err().to_string();
-            assert!(bomb.len() < 100_000 && refusal.contains(word), "{refusal}");
+        assert!(bomb.len() < 100_000);
+        for declared in [20 << 20, 100, u32::MAX - 1] {
+            declare(&mut bomb, 24, declared);
+            refused(&bomb, "size = 16777217");
         }
         let deep = DESCRIPTION.replace("<Axis Name=\"Yoke\">", &"<Axis>".repeat(10_000));
         let deep = deep.replace("</Axis></Axis>", &"</Axis>".repeat(10_001));

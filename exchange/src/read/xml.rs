@@ -4,6 +4,9 @@ use roxmltree::{Document, ParsingOptions};
 
 use crate::refusal::Refusal;
 
+/// The most bytes of a text.
+pub(crate) const LARGEST: usize = 16 << 20;
+
 /// Parses a text whose tree takes at most 60 MB: a node or an attribute takes 88 bytes, and the parser
 /// reserves memory for each `<` and `=`. An attribute is compared with all before it.
 ///
@@ -13,7 +16,7 @@ pub(crate) fn document(text: &str) -> Result<Document<'_>, Refusal> {
     let marks = text.bytes().filter(|byte| matches!(byte, b'<' | b'=')).count();
     let attributes = text.split('<').map(|tag| tag.matches('=').count()).max().unwrap_or(0);
     let limits = [
-        ("bytes of XML", text.len(), 16 << 20),
+        ("bytes of XML", text.len(), LARGEST),
         ("tags and attributes", marks, 200_000),
         ("attributes of one tag", attributes, 256),
         ("namespaces", text.matches("xmlns").count(), 64),
