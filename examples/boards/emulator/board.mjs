@@ -20,6 +20,9 @@ const IS_DATA = 16; // the pin that tells commands from data
  */
 const LOOK = 10_000;
 
+/** Each byte of the RAM before it is written: as an instruction, one that is undefined. */
+const UNDEFINED = 0xde;
+
 const NOTHING = () => {};
 
 export class Board {
@@ -55,6 +58,8 @@ export class Board {
       throw new Error(`${part}: ${text}`);
     };
     chip.logger = { debug: NOTHING, info: NOTHING, warn: NOTHING, error: fail };
+    chip.sram.fill(UNDEFINED);
+    chip.onBreak = () => fail("core", "executes an undefined instruction, such as RAM that was never written");
     for (const [address, bytes] of segments(elf)) chip.flash.set(bytes, address - FLASH);
     [this.#flash, this.#ram] = [chip.flash, chip.sram].map(
       ({ buffer, byteOffset, length }) => new Uint16Array(buffer, byteOffset, length / 2),
