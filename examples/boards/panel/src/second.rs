@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use luminaire_stage::{Markers, Stage};
 
 /// A row of pixels, and the stage that draws it.
-pub trait Strip: Send + fmt::Debug {
+pub trait Strip: Send {
     /// Draws a row of a frame.
     fn draw(&mut self, frame: u32, row: i32);
     /// The pixels of the row that was drawn last.
@@ -43,11 +43,17 @@ impl<const WIDTH: usize, M: Markers> Strip for Drawn<WIDTH, M> {
 }
 
 /// A row to be drawn.
-#[derive(Debug)]
 pub struct Job {
     pub(crate) frame: u32,
     pub(crate) row: i32,
     pub(crate) strip: &'static mut dyn Strip,
+}
+
+/// Without the stage of the strip: the firmware would hold what writes every number of it, 35 kB.
+impl fmt::Debug for Job {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("Job").field("frame", &self.frame).field("row", &self.row).finish_non_exhaustive()
+    }
 }
 
 impl Job {
