@@ -4,7 +4,6 @@
 
 const SIO = { CPUID: 0x00, FIFO_ST: 0x50, FIFO_WR: 0x54, FIFO_RD: 0x58 };
 const [IS_VALID, IS_READY] = [1, 2]; // of FIFO_ST: something to read, room to write
-const MPU_CTRL = 0xd94;
 const SEV = 0xbf40;
 
 /** What starts the second core: after these words come its vector table, its stack and its first instruction. */
@@ -23,7 +22,7 @@ export class Cores {
   turn = 0;
 
   constructor(chip) {
-    const { core, ppb, sio } = chip;
+    const { core, sio } = chip;
     this.#cores = [core, new core.constructor(chip)];
     override(sio, "readUint32", {
       [SIO.CPUID]: () => this.turn,
@@ -31,7 +30,6 @@ export class Cores {
       [SIO.FIFO_RD]: () => this.#received[this.turn].shift() ?? 0,
     });
     override(sio, "writeUint32", { [SIO.FIFO_ST]: () => {}, [SIO.FIFO_WR]: (word) => this.#send(word >>> 0) });
-    override(ppb, "readUint32", { [MPU_CTRL]: () => 0 });
   }
 
   /** Chooses the core whose turn it is, and returns it. */

@@ -207,6 +207,6 @@ if (hosted.isSmall) {
     const [licences, ...others] = files.sort((one) => (one.includes("chip-licenses") ? -1 : 1));
     must(gzip(others), (bytes) => bytes > 50_000 && bytes < 150_000, "50,000 to 150,000 bytes by gzip for the chip");
     const text = readFileSync(licences, "utf8");
-    for (const name of ["rp2040js 1.4.1", "rp2040-hal", "Uri Shaked", "Raspberry Pi (Trading) Ltd."]) assert.ok(text.includes(name), name);
+    for (const name of ["rp2040js 1.4.1", "rp2040-pac", "Uri Shaked", "Raspberry Pi (Trading) Ltd."]) assert.ok(text.includes(name), name);
   });
 }

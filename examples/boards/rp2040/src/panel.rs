@@ -1,75 +1,63 @@
 //! The display at SPI0, fed by DMA.
 
-use rp2040_hal as hal;
+use core::convert::Infallible;
 
+use cortex_m::asm::dsb;
 use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::OutputPin;
-use embedded_hal::spi::{MODE_3, SpiBus};
-use hal::dma::single_buffer::Config;
-use hal::dma::{CH0, Channel};
-use hal::fugit::HertzU32;
-use hal::gpio::bank0::{Gpio16, Gpio17, Gpio18, Gpio19, Gpio20};
-use hal::gpio::{FunctionSio, FunctionSpi, Pin, PullDown, SioOutput};
-use hal::pac::{RESETS, SPI0};
-use hal::spi::{Enabled, Spi};
+use embedded_hal::spi::{ErrorKind, SpiBus};
+use embedded_hal::{digital, spi};
 use luminaire_panel::Words;
+use rp2040_pac::{DMA, IO_BANK0, SIO, SPI0};
 
-/// The highest clock of the bus: the shortest write cycle of an ST7789 is 16 ns.
-const BAUD: HertzU32 = HertzU32::MHz(62);
-
-type Output<Gpio> = Pin<Gpio, FunctionSio<SioOutput>, PullDown>;
-type Wire<Gpio> = Pin<Gpio, FunctionSpi, PullDown>;
-type Wires = (Wire<Gpio19>, Wire<Gpio18>);
-type Bus = Spi<Enabled, SPI0, Wires, 16>;
-
-/// The pins of the display.
-pub(crate) struct Pads {
-    /// The bus's data and clock.
-    pub(crate) wires: Wires,
-    /// Low for commands, high for their parameters and for pixels.
-    pub(crate) is_data: Output<Gpio16>,
-    /// Chip select, which is low while the display is addressed.
-    pub(crate) select: Output<Gpio17>,
-    /// Low resets the display.
-    pub(crate) reset: Output<Gpio20>,
-}
+/// Pins of the bus: its clock and its data.
+const WIRES: [usize; 2] = [18, 19];
+/// Pin that is low for commands, high for their parameters and for pixels.
+const IS_DATA: usize = 16;
+/// Pin that is low while the display is addressed.
+const SELECT: usize = 17;
+/// Pin that resets the display when it is low.
+const RESET: usize = 20;
 
 /// The display, started.
-pub(crate) struct Panel {
-    /// The bus and the DMA channel that feeds it; `None` while pixels are being sent.
-    idle: Option<(Channel<CH0>, Bus)>,
-    is_data: Output<Gpio16>,
+pub(crate) struct Panel<'a> {
+    bus: Bus,
+    dma: DMA,
+    is_data: Output<'a>,
 }
 
-impl Panel {
+impl<'a> Panel<'a> {
     /// Starts the display. `None` if its driver refuses the options.
     pub(crate) fn start(
-        pads: Pads,
         device: SPI0,
-        channel: Channel<CH0>,
-        resets: &mut RESETS,
-        speed: HertzU32,
+        dma: DMA,
+        pins: &IO_BANK0,
+        levels: &'a SIO,
         delay: &mut impl DelayNs,
     ) -> Option<Self> {
-        let Pads { wires, mut is_data, mut select, reset } = pads;
+        for wire in WIRES {
+            pins.gpio(wire).gpio_ctrl().write(|w| w.funcsel().spi());
+        }
+        let [mut is_data, mut select, reset] =
+            [IS_DATA, SELECT, RESET].map(|pin| Output::new(pin, pins, levels));
         // The driver sends bytes, and the DMA words of 16 bits.
-        let mut bytes = Spi::<_, _, _, 8>::new(device, wires).init(resets, speed, BAUD, MODE_3);
-        luminaire_panel::start(&mut bytes, &mut is_data, &mut select, reset, delay)?;
-        let (device, wires) = bytes.disable().free();
-        let bus = Spi::<_, _, _, 16>::new(device, wires).init(resets, speed, BAUD, MODE_3);
+        let mut bus = Bus(device);
+        bus.start(8);
+        luminaire_panel::start(&mut bus, &mut is_data, &mut select, reset, delay)?;
+        bus.start(16);
         select.set_low().ok()?;
-        Some(Self { idle: Some((channel, bus)), is_data })
+        Some(Self { bus, dma, is_data })
     }
 }
 
-impl luminaire_panel::Panel for Panel {
+impl luminaire_panel::Panel for Panel<'_> {
     fn write(&mut self, is_data: bool, words: &[u16]) -> Option<()> {
-        let (_, bus) = self.idle.as_mut()?;
         // The DMA has ended before the bus has sent its last words.
-        bus.flush().ok()?;
+        self.bus.wait();
         self.is_data.set_state(is_data.into()).ok()?;
-        bus.write(words).ok()?;
-        bus.flush().ok()
+        words.iter().for_each(|&word| self.bus.send(word));
+        self.bus.wait();
+        Some(())
     }
 
     fn send<const COUNT: usize>(
@@ -77,11 +65,118 @@ impl luminaire_panel::Panel for Panel {
         pixels: Words<COUNT>,
         meanwhile: impl FnOnce(),
     ) -> Option<Words<COUNT>> {
-        let (channel, bus) = self.idle.take()?;
-        let transfer = Config::new(channel, pixels, bus).start();
+        let channel = self.dma.ch(0);
+        // What was drawn is in the memory before the DMA reads it, and stays until it has been read.
+        dsb();
+        // SAFETY: the DMA reads the pixels, which nothing changes meanwhile, and writes to the bus.
+        unsafe {
+            channel.ch_read_addr().write(|w| w.bits(pixels.as_ptr() as u32));
+            channel.ch_write_addr().write(|w| w.bits(self.bus.0.sspdr().as_ptr() as u32));
+            channel.ch_trans_count().write(|w| w.bits(COUNT as u32));
+            channel.ch_ctrl_trig().write(|w| {
+                // A channel that is chained to itself starts no other one.
+                w.chain_to().bits(0).treq_sel().spi0_tx().data_size().size_halfword();
+                w.incr_read().set_bit().en().set_bit()
+            });
+        }
         meanwhile();
-        let (channel, pixels, bus) = transfer.wait();
-        self.idle = Some((channel, bus));
+        while channel.ch_ctrl_trig().read().busy().bit_is_set() {}
+        dsb();
         Some(pixels)
+    }
+}
+
+/// The bus, which only sends.
+struct Bus(SPI0);
+
+impl Bus {
+    /// Starts the bus with words of some bits, in mode 3, at 33 MHz: a write cycle of an ST7789 takes at least
+    /// 16 ns, and the clock is 133 MHz by an even number (4.4.3.4).
+    fn start(&mut self, bits: u8) {
+        let Self(device) = self;
+        device.sspcr1().write(|w| w.sse().clear_bit());
+        // SAFETY: words of 4 to 16 bits are allowed, less 1, and dividing by an even number times 1 to 256, less 1.
+        unsafe {
+            device.sspcpsr().write(|w| w.cpsdvsr().bits(2));
+            device.sspcr0().write(|w| w.dss().bits(bits - 1).scr().bits(1).spo().set_bit().sph().set_bit());
+        }
+        device.sspdmacr().write(|w| w.txdmae().set_bit());
+        device.sspcr1().write(|w| w.sse().set_bit());
+    }
+
+    /// Sends a word after all that were sent before.
+    fn send(&self, word: u16) {
+        while self.0.sspsr().read().tnf().bit_is_clear() {}
+        // SAFETY: any word is allowed.
+        self.0.sspdr().write(|w| unsafe { w.data().bits(word) });
+    }
+
+    /// Waits until all words are sent.
+    fn wait(&self) {
+        while self.0.sspsr().read().bsy().bit_is_set() {}
+    }
+}
+
+impl spi::ErrorType for Bus {
+    type Error = ErrorKind;
+}
+
+impl SpiBus for Bus {
+    fn write(&mut self, bytes: &[u8]) -> Result<(), ErrorKind> {
+        bytes.iter().for_each(|&byte| self.send(byte.into()));
+        Ok(())
+    }
+
+    fn flush(&mut self) -> Result<(), ErrorKind> {
+        self.wait();
+        Ok(())
+    }
+
+    // No pin is connected to what the display would send.
+
+    fn read(&mut self, _: &mut [u8]) -> Result<(), ErrorKind> {
+        Err(ErrorKind::Other)
+    }
+
+    fn transfer(&mut self, _: &mut [u8], _: &[u8]) -> Result<(), ErrorKind> {
+        Err(ErrorKind::Other)
+    }
+
+    fn transfer_in_place(&mut self, _: &mut [u8]) -> Result<(), ErrorKind> {
+        Err(ErrorKind::Other)
+    }
+}
+
+/// A pin whose level the program sets.
+struct Output<'a> {
+    mask: u32,
+    levels: &'a SIO,
+}
+
+impl<'a> Output<'a> {
+    fn new(pin: usize, pins: &IO_BANK0, levels: &'a SIO) -> Self {
+        let mask = 1 << pin;
+        // SAFETY: the pin is an output of the program.
+        levels.gpio_oe_set().write(|w| unsafe { w.bits(mask) });
+        pins.gpio(pin).gpio_ctrl().write(|w| w.funcsel().sio());
+        Self { mask, levels }
+    }
+}
+
+impl digital::ErrorType for Output<'_> {
+    type Error = Infallible;
+}
+
+impl OutputPin for Output<'_> {
+    fn set_low(&mut self) -> Result<(), Infallible> {
+        // SAFETY: the pin is an output of the program.
+        self.levels.gpio_out_clr().write(|w| unsafe { w.bits(self.mask) });
+        Ok(())
+    }
+
+    fn set_high(&mut self) -> Result<(), Infallible> {
+        // SAFETY: the pin is an output of the program.
+        self.levels.gpio_out_set().write(|w| unsafe { w.bits(self.mask) });
+        Ok(())
     }
 }

@@ -30,7 +30,7 @@ const ARGUMENTS: [&str; 9] = [
 /// How the demo is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Build {
-    /// Without the view of the chip, whose firmware and hardware layer are built for another target.
+    /// Without the view of the chip, whose firmware is built for another target.
     Part,
     /// All of it.
     Whole,
