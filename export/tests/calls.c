@@ -87,18 +87,18 @@ int main(void) {
             vertices[i].point[0] += i * row.step[0];
             memcpy(vertices[i].normal, up, sizeof up);
         }
-        luminaire_vertices_add(two, 2, vertices, lights, 64);
-        luminaire_row_add(&row, &two[0], row_lights, 64);
-        luminaire_row_add(&row, &two[1], row_lights, 64);
+        luminaire_vertices_add(lights, two, 2, vertices, 64);
+        luminaire_row_add(row_lights, &row, &two[0], 64);
+        luminaire_row_add(row_lights, &row, &two[1], 64);
         for (int i = 0; i < 64; ++i) {
             if (memcmp(&lights[i], &row_lights[i], sizeof lights[i]) != 0) { return 1; }
             put_light(lights[i]);
             put(luminaire_rgb565(lights[i]), '\n');
         }
         /* Null pointers change nothing. */
-        luminaire_vertices_add(0, 2, vertices, lights, 64);
-        luminaire_row_add(&row, 0, lights, 64);
-        luminaire_row_add(0, &two[0], lights, 64);
+        luminaire_vertices_add(lights, 0, 2, vertices, 64);
+        luminaire_row_add(lights, &row, 0, 64);
+        luminaire_row_add(lights, 0, &two[0], 64);
         luminaire_spot_zoom(0, &moved, 1);
         luminaire_spot_dim(0, 1);
         if (memcmp(lights, row_lights, sizeof lights) != 0 || luminaire_spot_irradiance(0, above, up) != 0) { return 1; }

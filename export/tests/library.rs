@@ -131,7 +131,7 @@ fn keywords_are_the_public_names() {
         let is_defined = match kind {
             "KEYWORD1" => headers.contains(&format!("}} {name};")),
             "KEYWORD2" if name.starts_with("LUMINAIRE_") => headers.contains(&format!("#define {name}(")),
-            "KEYWORD2" => functions().any(|function| function == name),
+            "KEYWORD2" => functions().any(|(function, _)| function == name),
             "LITERAL1" => headers.lines().any(is_constant),
             _ => false,
         };
@@ -140,6 +140,37 @@ fn keywords_are_the_public_names() {
     let documented: BTreeSet<_> = &words(&readme, "luminaire_") | &words(&readme, "LUMINAIRE_");
     let files: BTreeSet<_> = ["luminaire_constant", "luminaire_display"].into();
     assert_eq!(&documented - &files, names, "the names of the README and of keywords.txt");
+}
+
+/// A call reads as an assignment: what it writes stands before what it reads, as in `memcpy`.
+#[test]
+fn outputs_stand_before_inputs() {
+    let (mut written, mut wrong) = (0, Vec::new());
+    for (name, parameters) in functions() {
+        let is_output = |parameter: &&str| parameter.contains(['*', '[']) && !parameter.contains("const ");
+        let outputs = parameters.iter().take_while(|parameter| is_output(parameter)).count();
+        written += outputs;
+        if parameters.iter().skip(outputs).any(|parameter| is_output(&parameter)) {
+            wrong.push(format!("{name}({})", parameters.join(", ")));
+        }
+    }
+    assert!(wrong.is_empty(), "expected pointers that are not const first, found {wrong:#?}");
+    assert!(written > 30, "expected the outputs of the headers, found {written}");
+}
+
+/// The table of the README has the parameters of each public function, by the names of the header.
+#[test]
+fn readme_has_the_parameters_of_the_headers() {
+    let (keywords, readme) = (text("keywords.txt"), text("README.md"));
+    let is_public = |name: &str| keywords.lines().any(|line| line == format!("{name}\tKEYWORD2"));
+    for (name, parameters) in functions().filter(|(name, _)| is_public(name)) {
+        let names = parameters.iter().map(|parameter| {
+            let name = parameter.split('[').next().expect("a name");
+            name.rsplit([' ', '*']).next().expect("a name")
+        });
+        let call = format!("`{name}({})`", names.collect::<Vec<_>>().join(", "));
+        assert!(readme.contains(&call), "expected {call} in the README");
+    }
 }
 
 /// Runs CMake; `None` if it is not installed.

@@ -68,9 +68,9 @@ static void colors(void) {
         PUT_PIXEL(LUMINAIRE_RGB666);
         PUT_PIXEL(LUMINAIRE_RGB888);
         put(luminaire_srgb(light));
-        luminaire_high_first(luminaire_rgb565(light), bytes);
+        luminaire_high_first(bytes, luminaire_rgb565(light));
         put(bytes[0] * 256u + bytes[1]);
-        luminaire_low_first(luminaire_rgb565(light), bytes);
+        luminaire_low_first(bytes, luminaire_rgb565(light));
         put(bytes[0] * 256u + bytes[1]);
         put(luminaire_encode_srgb(light.red));
         put(luminaire_encode_srgb_dithered(light.red, place, place >> 3));
@@ -118,10 +118,10 @@ static void strips(void) {
         }
         for (i = 0; i < 3 * leds; ++i) { carries[i] = luminaire_phase(i); }
         for (frame = 0; frame < 3; ++frame) {
-            luminaire_strip_write(&strip, lights, carries, bytes, leds);
+            luminaire_strip_write(bytes, carries, &strip, lights, leds);
             for (i = 0; i < 3 * leds; ++i) { put(bytes[i]); }
         }
-        luminaire_strip_write(&strip, NULL, NULL, NULL, 0);
+        luminaire_strip_write(NULL, NULL, &strip, NULL, 0);
     }
 }
 

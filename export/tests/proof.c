@@ -81,22 +81,22 @@ static void arrays(uint32_t count) {
     luminaire_rgb *sums = lights + MANY - count;
     luminaire_vertex *some = vertices + MANY - count;
     int8_t *normals = bytes + 3 * (MANY - count);
-    luminaire_spot_add(any_spot(), OR_NULL(some + count - 1), OR_NULL(sums + count - 1));
+    luminaire_spot_add(OR_NULL(sums + count - 1), any_spot(), OR_NULL(some + count - 1));
     luminaire_normal_from_unit_bytes(OR_NULL(normal), OR_NULL(bytes));
-    luminaire_vertices_add(OR_NULL(spots + FEW - count % 5), count % 5, OR_NULL(some), OR_NULL(sums), count);
-    luminaire_row_add(OR_NULL(&row), any_spot(), OR_NULL(sums), count);
-    luminaire_row_add_facing(OR_NULL(&row), any_spot(), OR_NULL(normals), OR_NULL(sums), count);
+    luminaire_vertices_add(OR_NULL(sums), OR_NULL(spots + FEW - count % 5), count % 5, OR_NULL(some), count);
+    luminaire_row_add(OR_NULL(sums), OR_NULL(&row), any_spot(), count);
+    luminaire_row_add_facing(OR_NULL(sums), OR_NULL(&row), any_spot(), OR_NULL(normals), count);
 }
 
 static void rows(void) {
     uint32_t count;
     for (count = 0; count <= FEW; ++count) { arrays(count); }
     arrays(MANY);
-    luminaire_vertices_add(0, word, vertices, lights, word);
-    luminaire_vertices_add(spots, word, 0, lights, word);
-    luminaire_vertices_add(spots, word, vertices, 0, word);
-    luminaire_row_add(OR_NULL(&row), any_spot(), 0, word);
-    luminaire_row_add_facing(OR_NULL(&row), any_spot(), bytes, 0, word);
+    luminaire_vertices_add(lights, 0, word, vertices, word);
+    luminaire_vertices_add(lights, spots, word, 0, word);
+    luminaire_vertices_add(0, spots, word, vertices, word);
+    luminaire_row_add(0, OR_NULL(&row), any_spot(), word);
+    luminaire_row_add_facing(0, OR_NULL(&row), any_spot(), bytes, word);
 }
 
 static void pixels(void) {
@@ -109,8 +109,8 @@ static void pixels(void) {
     luminaire_srgb_dithered(rgb(), word, word);
     luminaire_rgb565(rgb());
     luminaire_rgb565_dithered(rgb(), word, word);
-    luminaire_high_first((uint16_t)word, OR_NULL(two));
-    luminaire_low_first((uint16_t)word, OR_NULL(two));
+    luminaire_high_first(OR_NULL(two), (uint16_t)word);
+    luminaire_low_first(OR_NULL(two), (uint16_t)word);
 }
 
 /* Widths over 8 are clipped to 8: one of them stands for all. */
@@ -175,10 +175,10 @@ static void outputs(void) {
     luminaire_phase(word);
     luminaire_next_duty(OR_NULL(carries), word, word);
     luminaire_next_dimmed(OR_NULL(carries), word, word, word);
-    luminaire_strip_write(OR_NULL(&strip), 0, 0, 0, word);
+    luminaire_strip_write(0, 0, OR_NULL(&strip), 0, word);
     for (count = 0; count <= FEW; ++count) {
         luminaire_strip_write(
-            &strip, lights + MANY - count, carries + 3 * (FEW - count), out + 3 * (FEW - count), count);
+            out + 3 * (FEW - count), carries + 3 * (FEW - count), &strip, lights + MANY - count, count);
     }
 }
 

@@ -60,11 +60,11 @@ static void put_many(const place *at) {
         }
     }
     put_lights(0);
-    luminaire_row_add(&at->row, at->spots, lights, at->count);
+    luminaire_row_add(lights, &at->row, at->spots, at->count);
     put_lights(at->count);
-    luminaire_row_add_facing(&at->row, at->spots, normals, lights, at->count);
+    luminaire_row_add_facing(lights, &at->row, at->spots, normals, at->count);
     put_lights(at->count);
-    luminaire_vertices_add(at->spots, 2, vertices, lights, at->count);
+    luminaire_vertices_add(lights, at->spots, 2, vertices, at->count);
     put_lights(at->count);
 }
 
@@ -92,9 +92,9 @@ int nothing(void) {
     luminaire_spot_tint(0, normal);
     luminaire_spot_dim(0, 1);
     luminaire_spot_zoom(0, 0, 1);
-    luminaire_vertices_add(0, 1, vertices, lights, 1);
-    luminaire_vertices_add(&dark, 1, 0, 0, 1);
-    luminaire_row_add(0, &dark, lights, 1);
+    luminaire_vertices_add(lights, 0, 1, vertices, 1);
+    luminaire_vertices_add(0, &dark, 1, 0, 1);
+    luminaire_row_add(lights, 0, &dark, 1);
     luminaire_row_add_facing(0, 0, 0, 0, 1);
     return luminaire_spot_irradiance(0, point, normal) || light.red || light.green || light.blue
         || luminaire_spot_falloff(0, point) || luminaire_spot_can_reach(0, point, 1)

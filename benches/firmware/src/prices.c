@@ -60,7 +60,7 @@ static uint32_t changed(int i) {
 static uint32_t row(int32_t z) {
     luminaire_row row = { { -(2 << 16), 0, 0 }, { 1 << 10, 0, 0 }, { 0, 1 << 14, 0 } };
     row.first[2] = z;
-    luminaire_row_add(&row, &spot, lights, COUNT);
+    luminaire_row_add(lights, &row, &spot, COUNT);
     return lights[COUNT / 2].red;
 }
 

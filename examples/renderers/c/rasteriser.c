@@ -81,7 +81,7 @@ static void draw(const luminaire_spot *spots, luminaire_rgb ambient, int columns
     int i, row, count = (columns + 1) * (rows + 1);
     /* glue */
     for (i = 0; i < count; ++i) { lights[i] = ambient; }
-    luminaire_vertices_add(spots, 2, vertices, lights, (uint32_t)count);
+    luminaire_vertices_add(lights, spots, 2, vertices, (uint32_t)count);
     /* end of glue */
     for (row = 0; row < rows; ++row) {
         for (i = row * (columns + 1); i < row * (columns + 1) + columns; ++i) {

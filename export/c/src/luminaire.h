@@ -14,7 +14,8 @@
  *
  * The code has no floats, no division, no heap and no state: calls may run side by side if none changes what another
  * uses. No call fails but a set-up, and all are defined for all values. The bits are those of luminaire's Fx16 in Rust.
- * A null pointer is a dark light, nothing to change, or an array without elements.
+ * A null pointer is a dark light, nothing to change, or an array without elements. What a function writes stands before
+ * what it reads.
  *
  * Each file that includes this one has functions of its own. Include it in one file of a small program.
  *
@@ -676,10 +677,10 @@ LUMINAIRE_RARE uint32_t luminaire_spot_near(
 
 /* Returns the irradiance at a point with a unit normal, before the colour. */
 static inline uint32_t luminaire_spot_irradiance(
-    const luminaire_spot *spot, const int32_t at[3], const int16_t normal[3]
+    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
 ) {
-    if (!spot || !at || !normal) { return 0; }
-    luminaire_offset offset = luminaire_offset_between(spot->position, at);
+    if (!spot || !point || !normal) { return 0; }
+    luminaire_offset offset = luminaire_offset_between(spot->position, point);
     int32_t facing = luminaire_facing(&offset, normal);
     if (luminaire_is_near(&offset, spot->fine_below)) { return luminaire_spot_near(spot, offset, facing, normal); }
     if (facing >= 0 || luminaire_spot_is_outside(spot, &offset)) { return 0; }
@@ -691,10 +692,10 @@ static inline uint32_t luminaire_spot_irradiance(
 
 /* Returns the light at a point with a unit normal: the irradiance times the colour. */
 static inline luminaire_rgb luminaire_spot_light(
-    const luminaire_spot *spot, const int32_t at[3], const int16_t normal[3]
+    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
 ) {
     luminaire_rgb light = { 0, 0, 0 };
-    uint32_t irradiance = luminaire_spot_irradiance(spot, at, normal);
+    uint32_t irradiance = luminaire_spot_irradiance(spot, point, normal);
     if (irradiance) {
         light.red = luminaire_light_filtered(irradiance, spot->color[0]);
         light.green = luminaire_light_filtered(irradiance, spot->color[1]);
@@ -922,7 +923,7 @@ typedef struct {
 } luminaire_row;
 
 /* Adds the light of a spotlight at a vertex; saturates. */
-static inline void luminaire_spot_add(const luminaire_spot *spot, const luminaire_vertex *at, luminaire_rgb *sum) {
+static inline void luminaire_spot_add(luminaire_rgb *sum, const luminaire_spot *spot, const luminaire_vertex *at) {
     if (!at || !sum) { return; }
     luminaire_rgb light = luminaire_spot_light(spot, at->point, at->normal);
     sum->red = luminaire_light_plus(sum->red, light.red);
@@ -932,10 +933,11 @@ static inline void luminaire_spot_add(const luminaire_spot *spot, const luminair
 
 /* Adds the light of all spotlights at each vertex. */
 static inline void luminaire_vertices_add(
-    const luminaire_spot *spots, uint32_t spot_count, const luminaire_vertex *at, luminaire_rgb *lights, uint32_t count
+    luminaire_rgb *lights, const luminaire_spot *spots, uint32_t spot_count,
+    const luminaire_vertex *vertices, uint32_t count
 ) {
-    for (uint32_t i = 0; spots && at && lights && i < count; ++i) {
-        for (uint32_t k = 0; k < spot_count; ++k) { luminaire_spot_add(&spots[k], &at[i], &lights[i]); }
+    for (uint32_t i = 0; spots && vertices && lights && i < count; ++i) {
+        for (uint32_t k = 0; k < spot_count; ++k) { luminaire_spot_add(&lights[i], &spots[k], &vertices[i]); }
     }
 }
 
@@ -949,7 +951,7 @@ static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int
     for (int i = 0; i < 3; ++i) { normal[i] = (int16_t)((bytes[i] * factor + 128) >> 8); }
 }
 
-static inline void luminaire_row_point(const luminaire_row *row, uint32_t i, int32_t point[3]) {
+static inline void luminaire_row_point(int32_t point[3], const luminaire_row *row, uint32_t i) {
     for (int k = 0; k < 3; ++k) {
         point[k] = luminaire_plus(row->first[k], luminaire_times(row->step[k], (int32_t)i));
     }
@@ -959,8 +961,8 @@ static inline void luminaire_row_point(const luminaire_row *row, uint32_t i, int
 LUMINAIRE_RARE int luminaire_row_reached(const luminaire_row *row, const luminaire_spot *spot, uint32_t a, uint32_t b) {
     int32_t center[3], end[3];
     uint32_t sum = 0, largest = 0;
-    luminaire_row_point(row, a, center);
-    luminaire_row_point(row, b, end);
+    luminaire_row_point(center, row, a);
+    luminaire_row_point(end, row, b);
     for (int i = 0; i < 3; ++i) {
         int32_t from = center[i] >> 1, to = end[i] >> 1;
         uint32_t half = luminaire_magnitude(luminaire_minus(from, to)) >> 1;
@@ -994,26 +996,26 @@ LUMINAIRE_RARE uint32_t luminaire_row_skipped(
 /* Adds the light of a spotlight to each pixel of a row, with its normal along three signed bytes of a length of
  * about 127: a sprite with a normal map. Without bytes it is the row's normal. */
 static inline void luminaire_row_add_facing(
-    const luminaire_row *row, const luminaire_spot *spot, const int8_t *normals, luminaire_rgb *lights, uint32_t count
+    luminaire_rgb *lights, const luminaire_row *row, const luminaire_spot *spot, const int8_t *normals, uint32_t count
 ) {
     if (!row || !spot || !lights) { return; }
     uint32_t i = luminaire_row_skipped(row, spot, 0, count, 0);
     uint32_t end = luminaire_min(count - luminaire_row_skipped(row, spot, count - 1, count - i, 1), count);
     luminaire_vertex at;
-    luminaire_row_point(row, i, at.point);
+    luminaire_row_point(at.point, row, i);
     for (int k = 0; k < 3; ++k) { at.normal[k] = row->normal[k]; }
     for (; i < end; ++i) {
         if (normals) { luminaire_normal_from_unit_bytes(at.normal, &normals[3 * i]); }
-        luminaire_spot_add(spot, &at, &lights[i]);
+        luminaire_spot_add(&lights[i], spot, &at);
         for (int k = 0; k < 3; ++k) { at.point[k] = luminaire_plus(at.point[k], row->step[k]); }
     }
 }
 
 /* Adds the light of a spotlight to each pixel of a row. */
 static inline void luminaire_row_add(
-    const luminaire_row *row, const luminaire_spot *spot, luminaire_rgb *lights, uint32_t count
+    luminaire_rgb *lights, const luminaire_row *row, const luminaire_spot *spot, uint32_t count
 ) {
-    luminaire_row_add_facing(row, spot, 0, lights, count);
+    luminaire_row_add_facing(lights, row, spot, 0, count);
 }
 
 /* ---- lights from the angles of a data sheet: full angles in steps of 2^-16 degrees ---- */
@@ -1446,14 +1448,14 @@ static inline uint16_t luminaire_rgb565_dithered(luminaire_rgb light, uint32_t x
 }
 
 /* Writes a pixel of 16 bits with its upper byte first: the order of most displays on SPI. */
-static inline void luminaire_high_first(uint16_t pixel, uint8_t bytes[2]) {
+static inline void luminaire_high_first(uint8_t bytes[2], uint16_t pixel) {
     if (!bytes) { return; }
     bytes[0] = (uint8_t)(pixel >> 8);
     bytes[1] = (uint8_t)(pixel & 0xff);
 }
 
 /* Writes a pixel of 16 bits with its lower byte first. */
-static inline void luminaire_low_first(uint16_t pixel, uint8_t bytes[2]) {
+static inline void luminaire_low_first(uint8_t bytes[2], uint16_t pixel) {
     if (!bytes) { return; }
     bytes[0] = (uint8_t)(pixel & 0xff);
     bytes[1] = (uint8_t)(pixel >> 8);

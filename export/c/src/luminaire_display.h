@@ -513,7 +513,7 @@ static inline uint32_t luminaire_strip_factor(
 /* Writes three bytes for each LED, by temporal dither. carries has three words for each, at first
  * those of luminaire_phase. Light beyond the limit of the current is dimmed by one factor. */
 static inline void luminaire_strip_write(
-    const luminaire_strip *strip, const luminaire_rgb *lights, uint16_t *carries, uint8_t *bytes, uint32_t count
+    uint8_t *bytes, uint16_t *carries, const luminaire_strip *strip, const luminaire_rgb *lights, uint32_t count
 ) {
     if (!strip || !lights || !carries || !bytes) { return; }
     uint32_t factor = luminaire_strip_factor(strip, lights, count), i;

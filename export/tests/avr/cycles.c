@@ -56,12 +56,12 @@ int program(void) {
     MEASURE("a point lit by a constant light", POINTS, 64, sink = key_irradiance(points[i], normal));
     MEASURE("a point outside a cone", POINTS, 64, sink = luminaire_spot_irradiance(&spot, aside, normal));
     MEASURE("a row of 64 lit pixels in colour, per pixel", POINTS, 1024, {
-        if (i == 0) { luminaire_row_add(&row, &spot, lights, POINTS); }
+        if (i == 0) { luminaire_row_add(lights, &row, &spot, POINTS); }
     });
     MEASURE("an RGB565 pixel", POINTS, 64, sink = luminaire_rgb565(lights[i]));
     MEASURE("an RGB565 pixel with dither", POINTS, 64, sink = luminaire_rgb565_dithered(lights[i], i, 3));
     MEASURE("an LED of a strip with a limit", POINTS, 64, {
-        if (i == 0) { luminaire_strip_write(&strip, lights, carries, bytes, POINTS); }
+        if (i == 0) { luminaire_strip_write(bytes, carries, &strip, lights, POINTS); }
     });
     MEASURE("aim", 8, 64, luminaire_spot_aim(&spot, points[i]));
     MEASURE("zoom", 8, 64, luminaire_spot_zoom(&spot, &other, 1000));

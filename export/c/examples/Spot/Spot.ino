@@ -44,7 +44,7 @@ void loop() {
         // Light is added, so that several lights can shine on a row. It begins dark.
         for (int column = 0; column < COLUMNS; ++column) { lights[column] = luminaire_rgb(); }
         row.first[2] = line * (METRE / 3);
-        luminaire_row_add(&row, &spot, lights, COLUMNS);
+        luminaire_row_add(lights, &row, &spot, COLUMNS);
         for (int column = 0; column < COLUMNS; ++column) {
             // From linear light to the code of a display, 0 to 255, and to a character.
             const uint8_t code = luminaire_encode_srgb(lights[column].red);

@@ -42,7 +42,7 @@ void loop() {
         }
         luminaire_rgb lights[BALL_SIZE] = {}; // dark, until lights are added
         row.first[1] = METRE / 2 - y * PIXEL;
-        luminaire_row_add_facing(&row, &spot, normals, lights, BALL_SIZE);
+        luminaire_row_add_facing(lights, &row, &spot, normals, BALL_SIZE);
         for (int x = 0; x < BALL_SIZE; ++x) {
             const char shade = " -+#"[luminaire_pixel_dithered(LUMINAIRE_GRAY2, lights[x], x, y)];
             Serial.print(shade); // twice, because characters are higher than wide
