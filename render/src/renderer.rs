@@ -270,7 +270,8 @@ impl<S: Format> Renderer<S> {
     /// is a no-op.
     ///
     /// # Errors
-    /// A light that the format can't hold; the picture stays as it was.
+    /// A light that the format can't hold, or in haze one that `f32` can't hold; the picture stays
+    /// as it was.
     pub fn draw_light<L: Copy + Into<Fixture>>(&mut self, lights: &[L]) -> Result<bool, Error> {
         self.draw_light_by(RenderPlan::new(), lights)
     }
@@ -281,7 +282,8 @@ impl<S: Format> Renderer<S> {
     /// [`draw_light`](Self::draw_light).
     ///
     /// # Errors
-    /// A light that the format can't hold; the picture stays as it was.
+    /// A light that the format can't hold, or in haze one that `f32` can't hold; the picture stays
+    /// as it was.
     pub fn draw_everything<L: Copy + Into<Fixture>>(&mut self, lights: &[L]) -> Result<(), Error> {
         self.lit = None;
         self.draw_light_by(RenderPlan::everything(), lights)?;

@@ -10,7 +10,7 @@ use crate::{
 use core::cell::OnceCell;
 use glam::Vec3;
 use luminaire::{
-    Angle, Error, Scalar,
+    Error, Scalar,
     dynamic::{CompiledAnyLight, RenderPlan},
     haze::{Haze, RayBundle},
     projector::{CompiledGobo, CompiledProjection, Fixture, Gobo},
@@ -39,25 +39,41 @@ const CLEAR: Gobo<'static> = Gobo::of(&[u8::MAX]);
 impl<S: Scalar> Prepared<S> {
     /// Compiles the fixture with this index; `None` if the plan drops the fixture.
     ///
+    /// Every plan refuses the same fixtures, dark ones too.
+    ///
     /// # Errors
-    /// A light, gobo or projection that the format can't hold.
+    /// A light, gobo or projection that the format can't hold; in haze, a light that `f32` can't
+    /// hold.
     pub(crate) fn new(
         number: usize,
         fixture: &Fixture,
         haze: Option<Haze>,
         plan: &RenderPlan,
     ) -> Result<Option<Self>, Error> {
-        let Some(light) = plan.prepare(fixture.light())? else { return Ok(None) };
-        let (is_patterned, casts_shadow) = (fixture.gobo().is_some(), fixture.shadow().is_some());
+        let light = plan.prepare(fixture.light())?;
         let hazy = haze.map(|haze| Hazy::new(fixture, &haze)).transpose()?.flatten();
-        let mut fixture = *fixture;
-        if !plan.skips() {
-            fixture = equipped(fixture).unwrap_or(fixture);
-        }
+        let gobo = fixture.compile_gobo()?;
         let shadow = fixture.shadow().map(|(_, square)| square.compile()).transpose()?;
-        let (gobo, reach) = (fixture.compile_gobo()?, Reach::new(fixture.light()));
-        let beam = OnceCell::new();
-        Ok(Some(Self { number, light, gobo, shadow, hazy, beam, is_patterned, casts_shadow, reach }))
+        let Some(light) = light else { return Ok(None) };
+        let (is_patterned, casts_shadow) = (gobo.is_some(), shadow.is_some());
+        let (beam, reach) = (OnceCell::new(), Reach::new(fixture.light()));
+        let mut prepared =
+            Self { number, light, gobo, shadow, hazy, beam, is_patterned, casts_shadow, reach };
+        if !plan.skips() {
+            prepared.equip(fixture);
+        }
+        Ok(Some(prepared))
+    }
+
+    /// Adds a fully transparent gobo, an empty shadow map and a beam in clear air to a fixture
+    /// without them, where the format can hold them. The light of the result is the same.
+    fn equip(&mut self, fixture: &Fixture) {
+        let square = fixture.with_shadow(16).ok().and_then(|fixture| fixture.shadow());
+        let square = square.and_then(|(_, square)| square.compile().ok());
+        self.gobo = self.gobo.take().or_else(|| square.map(|square| CLEAR.on(square)));
+        // No shadow map is drawn for this fixture, so the map stays empty.
+        self.shadow = self.shadow.take().or(square);
+        self.hazy = self.hazy.take().or_else(|| Hazy::new(fixture, &Haze::CLEAR).ok().flatten());
     }
 
     /// Returns whether the light has a gobo or a shadow map.
@@ -88,17 +104,4 @@ impl<S: Scalar> Prepared<S> {
         let beam = self.beam.get_or_init(|| Beam::new(hazy, eye, gobo.is_some(), shadow.is_some()));
         Some((hazy, Way { gobo, shadow }, beam))
     }
-}
-
-/// Adds a fully transparent gobo and an empty shadow map to a fixture without gobo or shadow map.
-/// The light of the result is the same.
-///
-/// # Errors
-/// A light that projects no square.
-fn equipped(mut fixture: Fixture) -> Result<Fixture, Error> {
-    if fixture.gobo().is_none() {
-        fixture = fixture.with_gobo(CLEAR, Angle::degrees(0.0))?;
-    }
-    // No shadow map is drawn for this fixture, so the map stays empty.
-    if fixture.shadow().is_none() { fixture.with_shadow(16) } else { Ok(fixture) }
 }

@@ -24,9 +24,8 @@ pub(crate) struct Rig<S: Scalar> {
 
 impl<S: Scalar> Rig<S> {
     /// # Errors
-    /// A fixture that the format can't hold.
+    /// A fixture that the format can't hold; in haze, one that `f32` can't hold.
     pub(crate) fn new(plan: RenderPlan, fixtures: &[Fixture], haze: Option<Haze>) -> Result<Self, Error> {
-        let haze = if plan.skips() { haze } else { Some(haze.unwrap_or(Haze::CLEAR)) };
         let prepare = |(number, fixture)| Prepared::new(number, fixture, haze, &plan);
         let fixtures = fixtures.iter().enumerate().map(prepare).collect::<Result<Vec<_>, _>>()?;
         let reaches = fixtures.iter().map(|fixture| fixture.as_ref().map(|fixture| fixture.reach)).collect();

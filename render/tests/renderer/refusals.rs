@@ -3,7 +3,10 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Angle, Cone, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3, falloff::Soft, haze::Haze, projector::Fixture,
+    Angle, Cone, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3,
+    falloff::{AnyFalloff, InvertedRealPower, Soft},
+    haze::Haze,
+    projector::{Fixture, Gobo},
 };
 use luminaire_render::{Camera, Format, Material, Mesh, Outline, Renderer, Scene};
 
@@ -80,6 +83,41 @@ fn meshes_larger_than_memory_are_refused_by_name() {
     let message = "number of vertices = 1048580: expected a whole number from 0 to 1048576";
     let both = most.and(Mesh::extrude(&line, 1.0, 1));
     assert_refused(scene.add(both.and(Mesh::default()), Material::default()), message);
+}
+
+/// Returns how many lights are refused and drawn, by what skips work and by what skips none alike:
+/// narrow and wide, bright and dark, with and without a gobo, in haze and in clear air.
+fn assert_refused_alike<S: Format>() -> [usize; 2] {
+    const STRIPES: Gobo<'static> = Gobo::of(&[255, 0, 255, 0]);
+    let steep = InvertedRealPower::new(1_000.0).expect("a falloff");
+    let (mut counts, mut renderer) = ([0; 2], Renderer::<S>::new(8, 8).expect("a sound size"));
+    for haze in [None, Haze::new(0.02).ok()] {
+        let mut scene = Scene::new();
+        scene.set_haze(haze);
+        renderer.draw_geometry(&scene, &Camera::new(Vec3::default(), 5.0, 0.0, 0.0, 40.0));
+        for step in 0..80 {
+            let angle = Angle::degrees(150.0 * 0.5_f32.powi(step / 4));
+            let (intensity, has_gobo) = ([9.0, 0.0][step as usize % 2], step % 4 > 1);
+            for falloff in [AnyFalloff::Soft(Soft), AnyFalloff::InvertedRealPower(steep)] {
+                let cone = Cone::from_outer(falloff, angle).expect("a cone");
+                let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone).expect("a light");
+                let fixture = Fixture::from(spot.with_intensity(intensity).expect("a light"));
+                let patterned = fixture.with_gobo(STRIPES, Angle::degrees(0.0)).expect("a gobo");
+                let fixture = if has_gobo { patterned } else { fixture };
+                let skipping = renderer.draw_light(&[fixture]).map(drop);
+                assert_eq!(skipping, renderer.draw_everything(&[fixture]), "{haze:?}: {fixture:?}");
+                counts[usize::from(skipping.is_ok())] += 1;
+            }
+        }
+    }
+    counts
+}
+
+#[test]
+fn a_light_is_refused_whether_work_is_skipped_or_not() {
+    let counts =
+        [assert_refused_alike::<f32>(), assert_refused_alike::<Fx32>(), assert_refused_alike::<Fx16>()];
+    assert!(counts.as_flattened().iter().all(|count| *count > 20), "refused and drawn: {counts:?}");
 }
 
 /// Returns a random number: of ordinary size in 13 of 16 cases, else one that may cause trouble.
