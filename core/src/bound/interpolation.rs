@@ -43,7 +43,8 @@ impl<P: Falloff> SpotLight<P, InverseSquare> {
     /// the encoding is concave. `core/src/bound/interpolation.rs` has the derivation.
     ///
     /// `None` if the intensity jumps at the edge of the cone, if the falloff is neither a polynomial nor a
-    /// power of at least 2, or if `spacing` and `nearest` are not positive numbers.
+    /// power of at least 2, if `spacing` and `nearest` are not positive finite numbers, or if the bound is
+    /// not finite in `f32`.
     pub fn interpolation_bound(&self, spacing: f32, nearest: f32) -> Option<f32> {
         let [inner, outer, limit] = self.cone().versines().map(f64::from);
         let falloff = self.cone().falloff();
@@ -64,8 +65,8 @@ impl<P: Falloff> SpotLight<P, InverseSquare> {
             }
             _ => return None,
         };
-        let positive = |length: f32| Some(f64::from(length)).filter(|length| *length > 0.0);
-        let (nearest, true) = (positive(nearest)?, limit >= outer) else { return None };
+        let positive = |length: f32| Some(f64::from(length)).filter(|c| c.is_finite() && *c > 0.0);
+        let (nearest, true) = (positive(nearest)?, limit >= outer && outer > inner) else { return None };
         let h = positive(spacing)? / nearest;
         let (span, sine) = (outer - inner, square_root(2.0 * outer));
         let curvature = 2.0 * outer * curvature / (span * span) + (1.0 + 3.0793 * sine) * slope / span;
@@ -74,5 +75,47 @@ impl<P: Falloff> SpotLight<P, InverseSquare> {
         let crossed = sine.max(h * (1.0 + 0.7699 * sine));
         let error = h * h / 8.0 * (curvature + FALL) + h / 4.0 * at_edges * crossed / span;
         Some(above(f64::from(self.intensity()) / (nearest * nearest) * error))
+            .filter(|bound| bound.is_finite())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        angle::Angle,
+        cone::Cone,
+        falloff::{AnyFalloff, Linear, Power, Smooth, Soft},
+    };
+
+    #[test]
+    fn a_bound_is_finite_or_none() {
+        let lengths = [f32::NAN, f32::INFINITY, -1.0, 0.0, 1e-45, 1e-3, 1.0, 1e9, f32::MAX];
+        let falloffs: [AnyFalloff; 4] = [Soft.into(), Linear.into(), Smooth.into(), Power::<16>.into()];
+        let (mut bounds, mut none) = (0, 0);
+        for falloff in falloffs {
+            // The cone of two equal angles jumps at its edge.
+            for [inner, outer] in [[0.0, 40.0], [20.0, 40.0], [40.0, 40.0], [0.0, 1e-3], [0.0, 180.0]] {
+                let cone = Cone::from_outer(falloff, Angle::degrees(outer)).unwrap();
+                let cone = cone.with_inner(Angle::degrees(inner)).unwrap();
+                let light = SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone).unwrap();
+                for intensity in [0.0, 1.0, 1e9] {
+                    let light = light.with_intensity(intensity).unwrap();
+                    for (spacing, nearest) in
+                        lengths.iter().flat_map(|spacing| lengths.map(|nearest| (*spacing, nearest)))
+                    {
+                        let is_sound = [spacing, nearest].iter().all(|c| c.is_finite() && *c > 0.0);
+                        let bound = light.interpolation_bound(spacing, nearest);
+                        assert!(
+                            bound.is_none_or(|bound| is_sound && bound.is_finite() && bound >= 0.0),
+                            "{falloff:?} {inner} to {outer}, {spacing} {nearest}: {bound:?}"
+                        );
+                        bounds += usize::from(bound.is_some());
+                        none += usize::from(is_sound && inner >= outer && bound.is_none());
+                    }
+                }
+            }
+        }
+        assert!(bounds > 100 && none > 100, "{bounds} bounds; {none} of lights that jump");
     }
 }
