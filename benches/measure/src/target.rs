@@ -119,3 +119,14 @@ impl Target {
         if matches!(self, Self::Board(_)) { "instructions" } else { "ns" }
     }
 }
+
+/// A newcomer waits for the targets that rustup adds by itself, so that the workflow adds the others.
+#[test]
+fn the_target_of_every_board_is_added_by_rustup_or_by_the_workflow() {
+    let read = |file: &str| std::fs::read_to_string(tools::project::root().join(file)).unwrap();
+    let added = read("rust-toolchain.toml") + &read(".github/workflows/ci.yml");
+    let words: Vec<_> = added.split(|c: char| c.is_whitespace() || "[],\"".contains(c)).collect();
+    for board in &BOARDS {
+        assert!(words.contains(&board.target), "{}", board.target);
+    }
+}
