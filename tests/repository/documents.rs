@@ -97,3 +97,23 @@ fn every_published_crate_has_the_licences_as_files() {
     let link = files(&[]).into_iter().find(|file| file.is_symlink());
     assert_eq!(link, None, "a symbolic link");
 }
+
+/// A tag of an action can be moved to other code, a commit cannot.
+#[test]
+fn workflows_name_actions_by_commit() {
+    let mut found = 0;
+    for file in [".github/workflows/ci.yml", "docs/PUBLISHING.md"] {
+        let text = std::fs::read_to_string(project::root().join(file)).unwrap();
+        for action in text.lines().filter_map(|line| Some(line.split_once("uses: ")?.1)) {
+            let commit = action.split_once('@').and_then(|(_, at)| at.split_once(" # v"));
+            let is_commit =
+                |commit: &str| commit.len() == 40 && commit.bytes().all(|byte| byte.is_ascii_hexdigit());
+            assert!(
+                commit.is_some_and(|(commit, _)| is_commit(commit)),
+                "{file}: uses = {action}: expected a commit, and its version in a comment"
+            );
+            found += 1;
+        }
+    }
+    assert!(found >= 5, "{found}");
+}
