@@ -90,7 +90,8 @@ fn every_published_crate_has_the_licences_as_files() {
     for (_, folder) in crates {
         for license in ["LICENSE-APACHE", "LICENSE-MIT"] {
             let (copy, original) = (folder.join(license), Path::new(ROOT).join(license));
-            let text = |file: &Path| fs::read(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+            let text =
+                |file: &Path| fs::read(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
             assert!(text(&copy) == text(&original), "{}: not the text of {license}", copy.display());
         }
     }
