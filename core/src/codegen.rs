@@ -26,10 +26,11 @@
 //!
 //! All compiled lights can be written, including those of [another system](crate::import), except
 //! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). Other values that can be written are the
-//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`Ramp`], [`Gradient`], [`CompiledGobo`],
-//! [`Shadow`], [`BeamScattering`] and [`BeamScattering16`]. The generated text calls `const`
-//! functions that accept any bits, and evaluation is defined for any bits. The bits are specific to
-//! this version of the crate: generate the text in each build and do not store it.
+//! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`Ramp`], [`Gradient`],
+//! [`CompiledGobo`], [`Shadow`], [`BeamScattering`] and [`BeamScattering16`]. The generated text
+//! calls `const` functions that accept any bits, and evaluation is defined for any bits. The bits
+//! are specific to this version of the crate, and the text does not compile with another one:
+//! generate it in each build and do not store it.
 //!
 //! The module also exports types that only the generated text needs to name.
 
@@ -48,7 +49,7 @@ pub use crate::{
         CompiledQuadratic, CompiledRealPower,
     },
     number::float::{FloatFrame, FloatRamp},
-    source::{AsSource, as_source},
+    source::{AsSource, as_source, written_by},
 };
 #[cfg(feature = "fixed")]
 pub use crate::{

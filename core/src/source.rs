@@ -32,6 +32,29 @@ pub fn as_source<T: Source>(value: &T) -> AsSource<'_, T> {
     AsSource(value)
 }
 
+/// The version of this crate.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Fails to compile unless the version is that of this crate: every text of [`as_source`] begins
+/// with such a constant, as the bits behind it may mean another light in another version.
+///
+/// ```compile_fail
+/// const _: () = luminaire::codegen::written_by("0.0.9");
+/// ```
+///
+/// # Panics
+/// Another version.
+pub const fn written_by(version: &str) {
+    let (own, other) = (VERSION.as_bytes(), version.as_bytes());
+    let mut same = own.len() == other.len();
+    let mut at = 0;
+    while same && at < own.len() {
+        same = own[at] == other[at];
+        at += 1;
+    }
+    assert!(same, "the constants are of another version of luminaire: write them again");
+}
+
 /// A value that displays as a constant expression. Created by [`as_source`].
 #[derive(Clone, Copy, Debug)]
 pub struct AsSource<'a, T>(&'a T);
@@ -42,7 +65,8 @@ impl<T: Source> fmt::Display for AsSource<'_, T> {
         let reason = "an expression need not have names of both kinds";
         write!(
             out,
-            "{{\n#[allow(unused_imports, reason = \"{reason}\")]\n{import}\n{:#?}\n}}\n",
+            "{{\nconst _: () = ::luminaire::codegen::written_by({VERSION:?});\n\
+             #[allow(unused_imports, reason = \"{reason}\")]\n{import}\n{:#?}\n}}\n",
             Written(self.0)
         )
     }
