@@ -12,7 +12,7 @@ use luminaire::{Fx16, Rgb, SpotLight};
 
 use self::formula::{Precision, gain_of};
 use crate::error::ExportError;
-use crate::head::head;
+use crate::head::{guarded, head};
 use crate::name::global;
 use crate::trace::Trace;
 
@@ -44,8 +44,7 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
         }
         AnyLight::Point(point) => (point.compile::<Fx16>()?.parts(), point.attenuation(), None),
         _ => {
-            let expected = "a spotlight or a point light: export a directional light to c-f32";
-            return Err(ExportError::new("light", "directional", expected));
+            return Err(ExportError::new("light", "directional", "a spotlight or a point light"));
         }
     };
     let mut text = constants(name, light.color(), &parts);
@@ -84,12 +83,9 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     if let AnyLight::Spot(spot) = light {
         text += &moving(spot, name, &parts).unwrap_or_default();
     }
-    let head = head(light, name).join("\n * ");
-    let guard = format!("{}_LIGHT_H", name.to_ascii_uppercase());
-    Ok(format!(
-        "/* {head}\n * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14. */\n\
-         #ifndef {guard}\n#define {guard}\n\n#include \"luminaire_constant.h\"\n\n{text}\n#endif\n"
-    ))
+    let head = head(light, name).join("\n * ")
+        + "\n * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14.";
+    Ok(guarded(name, &head, &format!("#include \"luminaire_constant.h\"\n\n{text}")))
 }
 
 /// Returns a function that returns the light as a `luminaire_spot`, if its falloff and attenuation are those

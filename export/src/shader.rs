@@ -11,7 +11,7 @@ use luminaire::dynamic::AnyLight;
 use self::names::Names;
 pub(crate) use self::syntax::Syntax;
 use crate::error::ExportError;
-use crate::head::head;
+use crate::head::{guarded, head};
 
 /// Returns the functions of a light.
 pub(crate) fn export(light: &AnyLight, name: &str, syntax: Syntax) -> Result<String, ExportError> {
@@ -27,11 +27,9 @@ pub(crate) fn export(light: &AnyLight, name: &str, syntax: Syntax) -> Result<Str
             format!("{head}\n{text}")
         }
         Syntax::C => {
-            let guard = format!("{}_LIGHT_H", name.to_ascii_uppercase());
-            let head = head.join("\n * ");
             let include =
                 if text.contains("sqrtf") || text.contains("powf") { "#include <math.h>\n\n" } else { "" };
-            format!("/* {head} */\n#ifndef {guard}\n#define {guard}\n\n{include}{text}\n#endif\n")
+            guarded(name, &head.join("\n * "), &format!("{include}{text}"))
         }
     })
 }
@@ -53,7 +51,7 @@ pub(crate) fn with_uniforms(light: &AnyLight, name: &str) -> Result<String, Expo
         else {
             continue;
         };
-        let public = own.replace("luminaire_", "").to_ascii_lowercase();
+        let public = own.trim_start_matches("luminaire_").to_ascii_lowercase();
         text = text.replace(line, &format!("uniform highp {kind} {own}; // {doc}: {value}"));
         declared.push((own.to_owned(), public));
     }
