@@ -39,12 +39,26 @@ impl From<luminaire::Error> for ExportError {
     }
 }
 
-/// Returns a text with the characters escaped that a terminal does not print: a message repeats what
-/// it refuses.
+/// Returns a text on one line, with the characters escaped that a terminal does not print: text of
+/// a file steers no terminal and has no line of its own.
 pub fn printable(text: &str) -> String {
-    let escaped = |c: char| match c {
-        '\'' | '"' | '\\' => c.to_string(),
-        _ => c.escape_debug().to_string(),
-    };
+    let escaped = |c: char| if is_printed(c) { c.to_string() } else { c.escape_debug().to_string() };
     text.chars().map(escaped).collect()
+}
+
+/// Returns JSON with the same characters escaped as JSON has them. Line ends stay.
+pub fn printable_json(json: &str) -> String {
+    let mut text = String::with_capacity(json.len());
+    for c in json.chars() {
+        if c == '\n' || is_printed(c) {
+            text.push(c);
+        } else {
+            text.extend(c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")));
+        }
+    }
+    text
+}
+
+fn is_printed(c: char) -> bool {
+    matches!(c, '\'' | '"' | '\\') || c.escape_debug().count() == 1
 }

@@ -7,7 +7,7 @@ use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3}
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::error::ExportError;
+use crate::error::{ExportError, printable_json};
 use crate::words;
 
 /// The format of the documents.
@@ -133,7 +133,8 @@ pub fn write_with(lights: &[NamedLight], refused: Option<Value>) -> Result<Strin
     let lights = Some(lights.iter().map(described).collect());
     let document = Document { format: Some(FORMAT.to_owned()), lights, refused };
     let json = serde_json::to_string_pretty(&document);
-    json.map(|text| in_lines(&text)).map_err(|error| ExportError::new("lights", FORMAT, error.to_string()))
+    json.map(|text| printable_json(&in_lines(&text)))
+        .map_err(|error| ExportError::new("lights", FORMAT, error.to_string()))
 }
 
 /// Returns JSON with each list of numbers or of texts on one line: a table has hundreds of them.

@@ -92,7 +92,7 @@ pub mod words;
 use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Fx32};
 
-pub use crate::error::{ExportError, printable};
+pub use crate::error::{ExportError, printable, printable_json};
 pub use crate::fixed::C_HEADERS;
 pub use crate::language::Language;
 pub use crate::name::check_text;
