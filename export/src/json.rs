@@ -166,6 +166,7 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
     };
     let mut described = Light {
         name: Some(name.clone()),
+        kind: Some(kind(light).to_owned()),
         color: Some(triple(light.color())),
         specular_color: Some(triple(light.specular_color())),
         intensity: Some(light.intensity()),
@@ -174,25 +175,29 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
         about: about.clone(),
         ..Light::default()
     };
-    let kind = match light {
+    match light {
         AnyLight::Spot(spot) => {
             described.position = Some(spot.position().into());
             described.axis = Some(spot.toward().into());
             described.cone = Some(shape(&spot.cone()));
             described.attenuation = attenuation(spot.attenuation());
-            "spot"
         }
         AnyLight::Point(point) => {
             described.position = Some(point.position().into());
             described.attenuation = attenuation(point.attenuation());
-            "point"
         }
-        AnyLight::Directional(directional) => {
-            described.axis = Some(directional.toward().into());
-            "directional"
-        }
-    };
-    Light { kind: Some(kind.to_owned()), ..described }
+        AnyLight::Directional(directional) => described.axis = Some(directional.toward().into()),
+    }
+    described
+}
+
+/// Returns the kind of a light: `spot`, `point` or `directional`.
+pub fn kind(light: &AnyLight) -> &'static str {
+    match light {
+        AnyLight::Spot(_) => "spot",
+        AnyLight::Point(_) => "point",
+        AnyLight::Directional(_) => "directional",
+    }
 }
 
 fn shape(cone: &Cone<AnyFalloff>) -> Shape {

@@ -42,11 +42,11 @@ languages! {
     CFloat = "c-f32",
     /// C99 and C++11 in the integers of the format `Fx16`.
     CFixed = "c-fx16",
-    /// A build script of Rust that describes the light and writes its constant in the 16-bit
+    /// A build script of Rust that describes lights and writes their constants in the 16-bit
     /// fixed-point format `Fx16`.
     RustBuild = "rust-build",
-    /// A program of Rust that prints the pool of a spotlight, whose cone it makes from the beam and the
-    /// field angle.
+    /// A program of Rust that prints the pools of spotlights. It makes a cone from the beam and the
+    /// field angle where these two determine it.
     RustProgram = "rust-program",
     /// A constant of Rust in `f32`.
     RustFloat = "rust-f32",
@@ -54,6 +54,20 @@ languages! {
     RustFixed32 = "rust-fx32",
     /// A constant of Rust in the 16-bit fixed-point format `Fx16`.
     RustFixed16 = "rust-fx16",
+}
+
+impl Language {
+    /// Returns the languages that may take a light which this one refuses, the nearest first.
+    pub(crate) fn wider(self) -> &'static [Self] {
+        match self {
+            Self::CFloat => &[Self::CFixed],
+            Self::CFixed => &[Self::CFloat],
+            Self::RustProgram => &[Self::RustBuild, Self::RustFixed32, Self::RustFloat],
+            Self::RustBuild | Self::RustFixed16 => &[Self::RustFixed32, Self::RustFloat],
+            Self::RustFixed32 => &[Self::RustFloat],
+            Self::Json | Self::Glsl | Self::GlslUniforms | Self::Wgsl | Self::RustFloat => &[],
+        }
+    }
 }
 
 impl fmt::Display for Language {

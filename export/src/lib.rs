@@ -22,7 +22,7 @@
 //! | [`Language::CFloat`] | the same, over arrays of three `float` | yes in `f32`, without contraction (`-ffp-contract=off`), except real powers and decays |
 //! | [`Language::CFixed`] | the same, over arrays of integers | yes in `Fx16` |
 //! | [`Language::RustBuild`] | `key()`, the light, and a `main` that writes `key.rs` | it describes the light: angles have six digits |
-//! | [`Language::RustProgram`] | a `main` that prints the pool of `key` | it describes the spotlight by its two angles |
+//! | [`Language::RustProgram`] | a `main` that prints the pool of `key` | it describes the spotlight: angles have six digits |
 //! | [`Language::RustFloat`], [`Language::RustFixed32`], [`Language::RustFixed16`] | `key::LIGHT` | it is the kernel |
 //! | [`Language::Json`] | the parameters | no code |
 //!
@@ -39,13 +39,16 @@
 //!
 //! # C
 //!
-//! The folder `c` of this crate is a library for C and C++ without Rust, and [`C_HEADERS`] are its files.
-//! The source of [`Language::CFixed`] includes `luminaire_constant.h`, and that `luminaire.h`. This has
-//! `luminaire_spot`, a spotlight that is set up and moves at run time. For any words of it the results
-//! have the bits of [`CompiledSpotLight`](luminaire::light::CompiledSpotLight) in [`Fx16`] with a
+//! The folder `c` of this crate is a library for C and C++ without Rust, and [`C_HEADERS`] are its
+//! files. The source of [`Language::CFixed`] includes `luminaire_constant.h`, and that
+//! `luminaire.h`. This has `luminaire_spot`, a spotlight that is set up and moves at run time. For
+//! any words of it the results have the bits of
+//! [`CompiledSpotLight`](luminaire::light::CompiledSpotLight) in [`Fx16`] with a
 //! [`Cubic`](luminaire::falloff::Cubic) and the inverse square, and its set-up those of
-//! [`IntegerCone`](luminaire::light::IntegerCone). A spotlight of a cubic falloff with the inverse square that is
-//! exported has a function `key_spot`, which returns it as one that moves.
+//! [`IntegerCone`](luminaire::light::IntegerCone). A spotlight of a cubic falloff with the inverse
+//! square that is exported has a function `key_spot`, which returns it as one that moves. Two
+//! headers of different lights of one name are an error of the compiler, and a header that is
+//! included twice counts once.
 //!
 //! # JSON
 //!
@@ -67,8 +70,9 @@
 //! | `attenuation.law` | `constant`, `inverse-square` (the default), `polynomial` with `coefficients`, `decay` with `exponent` and its cap `most`, or `smoothstep` to `range` |
 //! | `attenuation.window`, `range` | `cut`, `gltf` or `square`, at the range; absent without a range |
 //!
-//! A light that is written by hand needs a cone alone: one of beam, field and outer angle, or beam and
-//! field angle without a falloff. A light that was written is read with the same bits.
+//! A light that is written by hand needs a cone alone: one of beam, field and outer angle, or beam
+//! and field angle without a falloff. A hotspot beside them leaves the beam and the field angle. A
+//! light that was written is read with the same bits.
 //!
 //! [`falloff`](luminaire::falloff) and [`attenuation`](luminaire::attenuation) have the formulas. The
 //! parameters of `table` are evenly spaced over `u = 1 - t`, and 65,535 is 1. Those of `knots` are three
@@ -95,7 +99,7 @@ use luminaire::{Fx16, Fx32};
 pub use crate::error::{ExportError, printable, printable_json};
 pub use crate::fixed::C_HEADERS;
 pub use crate::language::Language;
-pub use crate::name::check_text;
+pub use crate::name::{check_text, identifier, names};
 use crate::shader::Syntax;
 
 /// Returns a light as source of a language.
@@ -104,26 +108,87 @@ use crate::shader::Syntax;
 /// of all others. Lights of different names can be in one file, also with lights of `luminaire.h`.
 ///
 /// # Errors
-/// A light that the number format of the language cannot hold, with the error of its `compile`. A
-/// name that is not an identifier in every language, or begins with `luminaire`. A table with more than 1,024 entries in a
-/// language with `float`. A directional light in [`Language::CFixed`].
+/// A light that the number format of the language cannot hold, with the error of its `compile`, and
+/// with a language that takes the light if there is one. A name that is not its own [`identifier`]
+/// in the language. A table with more than 1,024 entries in a language with `float`. A directional
+/// light in [`Language::CFixed`]. Another light than a spotlight in [`Language::RustProgram`].
 pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Result<String, ExportError> {
-    name::check_identifier(name)?;
-    let light = light.into();
-    match language {
-        Language::Json => {
-            json::write(&[json::NamedLight { name: name.to_owned(), light, surfaces: None, about: None }])
+    let (text, refused) = export_all([(name, light.into())], language);
+    refused.into_iter().next().map_or(Ok(text), |(_, error)| Err(error))
+}
+
+/// Returns lights as one source of a language, and why the others are not in it, with their numbers
+/// from 0.
+///
+/// The names differ, as [`names`] makes them. The lights of [`Language::RustBuild`] and of
+/// [`Language::RustProgram`] have one `main`, which writes or prints each of them. Without any
+/// light the text is empty.
+pub fn export_all<'a>(
+    lights: impl IntoIterator<Item = (&'a str, AnyLight)>,
+    language: Language,
+) -> (String, Vec<(usize, ExportError)>) {
+    let (mut items, mut refused) = (Vec::new(), Vec::new());
+    for (number, (name, light)) in lights.into_iter().enumerate() {
+        match Item::new(light, name, language) {
+            Ok(item) => items.push(item),
+            Err(error) => refused.push((number, error)),
         }
-        Language::Glsl => shader::export(&light, name, Syntax::Glsl),
-        Language::GlslUniforms => shader::with_uniforms(&light, name),
-        Language::Wgsl => shader::export(&light, name, Syntax::Wgsl),
-        Language::CFloat => shader::export(&light, name, Syntax::C),
-        Language::CFixed => fixed::export(&light, name),
-        Language::RustBuild => script::export(&light, name),
-        Language::RustProgram => program::export(&light, name),
-        Language::RustFloat => rust::export::<f32>(&light, name),
-        Language::RustFixed32 => rust::export::<Fx32>(&light, name),
-        Language::RustFixed16 => rust::export::<Fx16>(&light, name),
+    }
+    let text = match language {
+        _ if items.is_empty() => String::new(),
+        // Lights have no number that JSON has not.
+        Language::Json => json::write(&items.iter().map(Item::named).collect::<Vec<_>>()).unwrap_or_default(),
+        Language::RustBuild => script::joined(&items),
+        Language::RustProgram => program::joined(&items),
+        Language::Glsl
+        | Language::GlslUniforms
+        | Language::Wgsl
+        | Language::CFloat
+        | Language::CFixed
+        | Language::RustFloat
+        | Language::RustFixed32
+        | Language::RustFixed16 => items.iter().map(|item| &*item.text).collect::<Vec<_>>().join("\n"),
+    };
+    (text, refused)
+}
+
+/// A light of a source.
+struct Item<'a> {
+    name: &'a str,
+    light: AnyLight,
+    /// Its text, without what all lights of a program share.
+    text: String,
+}
+
+impl<'a> Item<'a> {
+    fn new(light: AnyLight, name: &'a str, language: Language) -> Result<Self, ExportError> {
+        name::check_identifier(name, language)?;
+        let text = text(&light, name, language).map_err(|error| {
+            let other = language.wider().iter().find(|other| text(&light, name, **other).is_ok());
+            let remedy = other.map_or_else(String::new, |other| format!("; {other} takes it"));
+            ExportError { expected: format!("{} in {language}{remedy}", error.expected), ..error }
+        })?;
+        Ok(Self { name, light, text })
+    }
+
+    fn named(&self) -> json::NamedLight {
+        json::NamedLight { name: self.name.to_owned(), light: self.light, surfaces: None, about: None }
+    }
+}
+
+fn text(light: &AnyLight, name: &str, language: Language) -> Result<String, ExportError> {
+    match language {
+        Language::Json => Ok(String::new()), // a document has all lights
+        Language::Glsl => shader::export(light, name, Syntax::Glsl),
+        Language::GlslUniforms => shader::with_uniforms(light, name),
+        Language::Wgsl => shader::export(light, name, Syntax::Wgsl),
+        Language::CFloat => shader::export(light, name, Syntax::C),
+        Language::CFixed => fixed::export(light, name),
+        Language::RustBuild => script::export(light, name),
+        Language::RustProgram => program::export(light, name),
+        Language::RustFloat => rust::export::<f32>(light, name),
+        Language::RustFixed32 => rust::export::<Fx32>(light, name),
+        Language::RustFixed16 => rust::export::<Fx16>(light, name),
     }
 }
 

@@ -1,6 +1,9 @@
 //! Names of lights: text from data never becomes source.
 
+use std::collections::{HashMap, HashSet};
+
 use crate::error::ExportError;
+use crate::language::Language;
 
 /// Returns an error unless a text is letters, digits, spaces and `-_.,:()#'` alone.
 ///
@@ -16,19 +19,62 @@ pub fn check_text(parameter: &str, text: &str) -> Result<(), ExportError> {
     Err(ExportError::new(parameter, text, "letters, digits, spaces and - _ . , : ( ) # ' alone"))
 }
 
-/// Returns an error if a name is not an identifier in every language, or one of the library: what it
-/// accepts, [`check_text`] accepts, too.
-pub(crate) fn check_identifier(name: &str) -> Result<(), ExportError> {
-    let is_word = |word: &str| {
-        !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit())
+/// Returns the identifier that a text becomes in a language: lower-case letters, digits and single
+/// underscores between them. A text that is one already stays as it is.
+///
+/// A name that cannot begin so gets `light_` in front, and one that the language has taken `_light`
+/// behind.
+pub fn identifier(text: &str, language: Language) -> String {
+    let lower = text.to_ascii_lowercase();
+    let words = lower.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let name = words.collect::<Vec<_>>().join("_");
+    let begins = name.starts_with(|c: char| c.is_ascii_lowercase()) && !name.starts_with("luminaire");
+    match language {
+        _ if name.is_empty() => "light".to_owned(),
+        _ if !begins => format!("light_{name}"),
+        Language::Glsl | Language::GlslUniforms if name.starts_with("gl_") => format!("light_{name}"),
+        Language::RustBuild
+        | Language::RustProgram
+        | Language::RustFloat
+        | Language::RustFixed32
+        | Language::RustFixed16
+            if RUST.contains(&&*name) =>
+        {
+            format!("{name}_light")
+        }
+        _ => name,
+    }
+}
+
+/// Returns the [`identifier`] of each text. One that another light has already gets a number:
+/// `key`, `key_2`.
+pub fn names<'a>(texts: impl IntoIterator<Item = &'a str>, language: Language) -> Vec<String> {
+    let (mut taken, mut counts) = (HashSet::new(), HashMap::new());
+    let numbered = |text| {
+        let own = identifier(text, language);
+        let mut name = own.clone();
+        // The count of a name goes on where it was, so that many equal names take linear time.
+        while !taken.insert(name.clone()) {
+            let count = counts.entry(own.clone()).or_insert(1_usize);
+            *count += 1;
+            name = format!("{own}_{count}");
+        }
+        name
     };
-    let begins = name.bytes().next().is_some_and(|byte| byte.is_ascii_lowercase());
-    let is_taken = name.starts_with("gl_") || name.starts_with("luminaire") || RUST.contains(&name);
-    if begins && name.split('_').all(is_word) && !is_taken {
+    texts.into_iter().map(numbered).collect()
+}
+
+/// Returns an error unless a name is its own [`identifier`]: what it accepts, [`check_text`]
+/// accepts, too.
+pub(crate) fn check_identifier(name: &str, language: Language) -> Result<(), ExportError> {
+    let own = identifier(name, language);
+    if own == name {
         return Ok(());
     }
-    let expected = "lower-case letters, digits and single underscores between them, beginning with a letter; \
-                    no keyword of Rust, not main, and not gl_ or luminaire in front";
+    let expected = format!(
+        "lower-case letters, digits and single underscores between them, beginning with a letter, without \
+         luminaire in front, and no name that {language} has taken; such as {own}"
+    );
     Err(ExportError::new("name", name, expected))
 }
 
@@ -45,11 +91,12 @@ pub(crate) fn global(light: &str, part: &str) -> String {
     format!("luminaire_{light}_{}", part.split('_').map(capital).collect::<String>())
 }
 
-/// The keywords of Rust, which cannot name a module, and the function of a build script.
-const RUST: [&str; 50] = [
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
-    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
-    "macro", "main", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self",
-    "static", "struct", "super", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use",
-    "virtual", "while",
+/// The keywords of Rust, which cannot name a module, its crates, which a module would hide, and the
+/// function of a program.
+const RUST: [&str; 53] = [
+    "abstract", "alloc", "as", "async", "await", "become", "box", "break", "const", "continue", "core",
+    "crate", "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in",
+    "let", "loop", "macro", "main", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
+    "return", "self", "static", "std", "struct", "super", "trait", "true", "try", "type", "typeof", "unsafe",
+    "unsized", "use", "virtual", "while",
 ];

@@ -6,6 +6,7 @@ use luminaire::dynamic::AnyLight;
 use luminaire::falloff::AnyFalloff;
 use luminaire::{Angle, Cone, Fx16, Rgb};
 
+use crate::Item;
 use crate::error::ExportError;
 use crate::head::head;
 use crate::rust::falloff_source;
@@ -18,14 +19,12 @@ struct Parts {
     cone: String,
     /// The calls that make the light, without its colour and intensity.
     calls: Vec<String>,
-    /// What follows the call that compiles the light.
-    checked: &'static str,
 }
 
-/// Returns a build script that writes a light as a constant of 16 bits.
+/// Returns a function of a build script that describes a light of which `Fx16` has a constant.
 pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError> {
     light.compile::<Fx16>()?;
-    let Parts { kind, cone, mut calls, checked } = parts(light);
+    let Parts { kind, cone, mut calls } = parts(light);
     calls.push(color("color", light.color()));
     if light.specular_color() != light.color() {
         calls.push(color("specular_color", light.specular_color()));
@@ -35,30 +34,52 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
         Some((kind, models)) => format!("{kind}<Fx16, {models}"),
         None => format!("{kind}<Fx16>"),
     };
-    let head: String =
-        head(light, name).iter().map(|line| format!("// {}\n", line.replace(": do not edit", ""))).collect();
     Ok(format!(
-        r#"{head}
-// build.rs, with luminaire among the build-dependencies. The constant in the program is
+        r#"{head}//
+// With this build.rs, and luminaire among the build-dependencies, the constant in the program is
 // const {constant}: luminaire::light::Compiled{compiled} =
 //     include!(concat!(env!("OUT_DIR"), "/{name}.rs"));
-
-#[allow(unused_imports, reason = "not every light names a type of each module")]
-use luminaire::{{attenuation::*, codegen::*, falloff::*, *}};
-
 pub fn {name}() -> Result<{kind}, Error> {{
 {cone}    {calls}
 }}
-
-fn main() -> Result<(), Box<dyn std::error::Error>> {{
-    let light = {name}()?.compile::<Fx16>(){checked};
-    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("{name}.rs");
-    Ok(std::fs::write(file, as_source(&light).to_string())?)
-}}
 "#,
+        head = own_head(light, name),
         constant = name.to_ascii_uppercase(),
         calls = calls.join("\n        "),
     ))
+}
+
+/// Returns the comment of a light that people edit.
+pub(crate) fn own_head(light: &AnyLight, name: &str) -> String {
+    head(light, name).iter().map(|line| format!("// {}\n", line.replace(": do not edit", ""))).collect()
+}
+
+/// Returns a build script that writes a file for each light. No variable of its `main` hides a
+/// function of a light.
+pub(crate) fn joined(items: &[Item<'_>]) -> String {
+    let texts: Vec<_> = items.iter().map(|item| &*item.text).collect();
+    let write = |Item { name, light, .. }: &Item<'_>| {
+        let checked = if matches!(light, AnyLight::Directional(_)) { "" } else { "?" };
+        format!(
+            r#"    std::fs::write(
+        std::path::Path::new(&std::env::var("OUT_DIR")?).join("{name}.rs"),
+        luminaire::codegen::as_source(&{name}()?.compile::<Fx16>(){checked}).to_string(),
+    )?;
+"#
+        )
+    };
+    format!(
+        r#"#[allow(unused_imports, reason = "not every light names a type of each module")]
+use luminaire::{{attenuation::*, codegen::*, falloff::*, *}};
+
+{functions}
+fn main() -> Result<(), Box<dyn std::error::Error>> {{
+{written}    Ok(())
+}}
+"#,
+        functions = texts.join("\n"),
+        written = items.iter().map(write).collect::<String>(),
+    )
 }
 
 fn parts(light: &AnyLight) -> Parts {
@@ -69,18 +90,18 @@ fn parts(light: &AnyLight) -> Parts {
             let [position, axis] = [spot.position(), spot.axis()].map(<[f32; 3]>::from);
             let new = format!("SpotLight::new({position:?}, {axis:?}, cone)?");
             let calls = [new].into_iter().chain(call).collect();
-            Parts { kind: format!("SpotLight<{falloff}, {law}>"), cone, calls, checked: "?" }
+            Parts { kind: format!("SpotLight<{falloff}, {law}>"), cone, calls }
         }
         AnyLight::Point(point) => {
             let (law, call) = attenuation(point.attenuation());
             let position: [f32; 3] = point.position().into();
             let calls = [format!("PointLight::new({position:?})?")].into_iter().chain(call).collect();
-            Parts { kind: format!("PointLight<{law}>"), cone: String::new(), calls, checked: "?" }
+            Parts { kind: format!("PointLight<{law}>"), cone: String::new(), calls }
         }
         AnyLight::Directional(sun) => {
             let direction: [f32; 3] = sun.direction().into();
             let calls = vec![format!("DirectionalLight::new({direction:?})?")];
-            Parts { kind: "DirectionalLight".to_owned(), cone: String::new(), calls, checked: "" }
+            Parts { kind: "DirectionalLight".to_owned(), cone: String::new(), calls }
         }
     }
 }
@@ -90,7 +111,7 @@ pub(crate) fn color(name: &str, Rgb { red, green, blue }: Rgb<f32>) -> String {
 }
 
 /// Returns the type of the falloff, and the line that makes the cone.
-fn cone(cone: &Cone<AnyFalloff>) -> (String, String) {
+pub(crate) fn cone(cone: &Cone<AnyFalloff>) -> (String, String) {
     let [kind, falloff, _] = falloff_source::<Fx16>(cone.falloff());
     let [inner, outer, limit] = cone.versines().map(|versine| degrees(Angle::from_versine(versine)));
     let hotspot = if cone.has_hotspot() { format!(".with_inner({inner})?") } else { String::new() };

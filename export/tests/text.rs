@@ -6,12 +6,13 @@ use fastrand::Rng;
 use luminaire::attenuation::{FilamentRange, InverseSquare, SmoothRange};
 use luminaire::codegen::as_source;
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{Cubic, Falloff, Formula, Table};
+use luminaire::falloff::{Cubic, Falloff, Formula, Hard, Smooth, Table};
 use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::{C_HEADERS, Language, check_text, export};
 use luminaire_oracle::{DVec3, versine_between};
 use serde_json::Value;
 
+use support::compiler::compile_rust;
 use support::{place, points_of_light, spots};
 
 /// Returns a number. One with a fraction is that of `f32`.
@@ -255,29 +256,25 @@ fn the_build_scripts_of_drawn_lights_compile() -> Result<(), Box<dyn std::error:
         let text = export(light, &format!("light{index}"), Language::RustBuild)?;
         file += &format!("pub mod light{index} {{\n{text}}}\n");
     }
-    compile(&file, "lib", &tempfile::tempdir()?.path().join("scripts"))
+    compile_rust(&file, "lib", &tempfile::tempdir()?.path().join("scripts"))
 }
 
-/// The programs of lights of each falloff and each attenuation compile, and one prints its pool.
+/// The programs of lights of each falloff and each attenuation compile, and one of two angles,
+/// which it has, prints its pool.
 #[test]
-fn a_program_draws_the_light_from_its_two_angles() -> Result<(), Box<dyn std::error::Error>> {
+fn a_program_draws_the_light() -> Result<(), Box<dyn std::error::Error>> {
     let folder = tempfile::tempdir()?;
-    let mut written = 0;
     let mut file = String::new();
     for (index, light) in spots::<Fx16>(&mut Rng::with_seed(13), 2).into_iter().enumerate() {
-        // The two angles of some edges are too far apart.
-        let Ok(text) = export(light, "key", Language::RustProgram) else { continue };
-        file += &format!("pub mod light{index} {{\n{text}}}\n");
-        written += 1;
+        file += &format!("pub mod light{index} {{\n{}}}\n", export(light, "key", Language::RustProgram)?);
     }
-    assert!(written > 10, "{written} programs");
-    compile(&file, "lib", &folder.path().join("all"))?;
+    compile_rust(&file, "lib", &folder.path().join("all"))?;
     let cone = Cone::from_beam_and_field(Angle::degrees(12.0), Angle::degrees(22.0))?;
     let light = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(130.57)?;
     let text = export(light, "key", Language::RustProgram)?;
     assert!(text.contains("from_beam_and_field(Angle::degrees(12.0), Angle::degrees(22.0))"), "{text}");
     let program = folder.path().join("key");
-    compile(&text, "bin", &program)?;
+    compile_rust(&text, "bin", &program)?;
     let printed = String::from_utf8(std::process::Command::new(program).output()?.stdout)?;
     let rows: Vec<_> = printed.lines().map(str::as_bytes).collect();
     assert!(rows.len() == 21 && rows.iter().all(|row| row.len() == 41), "{printed}");
@@ -286,40 +283,17 @@ fn a_program_draws_the_light_from_its_two_angles() -> Result<(), Box<dyn std::er
         * 20.0) as usize;
     assert_eq!([rows[10][20], rows[0][0], rows[20][40]], *b"@  ", "{printed}");
     assert!(b"=+".contains(&rows[10][20 + half]), "{printed}");
+    // An edge that its two angles do not determine, or that they cannot have, has its own.
+    let smooth = light.with_cone(Cone::from_outer(Smooth, Angle::degrees(40.0))?);
+    let text = export(smooth, "key", Language::RustProgram)?;
+    assert!(text.contains("Cone::from_outer(Smooth, Angle::degrees(40.0))?;"), "{text}");
+    let cone = Cone::from_outer(Hard, Angle::degrees(16.0))?.with_inner(Angle::degrees(9.0))?;
+    let ended = light.with_cone(cone.with_cutoff(Angle::degrees(14.5))?);
+    let text = export(ended, "key", Language::RustProgram)?;
+    assert!(text.contains(".with_inner(Angle::degrees(9.0))?.with_cutoff(Angle::degrees(14.5))?;"), "{text}");
     let dark = export(light.with_intensity(0.0)?, "key", Language::RustProgram)?;
     assert!(dark.contains(".to_f32() / 1.0;"), "{dark}");
     Ok(())
-}
-
-/// Compiles a text with this library into a file.
-fn compile(text: &str, kind: &str, to: &std::path::Path) -> Result<(), Box<dyn std::error::Error>> {
-    let path = to.with_extension("rs");
-    std::fs::write(&path, text)?;
-    let mut libraries = Vec::new();
-    let program = std::env::current_exe()?;
-    let dependencies = program.parent().ok_or("a folder of programs")?;
-    for entry in std::fs::read_dir(dependencies)? {
-        let entry = entry?;
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if name.starts_with("libluminaire-") && name.ends_with(".rlib") {
-            libraries.push((entry.metadata()?.modified()?, entry.path()));
-        }
-    }
-    libraries.sort();
-    // The newest is usually that of this program; any will do that this compiler has built.
-    let mut told = "no library is built".to_owned();
-    for (_, library) in libraries.into_iter().rev() {
-        let mut compiler = std::process::Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
-        compiler.args(["--edition=2024", "--cap-lints=allow", "-L"]);
-        compiler.arg(format!("dependency={}", dependencies.display())).arg("--extern");
-        compiler.arg(format!("luminaire={}", library.display())).args(["--crate-type", kind, "-o"]).arg(to);
-        let output = compiler.arg(&path).output()?;
-        if output.status.success() {
-            return Ok(());
-        }
-        told = String::from_utf8_lossy(&output.stderr).into_owned();
-    }
-    panic!("{told}");
 }
 
 /// With its uniforms as constants, and their own names, the shader is that of the constants.
@@ -355,18 +329,42 @@ fn what_cannot_be_exported_is_named() {
     let told = |light: AnyLight, name: &str, language| {
         export(light, name, language).expect_err("a refusal").to_string()
     };
-    for name in
-        ["", "Key", "1st", "a__b", "a_", "gl_light", "fn", "main", "luminaire", "luminaire_is", "a b", "é"]
-    {
-        let told = told(light.into(), name, Language::Glsl);
+    for (name, language, own) in [
+        ("", Language::Glsl, "light"),
+        ("Key", Language::Json, "key"),
+        ("1st", Language::Wgsl, "light_1st"),
+        ("a__b", Language::CFloat, "a_b"),
+        ("a_", Language::CFixed, "a"),
+        ("gl_light", Language::Glsl, "light_gl_light"),
+        ("fn", Language::RustFloat, "fn_light"),
+        ("main", Language::RustBuild, "main_light"),
+        ("luminaire_is", Language::Glsl, "light_luminaire_is"),
+        ("\u{e9} b", Language::CFixed, "b"),
+    ] {
+        let told = told(light.into(), name, language);
         assert!(told.starts_with(&format!("name = {name}: expected lower-case letters")), "{told}");
+        assert!(told.ends_with(&format!("that {language} has taken; such as {own}")), "{told}");
+        assert!(export(light, own, language).is_ok(), "{own}");
     }
+    // Only names that the language itself has taken matter.
+    for name in ["fn", "main", "std"] {
+        assert!(export(light, name, Language::Glsl).is_ok() && export(light, name, Language::CFixed).is_ok());
+    }
+    assert!(export(light, "gl_light", Language::RustFloat).is_ok());
     let sun = DirectionalLight::new([0.0, -1.0, 0.0]).expect("a light");
     let refused = told(sun.into(), "sun", Language::CFixed);
-    assert!(refused.starts_with("light = directional: expected a spotlight or a point light"), "{refused}");
+    assert_eq!(
+        refused,
+        "light = directional: expected a spotlight or a point light in c-fx16; c-f32 takes it"
+    );
+    let refused = told(sun.into(), "sun", Language::RustProgram);
+    assert_eq!(refused, "light = directional: expected a spotlight in rust-program; rust-build takes it");
     let narrow = light.with_cone(Cone::soft(Angle::degrees(0.5)).expect("a cone"));
     let refused = told(narrow.into(), "key", Language::CFixed);
     assert!(refused.starts_with("outer angle = ") && refused.contains("at least"), "{refused}");
+    assert!(refused.ends_with(" in c-fx16; c-f32 takes it"), "{refused}");
+    let refused = told(narrow.into(), "key", Language::RustBuild);
+    assert!(refused.ends_with(" in rust-build; rust-fx32 takes it"), "{refused}");
     assert!(export(narrow, "key", Language::Glsl).is_ok());
     let long = light.with_cone(light.cone().with_falloff(Table::of(Box::leak(Box::new([1_u16; 1_025])))));
     let refused = told(long.into(), "key", Language::Wgsl);

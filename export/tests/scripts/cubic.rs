@@ -1,14 +1,13 @@
-// The light cubic, written by luminaire-export 0.1.0.
-// A spotlight: falloff cubic, full angles in degrees: beam 18.61, field 37.93, outer 40.00.
-// Lengths have the unit of the scene; light is linear, and 1 is full scale.
-
-// build.rs, with luminaire among the build-dependencies. The constant in the program is
-// const CUBIC: luminaire::light::CompiledSpotLight<Fx16, Cubic, Windowed<InverseSquare>> =
-//     include!(concat!(env!("OUT_DIR"), "/cubic.rs"));
-
 #[allow(unused_imports, reason = "not every light names a type of each module")]
 use luminaire::{attenuation::*, codegen::*, falloff::*, *};
 
+// The light cubic, written by luminaire-export 0.1.0.
+// A spotlight: falloff cubic, full angles in degrees: beam 18.61, field 37.93, outer 40.00.
+// Lengths have the unit of the scene; light is linear, and 1 is full scale.
+//
+// With this build.rs, and luminaire among the build-dependencies, the constant in the program is
+// const CUBIC: luminaire::light::CompiledSpotLight<Fx16, Cubic, Windowed<InverseSquare>> =
+//     include!(concat!(env!("OUT_DIR"), "/cubic.rs"));
 pub fn cubic() -> Result<SpotLight<Cubic, Windowed<InverseSquare>>, Error> {
     let cone = Cone::from_outer(Cubic::from_bits([1067450368, 1080033280]), Angle::degrees(40.0))?.with_inner(Angle::degrees(7.0))?;
     SpotLight::new([1.0, 2.0, 3.0], [0.0, -0.8944272, 0.4472136], cone)?
@@ -18,7 +17,9 @@ pub fn cubic() -> Result<SpotLight<Cubic, Windowed<InverseSquare>>, Error> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let light = cubic()?.compile::<Fx16>()?;
-    let file = std::path::Path::new(&std::env::var("OUT_DIR")?).join("cubic.rs");
-    Ok(std::fs::write(file, as_source(&light).to_string())?)
+    std::fs::write(
+        std::path::Path::new(&std::env::var("OUT_DIR")?).join("cubic.rs"),
+        luminaire::codegen::as_source(&cubic()?.compile::<Fx16>()?).to_string(),
+    )?;
+    Ok(())
 }

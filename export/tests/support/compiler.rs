@@ -85,6 +85,40 @@ pub(crate) fn compile_in_integers(file: &Path) {
     }
 }
 
+/// Compiles a text with the library `luminaire` into a file.
+///
+/// # Panics
+/// The compiler fails with every build of the library beside this test.
+pub(crate) fn compile_rust(text: &str, kind: &str, to: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    let path = to.with_extension("rs");
+    fs::write(&path, text)?;
+    let mut libraries = Vec::new();
+    let program = std::env::current_exe()?;
+    let dependencies = program.parent().ok_or("a folder of programs")?;
+    for entry in fs::read_dir(dependencies)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with("libluminaire-") && name.ends_with(".rlib") {
+            libraries.push((entry.metadata()?.modified()?, entry.path()));
+        }
+    }
+    libraries.sort();
+    // The newest is usually that of this program; any will do that this compiler has built.
+    let mut told = "no library is built".to_owned();
+    for (_, library) in libraries.into_iter().rev() {
+        let mut compiler = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
+        compiler.args(["--edition=2024", "--cap-lints=allow", "-L"]);
+        compiler.arg(format!("dependency={}", dependencies.display())).arg("--extern");
+        compiler.arg(format!("luminaire={}", library.display())).args(["--crate-type", kind, "-o"]).arg(to);
+        let output = compiler.arg(&path).output()?;
+        if output.status.success() {
+            return Ok(());
+        }
+        told = String::from_utf8_lossy(&output.stderr).into_owned();
+    }
+    panic!("{told}");
+}
+
 /// The bytes of words.
 pub(crate) fn bytes(words: &[u32]) -> Vec<u8> {
     words.iter().flat_map(|word| word.to_le_bytes()).collect()
