@@ -345,6 +345,9 @@ fn cone(shape: &Shape) -> Result<Cone<AnyFalloff>, ExportError> {
 /// Returns the cone of one of beam, field and outer angle, or of beam and field angle together, which
 /// determine the falloff; with a hotspot and a cutoff in degrees. Angles are full angles.
 ///
+/// With a hotspot the falloff begins at the inner angle, and the light still has half of its
+/// intensity at the beam angle and a tenth at the field angle.
+///
 /// # Errors
 /// Other combinations of angles, a falloff beside both beam and field angle, or an angle that the cone
 /// does not accept.
@@ -354,8 +357,48 @@ pub fn from_angles(
     inner: Option<f32>,
     cutoff: Option<f32>,
 ) -> Result<Cone<AnyFalloff>, ExportError> {
+    let mut cone = match (angles, inner) {
+        ([beam, field, None], Some(inner)) if inner > 0.0 => {
+            from_hotspot(falloff, [beam, field], inner).ok_or_else(|| {
+                // Angles that no cone has are the first fault.
+                without_hotspot(falloff, angles).err().unwrap_or_else(|| {
+                    let expected = "less: a falloff that begins there cannot reach the beam or field angle";
+                    ExportError::new("inner angle", inner, expected)
+                })
+            })?
+        }
+        (_, Some(inner)) => without_hotspot(falloff, angles)?.with_inner(Angle::degrees(inner))?,
+        (_, None) => without_hotspot(falloff, angles)?,
+    };
+    if let Some(cutoff) = cutoff {
+        cone = cone.with_cutoff(Angle::degrees(cutoff))?;
+    }
+    Ok(cone)
+}
+
+/// Returns the cone whose falloff begins at an inner angle: that of the angles whose versines are
+/// smaller by that of the inner angle, moved outward.
+fn from_hotspot(
+    falloff: Option<AnyFalloff>,
+    angles: [Option<Angle>; 2],
+    inner: f32,
+) -> Option<Cone<AnyFalloff>> {
+    let inner = Angle::degrees(inner).versine();
+    let [beam, field] =
+        angles.map(|own| own.map(|own| Angle::from_versine((own.versine() - inner).max(0.0))));
+    let cone = without_hotspot(falloff, [beam, field, None]).ok()?;
+    let outer = inner + cone.outer_versine();
+    // The last digits of a right angle.
+    let outer = if outer < 1.0 + 1e-6 { outer.min(1.0) } else { outer };
+    Cone::from_versines(cone.falloff(), [inner, outer, outer]).ok()
+}
+
+fn without_hotspot(
+    falloff: Option<AnyFalloff>,
+    angles: [Option<Angle>; 3],
+) -> Result<Cone<AnyFalloff>, ExportError> {
     let any = falloff.unwrap_or(Soft.into());
-    let mut cone = match angles {
+    Ok(match angles {
         [None, None, None] => {
             return Err(ExportError::new("cone", "no angle", "a beam, a field or an outer angle"));
         }
@@ -375,20 +418,10 @@ pub fn from_angles(
             cone.with_falloff(cone.falloff().into())
         }
         [.., Some(outer)] => {
-            return Err(ExportError::new(
-                "outer angle",
-                outer.to_degrees(),
-                "no beam or field angle beside it",
-            ));
+            let expected = "no beam or field angle beside it";
+            return Err(ExportError::new("outer angle", outer.to_degrees(), expected));
         }
-    };
-    if let Some(inner) = inner {
-        cone = cone.with_inner(Angle::degrees(inner))?;
-    }
-    if let Some(cutoff) = cutoff {
-        cone = cone.with_cutoff(Angle::degrees(cutoff))?;
-    }
-    Ok(cone)
+    })
 }
 
 fn attenuation(described: &Map<String, Value>) -> Result<AnyAttenuation, ExportError> {

@@ -2,9 +2,9 @@
 
 use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{AnyFalloff, Cubic, Falloff, FittedFalloff, Formula, Hard, Quadratic, Soft};
+use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft};
 use luminaire::{Angle, Cone, Error, Rgb, SpotLight};
-use luminaire_export::check_text;
+use luminaire_export::{check_text, json};
 use luminaire_oracle as oracle;
 use serde::{Deserialize, Serialize};
 
@@ -211,29 +211,28 @@ impl Light {
 
     /// Returns the cone.
     pub(crate) fn cone(&self) -> Result<Shaped, Refusal> {
-        let cone = match (self.beam, self.field, self.outer) {
-            (Some(beam), Some(field), None) => {
-                let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
-                match cone.falloff() {
-                    FittedFalloff::Quadratic(fitted) => Shaped::Quadratic(cone.with_falloff(fitted)),
-                    FittedFalloff::Cubic(fitted) => Shaped::Cubic(cone.with_falloff(fitted)),
-                }
-            }
-            _ => match (self.slopes, self.edge) {
-                (Some([edge, full]), _) if edge + full == 2.0 => {
-                    Shaped::Quadratic(self.one_angle(Quadratic::new(edge)?)?)
-                }
-                (Some([edge, full]), _) => Shaped::Cubic(self.one_angle(Cubic::with_slopes(edge, full)?)?),
-                (None, Edge::Soft) => Shaped::Soft(self.one_angle(Soft)?),
-                (None, Edge::Hard) => Shaped::Hard(self.one_angle(Hard)?),
-            },
+        let falloff: AnyFalloff = match (self.slopes, self.edge) {
+            (Some([edge, full]), _) if edge + full == 2.0 => Quadratic::new(edge)?.into(),
+            (Some([edge, full]), _) => Cubic::with_slopes(edge, full)?.into(),
+            (None, Edge::Soft) => Soft.into(),
+            (None, Edge::Hard) => Hard.into(),
         };
-        let cone = match (self.inner.map(Angle::degrees), cone) {
-            (None, cone) => cone,
-            (Some(inner), Shaped::Soft(cone)) => Shaped::Soft(cone.with_inner(inner)?),
-            (Some(inner), Shaped::Hard(cone)) => Shaped::Hard(cone.with_inner(inner)?),
-            (Some(inner), Shaped::Quadratic(cone)) => Shaped::Quadratic(cone.with_inner(inner)?),
-            (Some(inner), Shaped::Cubic(cone)) => Shaped::Cubic(cone.with_inner(inner)?),
+        let mut angles = [self.beam, self.field, self.outer].map(|angle| angle.map(Angle::degrees));
+        if angles.iter().all(Option::is_none) {
+            angles[1] = Some(Angle::degrees(36.0));
+        }
+        // Beam and field angle together determine the falloff.
+        let falloff = (self.beam.is_none() || self.field.is_none()).then_some(falloff);
+        let cone = json::from_angles(falloff, angles, self.inner, None)?;
+        let cone = match cone.falloff() {
+            AnyFalloff::Hard(own) => Shaped::Hard(cone.with_falloff(own)),
+            AnyFalloff::Quadratic(own) => Shaped::Quadratic(cone.with_falloff(own)),
+            AnyFalloff::Cubic(own) => Shaped::Cubic(cone.with_falloff(own)),
+            AnyFalloff::Soft(own) => Shaped::Soft(cone.with_falloff(own)),
+            other => {
+                let expected = "soft, hard, a quadratic or a cubic".to_owned();
+                return Err(Refusal::parameter("falloff", other.effect().name().to_owned(), expected));
+            }
         };
         let (inner, hotspot) = shaped!(cone, cone => {
             (cone.inner().to_degrees(), cone.inner().versine() / cone.outer_versine())
@@ -248,24 +247,6 @@ impl Light {
             ));
         }
         Ok(cone)
-    }
-
-    fn one_angle<P: Falloff>(&self, falloff: P) -> Result<Cone<P>, Refusal> {
-        let degrees = Angle::degrees;
-        Ok(match (self.beam, self.field, self.outer) {
-            (None, None, None) => Cone::from_field(falloff, degrees(36.0))?,
-            (Some(beam), None, None) => Cone::from_beam(falloff, degrees(beam))?,
-            (None, Some(field), None) => Cone::from_field(falloff, degrees(field))?,
-            (None, None, Some(outer)) => Cone::from_outer(falloff, degrees(outer))?,
-            (.., Some(outer)) => {
-                return Err(Refusal::parameter(
-                    "outer angle",
-                    format!("{outer}"),
-                    "no beam or field angle beside it".to_owned(),
-                ));
-            }
-            (Some(_), Some(_), None) => unreachable!("a fitted falloff"),
-        })
     }
 
     /// Returns the position, rounded to multiples of 2^-16, which every format can represent.
