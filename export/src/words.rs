@@ -202,6 +202,9 @@ pub fn attenuation(
         let windows: Vec<_> = own.iter().filter_map(|(_, row)| row.window.as_deref()).collect();
         return Err(ExportError::new("window", window, windows.join(" or ")));
     };
+    if row.window.is_none() && window != "cut" {
+        return Err(ExportError::new("window", window, format!("none, because {law} ends by itself")));
+    }
     if row.window.is_none() && range.is_none() {
         return Err(ExportError::new("range", "none", format!("a distance, because {law} ends there")));
     }
