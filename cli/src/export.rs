@@ -66,10 +66,7 @@ pub(crate) fn export(options: &Export) -> Result<String, Refusal> {
             Ok(text)
         }
         Target::Ies => match &lamps[..] {
-            [lamp] => {
-                let curve = lamp.curve().ok_or_else(|| Refusal::new("light", &lamp.name, "a spotlight"))?;
-                Ok(write::ies(&lamp.name, &curve))
-            }
+            [lamp] => write::ies(lamp),
             _ => Err(Refusal::new("lights", lamps.len(), "one light: choose it by --light")),
         },
     }

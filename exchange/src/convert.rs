@@ -256,7 +256,9 @@ fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
     let attenuation0 = coefficient("attenuation0")?;
     let attenuation1 = coefficient("attenuation1")?;
     let attenuation2 = coefficient("attenuation2")?;
-    let phi = record.get("phi", 0.0)?;
+    // The last digit of a full turn, and of an angle that is the other one.
+    let cut = |value: f64, most: f64| if value <= most * (1.0 + 1e-6) { value.min(most) } else { value };
+    let phi = cut(record.get("phi", 0.0)?, PI);
     if [attenuation0, attenuation1, attenuation2] == [0.0; 3] {
         let expected = "one that is not 0. A zeroed D3DLIGHT9 divides by 0: runtimes show nothing or the full \
                         light at every distance; for the second give attenuation0=1";
@@ -267,9 +269,10 @@ fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
                         but on the axis itself";
         return Err(Refusal::new("phi", 0, expected));
     }
+    let phi = if record.kind == Kind::Spot { phi } else { 1.0 };
     let light = import::Direct3d {
-        theta: record.get("theta", 0.0)? as f32,
-        phi: if record.kind == Kind::Spot { phi as f32 } else { 1.0 },
+        theta: cut(record.get("theta", 0.0)?, phi) as f32,
+        phi: phi as f32,
         falloff: record.get("falloff", 1.0)? as f32,
         attenuation0,
         attenuation1,

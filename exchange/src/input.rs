@@ -11,14 +11,15 @@ use crate::read::{self, Found};
 use crate::record::{Kind, Record, Value};
 use crate::refusal::Refusal;
 use crate::system::System;
-use crate::text::decode;
+use crate::text::{LARGEST, decode};
 
 /// Returns the lights of a file.
 ///
-/// Without a system, the extension of the name decides, and of JSON the content. A text that begins with
-/// `# system: NAME` has a value `key=value` in each line, and may have `# kind: point`. `tolerance` is the
-/// largest difference in linear codes at which a cheaper cone takes the place of a measured light's
-/// table, in [0, 255].
+/// Without a system, the extension of the name decides, and of JSON the content. A text that begins
+/// with `# system: NAME` has a value `key=value` in each line, and what the system has no words for
+/// in lines such as `# kind: point`: see [`Parameters::text`](crate::Parameters::text). `tolerance`
+/// is the largest difference in linear codes at which a cheaper cone takes the place of a measured
+/// light's table, in [0, 255].
 ///
 /// # Errors
 /// A name without a known extension; a file that its reader does not accept. A light of a file that
@@ -29,7 +30,7 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
         None => recognised(name, bytes)?,
     };
     let text = || decode(bytes);
-    if bytes.starts_with(b"# system: ") {
+    if bytes.starts_with(BEGIN.as_bytes()) {
         return values(system, &text()?);
     }
     match system {
@@ -41,6 +42,13 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
         System::OpenGl | System::Direct3d | System::Blender | System::Bevy => values(system, &text()?),
         _ => Ok(converted(system, scene(system, bytes)?)),
     }
+}
+
+/// Returns the most bytes of a file of this name that are read: more of a container, which has its
+/// lights beside meshes or pictures, than of a text.
+pub fn largest(name: &str) -> u64 {
+    let name = name.to_ascii_lowercase();
+    if [".glb", ".gdtf"].iter().any(|extension| name.ends_with(extension)) { 1 << 30 } else { LARGEST as u64 }
 }
 
 /// Returns the lights of a scene in the words of its system.
@@ -63,14 +71,51 @@ pub(crate) fn scene(system: System, bytes: &[u8]) -> Result<Found, Refusal> {
     }
 }
 
-/// Returns the light of a text with a value in each line, after `# system: NAME`.
+/// What begins a light in a text of values.
+const BEGIN: &str = "# system: ";
+
+/// The most lights of a text of values, which bounds the memory.
+const LIGHTS: usize = 10_000;
+
+/// Returns the lights of a text with a value in each line, each after `# system: NAME`.
 fn values(system: System, text: &str) -> Result<Lamps, Refusal> {
-    let kind = text
-        .lines()
-        .find_map(|line| line.strip_prefix("# kind: "))
-        .map(|kind| format!("kind={}", kind.trim()));
-    let lines = text.lines().filter(|line| !line.trim_start().starts_with('#'));
-    numbers(system, kind.as_deref().into_iter().chain(lines))
+    let lines: Vec<_> = text.lines().collect();
+    let mut starts: Vec<_> = (0..lines.len()).filter(|&at| lines[at].starts_with(BEGIN)).collect();
+    if starts.is_empty() {
+        starts.push(0);
+    }
+    if starts.len() > LIGHTS {
+        return Err(Refusal::new("lights", starts.len(), format_args!("at most {LIGHTS}")));
+    }
+    let mut all = Lamps::new(system);
+    for (number, &start) in starts.iter().enumerate() {
+        let end = starts.get(number + 1).copied().unwrap_or(lines.len());
+        match light(system, &lines[start..end]) {
+            Ok(found) => all.lamps.extend(found.lamps),
+            Err(refusal) if starts.len() == 1 => return Err(refusal),
+            Err(refusal) => all.refused.push(refusal.at(format_args!("line {}", start + 1))),
+        }
+    }
+    Ok(all)
+}
+
+/// Returns the light of the lines of values.
+fn light(system: System, lines: &[&str]) -> Result<Lamps, Refusal> {
+    let told = |key: &str| {
+        lines.iter().find_map(|line| line.strip_prefix("# ")?.strip_prefix(key)?.strip_prefix(": "))
+    };
+    if let Some(other) = told("system").map(str::trim).filter(|other| *other != system.name()) {
+        return Err(Refusal::new("system", other, system));
+    }
+    let known = ["kind", "position", "axis", "color"];
+    let known = known.iter().filter_map(|key| Some(format!("{key}={}", told(key)?.trim())));
+    let known: Vec<_> = known.collect();
+    let own = lines.iter().copied().filter(|line| !line.trim_start().starts_with('#'));
+    let mut lamps = numbers(system, known.iter().map(String::as_str).chain(own))?;
+    if let (Some(name), [lamp]) = (told("name"), &mut lamps.lamps[..]) {
+        name.clone_into(&mut lamp.name);
+    }
+    Ok(lamps)
 }
 
 /// Returns the light of values `key=value` in the names and units of a system. `kind` is spot, point or
@@ -80,7 +125,7 @@ fn values(system: System, text: &str) -> Result<Lamps, Refusal> {
 /// A word that is no `key=value`, a key that the system does not have, or a value that it does not
 /// accept.
 pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> Result<Lamps, Refusal> {
-    let mut record = Record::new(system.name(), Kind::Spot, "");
+    let mut record = Record::new("light", Kind::Spot, "");
     for word in words.into_iter().flat_map(str::split_whitespace) {
         let Some((key, value)) = word.split_once('=') else {
             return Err(Refusal::new("number", word, "key=value, without spaces"));
@@ -174,7 +219,7 @@ pub(crate) fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
     }
     // Numbers in a text say whose they are.
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(200)]);
-    if let Some(name) = text.lines().find_map(|line| line.strip_prefix("# system: ")) {
+    if let Some(name) = text.lines().find_map(|line| line.strip_prefix(BEGIN)) {
         return name.trim().parse();
     }
     System::ALL.iter().copied().find(|system| system.extensions().contains(&&*extension)).ok_or_else(|| {

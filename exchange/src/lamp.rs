@@ -72,17 +72,27 @@ impl Lamp {
         f64::from(self.light.intensity()) * share
     }
 
-    /// Returns the intensities over the angle: those that were measured, or those of a spotlight at 256
-    /// angles; `None` for a light of another kind.
+    /// Returns the intensities over the angle: those that were measured, or those of a spotlight at
+    /// up to 258 angles, between its inner and its outer angle multiples of 0.0001 degrees, which a
+    /// file of IES holds; `None` for a light of another kind. A cone that ends with light has a
+    /// curve that does.
     pub fn curve(&self) -> Option<Curve> {
         if self.measured.is_some() {
             return self.measured.clone();
         }
         let AnyLight::Spot(spot) = &self.light else { return None };
         let (cone, candela) = (spot.cone(), f64::from(spot.intensity()));
-        let end = f64::from(cone.outer().to_degrees()) / 2.0;
-        let angles = (0..=256).map(|i| end * f64::from(i) / 256.0);
-        Curve::new(angles.map(|angle| (angle, candela * share(&cone, angle))).collect())
+        let [start, end] = [cone.inner(), cone.outer()].map(|full| f64::from(full.to_degrees()) / 2.0);
+        let cells = ((end - start) / 2e-4).clamp(1.0, 256.0) as u32;
+        let even = (1..cells).map(|i| start + (end - start) * f64::from(i) / f64::from(cells));
+        let even = even.map(|angle| (angle * 1e4).round() / 1e4);
+        let at = |angle: f64| {
+            let last = share(&cone, angle.min(end * (1.0 - 1e-6)));
+            (angle, candela * if angle < end || last > 1e-3 { last } else { 0.0 })
+        };
+        let mut points: Vec<_> = [0.0, start].into_iter().chain(even).chain([end]).map(at).collect();
+        points.dedup_by_key(|point| point.0);
+        Curve::new(points)
     }
 
     /// Returns the light in the unit of full scale, with what is known of it as JSON has it: the
@@ -130,6 +140,16 @@ pub struct Use {
     pub full_scale: f64,
     /// Whether the intensity of the light is in candela.
     pub is_photometric: bool,
+}
+
+impl Use {
+    /// Returns the same use, but for a light that ends before twice the throw with half its range
+    /// as the throw.
+    #[must_use]
+    pub fn within(self, lamp: &Lamp) -> Self {
+        let range = lamp.attenuation().and_then(|attenuation| attenuation.range());
+        Self { throw: range.map_or(self.throw, |range| self.throw.min(f64::from(range) / 2.0)), ..self }
+    }
 }
 
 /// A place, an intensity and a colour in place of those of a light.

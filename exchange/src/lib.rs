@@ -22,7 +22,7 @@ pub mod write;
 
 pub use crate::curve::{Curve, Definition};
 pub use crate::fit::{Fit, fits, share};
-pub use crate::input::{numbers, read};
+pub use crate::input::{largest, numbers, read};
 pub use crate::lamp::{Lamp, Lamps, Place, Use, placed};
 pub use crate::parameters::{Parameters, TOOLS, parameters};
 pub use crate::refusal::Refusal;

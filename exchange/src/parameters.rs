@@ -2,9 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use luminaire::Rgb;
 use luminaire::attenuation::{Attenuation, Describe};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Falloff, Formula};
+use luminaire_export::json::kind;
+use luminaire_export::printable;
 
 use crate::curve::Curve;
 use crate::fit;
@@ -31,6 +34,30 @@ pub struct Parameters {
     pub notes: Vec<&'static str>,
 }
 
+impl Parameters {
+    /// Returns the parameters as a text that [`read`](crate::read) reads: a line for each, after
+    /// lines such as `# kind: point` with what the tool has in other places. Position and axis are
+    /// those of the light, whatever axes the tool has. A text of several lights is theirs one after
+    /// the other.
+    pub fn text(&self, lamp: &Lamp) -> String {
+        let list = |numbers: [f32; 3]| numbers.map(|number| format!("{number:?}")).join(",");
+        let Rgb { red, green, blue } = lamp.light.color();
+        let (position, axis) = match &lamp.light {
+            AnyLight::Spot(spot) => (Some(spot.position()), Some(spot.toward())),
+            AnyLight::Point(point) => (Some(point.position()), None),
+            AnyLight::Directional(sun) => (None, Some(sun.toward())),
+        };
+        let mut text = format!("# system: {}\n# name: {}\n", self.tool, printable(&lamp.name));
+        text += &format!("# kind: {}\n", kind(&lamp.light));
+        for (key, vector) in [("position", position), ("axis", axis)] {
+            text.extend(vector.map(|vector| format!("# {key}: {}\n", list(vector.into()))));
+        }
+        text += &format!("# color: {}\n", list([red, green, blue]));
+        text.extend(self.values.iter().map(|(key, value)| format!("{key}={value}\n")));
+        text
+    }
+}
+
 /// The tools that parameters can be written for.
 pub const TOOLS: [System; 10] = [
     System::Blender,
@@ -50,8 +77,9 @@ pub const TOOLS: [System; 10] = [
 enum Family {
     /// Smoothstep in the cosine.
     SmoothCosine,
-    /// The square of a line in the cosine, which is divided by at least this number.
-    SquareCosine(f64),
+    /// The square of a line in the cosine, which is divided by at least the first number, between
+    /// half angles that are at least the second one apart.
+    SquareCosine(f64, f64),
     /// Smoothstep in the angle.
     SmoothAngle,
     /// `1 - u^p` with the versine `u`.
@@ -65,6 +93,15 @@ enum Family {
 /// Godot's least part of the versine.
 const FLOOR: f64 = 1e-4;
 
+/// The narrowest half angle in radians.
+const NARROWEST: f64 = 1e-5;
+
+/// By how much Unreal's outer half angle in radians exceeds the inner one at least.
+const APART: f64 = 0.001;
+
+/// Pi, whose seven digits are no more than it.
+const HALF_TURN: f64 = PI - 6e-7;
+
 /// Outer and inner half angle in radians, and an exponent.
 type Free = [f64; 3];
 
@@ -76,9 +113,10 @@ impl Family {
             System::Godot => Self::Inverted,
             System::OpenGl => Self::Cosine,
             System::Direct3d => Self::Power,
-            System::Unity => Self::SquareCosine(1e-3),
-            System::Bevy => Self::SquareCosine(1e-4),
-            _ => Self::SquareCosine(0.0),
+            System::Unity => Self::SquareCosine(1e-3, 0.0),
+            System::Bevy => Self::SquareCosine(1e-4, 0.0),
+            System::Unreal => Self::SquareCosine(0.0, APART),
+            _ => Self::SquareCosine(0.0, 0.0),
         }
     }
 
@@ -96,13 +134,17 @@ impl Family {
             Self::Cosine => 0.0..=128.0,
             _ => 1e-3..=64.0,
         };
-        outer > 1e-5 && outer <= widest && (0.0..outer).contains(&inner) && exponents.contains(&exponent)
+        let apart = if let Self::SquareCosine(_, apart) = self { apart } else { 0.0 };
+        (NARROWEST..=widest).contains(&outer)
+            && (0.0..outer).contains(&inner)
+            && outer - inner >= apart
+            && exponents.contains(&exponent)
     }
 
     /// Returns the share of the intensity that the tool shows on the axis.
     fn on_axis(self, [outer, inner, exponent]: Free) -> f64 {
         match self {
-            Self::SquareCosine(least) => {
+            Self::SquareCosine(least, _) => {
                 (versine(outer) / (versine(outer) - versine(inner)).max(least)).min(1.0).powi(2)
             }
             Self::Inverted => 1.0 - FLOOR.powf(exponent),
@@ -120,7 +162,7 @@ impl Family {
         let t = ((to - v) / (to - from)).clamp(0.0, 1.0);
         match self {
             Self::SmoothCosine => t * t * (3.0 - 2.0 * t),
-            Self::SquareCosine(least) => {
+            Self::SquareCosine(least, _) => {
                 ((to - v) / (to - from).max(least)).min(1.0).powi(2) / self.on_axis(free)
             }
             Self::SmoothAngle => {
@@ -197,6 +239,7 @@ impl<'a> Target<'a> {
             grid.iter().map(|&(angle, share)| (family.at(free, angle) - share).abs()).fold(0.0, f64::max)
         };
         let [beam, field, end] = self.angles;
+        let least = if tool == System::Unreal { APART } else { NARROWEST };
         let inner = if family.has_inner() { 0.7 * beam } else { 0.0 };
         // Of a power of the cosine: half of the light at the beam angle.
         let exponent = if family == Family::Cosine {
@@ -204,8 +247,10 @@ impl<'a> Target<'a> {
         } else {
             1.0
         };
-        let starts =
-            [end, field * 1.1, beam * 1.2].map(|outer| outer.min(widest)).into_iter().flat_map(|outer| {
+        let starts = [end, field * 1.1, beam * 1.2]
+            .map(|outer| outer.clamp(least, widest))
+            .into_iter()
+            .flat_map(|outer| {
                 [[outer, inner, exponent], [outer, 0.0, exponent], [outer, inner.max(0.98 * outer), exponent]]
             });
         let found = starts.filter(|&start| family.accepts(start, widest)).map(|start| {
@@ -250,21 +295,27 @@ impl Describe for Law {
 /// Returns the parameters of a light in a tool.
 ///
 /// # Errors
-/// A system without parameters to write, a directional light, which has an intensity alone, or a throw
-/// at which the light has ended.
+/// A system without parameters to write, a cone that is narrower than a search finds, or a throw at
+/// which the light has ended.
 pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, Refusal> {
     if !TOOLS.contains(&tool) {
         let names: Vec<_> = TOOLS.iter().map(|tool| tool.name()).collect();
         return Err(Refusal::new("tool", tool, format_args!("one of {}", names.join(", "))));
     }
-    let attenuation = lamp.attenuation().ok_or_else(|| {
-        let expected = "a spotlight or a point light: of a directional light only the direction and the \
-                        intensity count; --light chooses one light of a file";
-        Refusal::new("light", "directional", expected)
-    })?;
+    let Some(attenuation) = lamp.attenuation() else {
+        let values = sun(tool, lamp.light.intensity().into(), usage);
+        let values = values.into_iter().map(|(key, value)| (key, digits(value))).collect();
+        let notes = notes(tool, usage);
+        return Ok(Parameters { tool, values, angle: Residual::default(), distance: 0.0, notes });
+    };
     let mut law = Law::default();
     attenuation.describe(&mut law);
     let target = Target::new(lamp);
+    if let Some(end) = target.as_ref().map(|target| target.angles[2]).filter(|end| *end < NARROWEST) {
+        let least = (2.0 * NARROWEST).to_degrees();
+        let expected = format_args!("at least {least:.4} degrees (full angle) in {tool}");
+        return Err(Refusal::new("outer angle", (2.0 * end).to_degrees(), expected));
+    }
     let is_spot = target.is_some();
     let (free, angle) = target.map_or(([FRAC_PI_2, 0.0, 1.0], Residual::default()), |own| own.fitted(tool));
 
@@ -311,18 +362,6 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
     let (cone, rest) = values(tool, free, peak, usage, [decay, range.unwrap_or_default()], polynomial);
     let cone = cone.into_iter().filter(|_| is_spot);
     let mut values: Vec<_> = cone.chain(rest).map(|(key, value)| (key, digits(value))).collect();
-    let notes = match tool {
-        System::Blender if usage.is_photometric => {
-            vec!["the energy in watts counts 683 lumens a watt, as Blender's exporter of glTF does"]
-        }
-        System::Unreal => vec!["from Unreal's shaders as published, not checked against a running engine"],
-        System::Unity => {
-            vec!["for the Universal Render Pipeline, from its shaders, not checked against a running engine"]
-        }
-        System::OpenGl => vec!["the intensity is a factor of GL_DIFFUSE, which may be over 1"],
-        System::Direct3d => vec!["the intensity is a factor of Diffuse, which may be over 1"],
-        _ => Vec::new(),
-    };
     if tool == System::Unreal {
         values.push(("IntensityUnits", "Candelas".to_owned()));
     }
@@ -334,10 +373,46 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
         };
         values.iter_mut().for_each(|(key, _)| *key = of_points(key));
     }
-    Ok(Parameters { tool, values, angle, distance, notes })
+    Ok(Parameters { tool, values, angle, distance, notes: notes(tool, usage) })
+}
+
+/// Returns what to know of a tool.
+fn notes(tool: System, usage: Use) -> Vec<&'static str> {
+    match tool {
+        System::Blender if usage.is_photometric => {
+            vec!["the energy in watts counts 683 lumens a watt, as Blender's exporter of glTF does"]
+        }
+        System::Unreal => vec!["from Unreal's shaders as published, not checked against a running engine"],
+        System::Unity => {
+            vec!["for the Universal Render Pipeline, from its shaders, not checked against a running engine"]
+        }
+        System::OpenGl => vec!["the intensity is a factor of GL_DIFFUSE, which may be over 1"],
+        System::Direct3d => vec!["the intensity is a factor of Diffuse, which may be over 1"],
+        _ => Vec::new(),
+    }
 }
 
 type Rows = Vec<(&'static str, f64)>;
+
+/// The watts of Blender for a number of candela or lux, by the 683 lumens a watt of its exporter of
+/// glTF.
+fn watts(value: f64, usage: Use) -> f64 {
+    value / if usage.is_photometric { 683.0 } else { 1.0 }
+}
+
+/// Returns the values of a directional light of this irradiance.
+fn sun(tool: System, irradiance: f64, usage: Use) -> Rows {
+    let shown = irradiance / usage.full_scale;
+    match tool {
+        System::Blender => vec![("energy", watts(irradiance, usage))],
+        System::Godot => vec![("light_energy", shown)],
+        System::Unreal => vec![("Intensity", irradiance)],
+        System::Bevy => vec![("illuminance", irradiance)],
+        System::Usd => vec![("normalize", 1.0), ("intensity", irradiance)],
+        System::Three | System::Gltf => vec![("intensity", irradiance)],
+        _ => vec![("intensity", shown)],
+    }
+}
 
 /// Returns the values of the cone and the other ones, in the names and units of the tool. A range of 0
 /// is none.
@@ -350,11 +425,13 @@ fn values(
     [constant, linear, quadratic]: [f64; 3],
 ) -> (Rows, Rows) {
     let shown = candela / usage.full_scale;
-    let watts = 4.0 * PI * candela / if usage.is_photometric { 683.0 } else { 1.0 };
     match tool {
         System::Blender => (
-            vec![("spot_size", 2.0 * outer), ("spot_blend", 1.0 - versine(inner) / versine(outer))],
-            vec![("energy", watts)],
+            vec![
+                ("spot_size", (2.0 * outer).min(HALF_TURN)),
+                ("spot_blend", 1.0 - versine(inner) / versine(outer)),
+            ],
+            vec![("energy", watts(4.0 * PI * candela, usage))],
         ),
         System::Three => (
             vec![("angle", outer), ("penumbra", 1.0 - inner / outer)],
@@ -366,7 +443,8 @@ fn values(
         ),
         System::Unreal => (
             vec![("InnerConeAngle", inner.to_degrees()), ("OuterConeAngle", outer.to_degrees())],
-            vec![("AttenuationRadius", 100.0 * range), ("Intensity", candela)],
+            // The largest radius that is read stands for none.
+            vec![("AttenuationRadius", (100.0 * range).min(1e9)), ("Intensity", candela)],
         ),
         System::Unity => (
             vec![("innerSpotAngle", 2.0 * inner.to_degrees()), ("spotAngle", 2.0 * outer.to_degrees())],
@@ -394,7 +472,11 @@ fn values(
             ],
         ),
         _ => (
-            vec![("theta", 2.0 * inner), ("phi", 2.0 * outer), ("falloff", exponent)],
+            vec![
+                ("theta", (2.0 * inner).min(HALF_TURN)),
+                ("phi", (2.0 * outer).min(HALF_TURN)),
+                ("falloff", exponent),
+            ],
             vec![
                 ("attenuation0", constant),
                 ("attenuation1", linear),
