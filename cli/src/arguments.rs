@@ -1,5 +1,8 @@
 //! The command line.
 
+use std::ffi::OsString;
+use std::path::PathBuf;
+
 use luminaire::falloff::AnyFalloff;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
@@ -11,7 +14,10 @@ const EXAMPLES: &str = "\
 A data sheet to a header for C:   luminaire export --beam 15 --field 26 --lumens 8700 --to c-fx16 --name key
 A photometric file to Blender:    luminaire export --from spot.ies --to blender
 A light of Godot to a shader:     luminaire export --from godot spot_angle=25 spot_attenuation=1.4 --to glsl
-What the files of a folder say:   luminaire import lights/*
+What the files of a folder say:   luminaire import lights
+
+With --from and a tool, KEY=VALUE are its numbers. Other words are files, which --from says the kind of if their
+extension does not. A file or a light that is refused does not stop the others.
 
 The exit code is 0, or 1 if something was refused, or 2 for a wrong option.";
 
@@ -65,8 +71,9 @@ pub(crate) struct Pick {
     /// The lights of a file of any kind, or of the example scene `show`, with one error for all
     #[arg(long, value_name = "FILE", conflicts_with_all = [
         "edge", "beam", "field", "outer", "inner", "attenuation", "intensity", "near", "far", "position", "axis",
+        "from", "values", "fixture", "lumens", "candela", "lux",
     ])]
-    pub(crate) scene: Option<String>,
+    pub(crate) scene: Option<OsString>,
     /// Pick each light of the scene by itself: the tolerance is that of each light
     #[arg(long, requires = "scene")]
     pub(crate) each: bool,
@@ -76,9 +83,6 @@ pub(crate) struct Pick {
 }
 
 /// The options of `import`.
-///
-/// With --from and a tool, KEY=VALUE are its numbers; other words are files, which --from says the kind of
-/// if their extension does not.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Import {
     #[command(flatten)]
@@ -90,7 +94,7 @@ pub(crate) struct Import {
     pub(crate) json: bool,
     /// Write charts of the intensities over the angle, measured against fitted
     #[arg(long, value_name = "FILE")]
-    pub(crate) svg: Option<String>,
+    pub(crate) svg: Option<PathBuf>,
 }
 
 /// The options of `still`.
@@ -98,7 +102,7 @@ pub(crate) struct Import {
 pub(crate) struct Still {
     /// The PNG to write
     #[arg(long, value_name = "FILE")]
-    pub(crate) output: String,
+    pub(crate) output: PathBuf,
     #[command(flatten)]
     pub(crate) source: Source,
     #[command(flatten)]
@@ -112,7 +116,8 @@ pub(crate) struct Export {
     /// parameters of blender, three, godot, unreal, unity, bevy, gltf, usd, opengl or direct3d; or ies
     #[arg(long, value_name = "LANGUAGE|TOOL")]
     pub(crate) to: Target,
-    /// The name that begins all names in the source [default: light, or with several lights their own]
+    /// The name of the light, which begins all names in a source; of several lights with a number
+    /// behind it [default: their own]
     #[arg(long)]
     pub(crate) name: Option<String>,
     /// soft, hard, linear, smooth, step, quadratic=A, cubic=A,D, power=N, inverted-power=N,
@@ -145,6 +150,11 @@ impl Pick {
     /// The tolerance.
     pub(crate) fn tolerance(&self) -> Tolerance {
         self.codes.map_or(Tolerance::Steps(self.steps.unwrap_or(1.0)), Tolerance::Codes)
+    }
+
+    /// Whether the edge is that of two angles.
+    pub(crate) fn has_idle_edge(&self) -> bool {
+        self.edge.is_some() && self.spot.beam.is_some() && self.spot.field.is_some()
     }
 
     /// The light.

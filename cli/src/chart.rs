@@ -79,7 +79,7 @@ fn panel(out: &mut String, lamp: &Lamp) {
     let fit = lamp.fits.last().map_or_else(String::new, |fit| {
         format!(": measured (red), {} (blue), within {:.2} of 255 codes", fit.name, fit.residual.bound)
     });
-    let name = lamp.name.replace('&', "&amp;").replace('<', "&lt;");
+    let name = lamp.name.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     let _ = writeln!(
         out,
         "<text x=\"0\" y=\"-24\" font-weight=\"bold\">{}{fit}</text>",

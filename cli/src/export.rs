@@ -2,109 +2,124 @@
 
 use std::fmt::Write;
 
+use luminaire::Rgb;
+use luminaire::attenuation::AnyAttenuation;
 use luminaire_exchange::{Lamp, Place, Refusal, Residual, System, Use, parameters, placed, write};
-use luminaire_export::{Language, json};
+use luminaire_export::{Language, export_all, json, names, printable};
 
 use crate::arguments::Export;
 use crate::model;
-use crate::source::Loaded;
-use crate::text::short;
+use crate::source::Found;
+use crate::text::{say, short};
 use crate::words::Target;
 
-/// Returns the text of all lights.
-pub(crate) fn export(options: &Export) -> Result<String, Refusal> {
-    let (lamps, usage) = match options.source.load(&options.spot)? {
+/// Returns the text of the lights, and whether none was refused. Those are said.
+pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
+    let has_throw = matches!(options.to, Target::Tool(_));
+    let found = match options.source.load(&options.spot, has_throw)? {
+        Some(found) => found,
         None => {
-            let name = options.name.as_deref().unwrap_or("light");
             let throw = options.source.throw.unwrap_or(4.0);
             let usage = Use { throw, full_scale: 1.0, is_photometric: false };
-            (vec![Lamp::new(name, model::light(options)?)], usage)
+            Found { lamps: vec![(Lamp::new("light", model::light(options)?), usage)], is_whole: true }
         }
-        Some(Loaded { lamps, usage }) => match lamps.refused.into_iter().next() {
-            None => (lamps.lamps, usage),
-            Some(refusal) => {
-                let expected = format!("{}; --light chooses one of the other lights", refusal.expected);
-                return Err(Refusal { expected, ..refusal });
-            }
-        },
     };
-    let mut names: Vec<String> = Vec::new();
-    let mut lights = Vec::new();
-    for lamp in &lamps {
-        names.push(match (&options.name, lamps.len()) {
-            (Some(name), 1) => name.clone(),
-            (Some(name), _) => format!("{name}_{}", names.len() + 1),
-            (None, 1) => "light".to_owned(),
-            (None, _) => identifier(&lamp.name, &names),
-        });
-        let mut named = lamp.named(usage)?;
-        named.light = placed(named.light, Place { color: options.color, ..Place::default() })?;
-        lights.push(named);
-    }
-    match options.to {
-        Target::Language(Language::Json) => {
-            if let ([light], Some(name)) = (&mut lights[..], &options.name) {
-                light.name.clone_from(name);
-            }
-            Ok(json::write(&lights)?)
+    let Found { mut lamps, mut is_whole } = found;
+    let is_one = lamps.len() == 1;
+    for (number, (lamp, _)) in (1..).zip(&mut lamps) {
+        match &options.name {
+            Some(name) if is_one => lamp.name.clone_from(name),
+            Some(name) => lamp.name = format!("{name}_{number}"),
+            None => {}
         }
+        lamp.light = placed(lamp.light, Place { color: options.color, ..Place::default() })?;
+    }
+    let mut refuse = |lamp: &Lamp, refusal: Refusal| {
+        say("error", if is_one { refusal } else { refusal.at(&lamp.name) });
+        is_whole = false;
+    };
+    let mut text = String::new();
+    match options.to {
         Target::Language(language) => {
-            let sources = lights.iter().zip(&names).map(|(light, name)| {
-                let refused = |error| match Refusal::from(error) {
-                    refusal if lights.len() > 1 => refusal.at(&light.name),
-                    refusal => refusal,
+            let mut lights = Vec::new();
+            for (lamp, usage) in &lamps {
+                match lamp.named(*usage) {
+                    Ok(named) => lights.push((lamp, named)),
+                    Err(refusal) => refuse(lamp, refusal),
+                }
+            }
+            if language == Language::Json {
+                let lights: Vec<_> = lights.into_iter().map(|(_, named)| named).collect();
+                if !lights.is_empty() {
+                    text = json::write(&lights)?;
+                }
+            } else {
+                let own = lights.iter().map(|(lamp, _)| lamp.name.as_str());
+                // A name of the user is accepted or refused, and not changed.
+                let names = if options.name.is_some() {
+                    own.map(str::to_owned).collect()
+                } else {
+                    names(own, language)
                 };
-                luminaire_export::export(light.light, name, language).map_err(refused)
-            });
-            Ok(sources.collect::<Result<Vec<_>, _>>()?.join("\n"))
+                let named = names.iter().map(String::as_str).zip(lights.iter().map(|(_, named)| named.light));
+                let (written, refused) = export_all(named, language);
+                text = written;
+                for (number, error) in refused {
+                    refuse(lights[number].0, error.into());
+                }
+            }
         }
         Target::Tool(tool) => {
-            let mut text = String::new();
-            for lamp in &lamps {
-                tell(&mut text, lamp, tool, usage).map_err(|refusal| refusal.at(&lamp.name))?;
+            for (lamp, usage) in &lamps {
+                let usage = if options.source.throw.is_some() { *usage } else { usage.within(lamp) };
+                if let Err(refusal) = tell(&mut text, lamp, tool, usage) {
+                    refuse(lamp, refusal);
+                }
             }
-            Ok(text)
         }
         Target::Ies => match &lamps[..] {
-            [lamp] => write::ies(lamp),
-            _ => Err(Refusal::new("lights", lamps.len(), "one light: choose it by --light")),
+            [] => {}
+            [(lamp, _)] => {
+                text = write::ies(lamp)?;
+                let is_white = lamp.light.color() == Rgb::new(1.0, 1.0, 1.0);
+                if !is_white || !matches!(lamp.attenuation(), Some(AnyAttenuation::InverseSquare(_))) {
+                    say(
+                        "note",
+                        "ies has intensities over the angle alone: no colour, and no law of the distance",
+                    );
+                }
+            }
+            lamps => {
+                return Err(Refusal::new("lights", lamps.len(), "one light in ies: choose it by --light"));
+            }
         },
     }
-}
-
-/// Returns a name as an identifier that none of the others has.
-fn identifier(name: &str, others: &[String]) -> String {
-    let mut own: String =
-        name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' }).collect();
-    while own.contains("__") {
-        own = own.replace("__", "_");
-    }
-    let own = own.trim_matches('_').to_owned();
-    let is_letter = own.starts_with(|c: char| c.is_ascii_lowercase()) && !own.starts_with("luminaire");
-    let own = if is_letter { own } else { format!("light_{own}").trim_end_matches('_').to_owned() };
-    let numbered = (2..).map(|number| format!("{own}_{number}"));
-    std::iter::once(own.clone()).chain(numbered).find(|name| !others.contains(name)).unwrap_or(own)
+    Ok((text, is_whole))
 }
 
 /// Writes the parameters of a light in a tool, with what differs.
 fn tell(text: &mut String, lamp: &Lamp, tool: System, usage: Use) -> Result<(), Refusal> {
     let found = parameters(lamp, tool, usage)?;
-    let name = luminaire_export::printable(&lamp.name);
-    let _ = writeln!(text, "# {name} in {tool}: key=value in its own names and units");
-    for (key, value) in &found.values {
-        let _ = writeln!(text, "{key}={value}");
-    }
+    *text += &found.text(lamp);
     let Residual { found: most, bound, degrees, measured, fitted } = found.angle;
     let [most, bound, degrees, measured, fitted] = [most, bound, degrees, measured, fitted].map(short);
-    let _ = writeln!(
-        text,
-        "# over the angle: within {bound} of 255 codes (found {most} at {degrees} degrees off the axis: {fitted} for \
-         {measured} of full scale)"
-    );
-    let (codes, throw) = (short(found.distance), usage.throw);
-    let _ = writeln!(text, "# over the distance: {codes} codes found from {throw} to {}", 16.0 * throw);
+    if lamp.curve().is_some() {
+        let _ = writeln!(
+            text,
+            "# over the angle: within {bound} of 255 codes (found {most} at {degrees} degrees off the axis: {fitted} \
+             for {measured} of full scale)"
+        );
+    }
+    if lamp.attenuation().is_some() {
+        let (codes, throw) = (short(found.distance), usage.throw);
+        let _ = writeln!(
+            text,
+            "# over the distance: {codes} of 255 codes found from {throw} to {}",
+            16.0 * throw
+        );
+    }
     for note in found.notes.iter().copied().chain(lamp.notes.iter().map(String::as_str)) {
-        let _ = writeln!(text, "# {note}");
+        let _ = writeln!(text, "# note: {}", printable(note));
     }
     Ok(())
 }

@@ -1,29 +1,27 @@
 //! `luminaire import`: what files and numbers of other tools say, as lights.
 
-use std::fmt::Write as _;
-use std::io::{IsTerminal, Write as _, stderr};
+use std::fmt::Write;
 
 use luminaire::dynamic::AnyLight;
 use luminaire::import::Difference;
-use luminaire_exchange::{Definition, Lamp, Lamps, Refusal, Residual, System, Use};
-use luminaire_export::json;
+use luminaire_exchange::{Definition, Lamp, Lamps, Refusal, Residual, Use};
+use luminaire_export::{json, printable};
 use serde_json::{Value, json};
 
 use crate::arguments::Import;
 use crate::chart;
-use crate::source::{Loaded, open, save};
+use crate::source::{Input, Loaded, save};
 use crate::text::short;
-
-/// A file, or another source, with its lights.
-struct Input {
-    name: String,
-    is_file: bool,
-    loaded: Result<Loaded, Refusal>,
-}
 
 /// Returns the text of the lights, and whether no file and no light was refused.
 pub(crate) fn import(options: &Import) -> Result<(String, bool), Refusal> {
-    let inputs = inputs(options)?;
+    let inputs = options.source.inputs(&options.spot)?;
+    if inputs.is_empty() {
+        let expected =
+            "a file, a folder, --from with a tool and its numbers, --fixture, or --lumens and angles";
+        return Err(Refusal::new("files", "none", expected));
+    }
+    options.source.say_idle(&options.spot, false, &inputs);
     if let Some(file) = &options.svg {
         let loaded = inputs.iter().filter_map(|input| input.loaded.as_ref().ok());
         let lamps: Vec<_> = loaded.flat_map(|loaded| &loaded.lamps.lamps).collect();
@@ -49,34 +47,6 @@ pub(crate) fn import(options: &Import) -> Result<(String, bool), Refusal> {
         let _ = writeln!(text, "{files} files with {lights} lights, {refused} refused");
     }
     Ok((if options.json { document(&inputs)? } else { text }, refused == 0))
-}
-
-fn inputs(options: &Import) -> Result<Vec<Input>, Refusal> {
-    let source = &options.source;
-    let system = source.from.as_ref().map(|from| from.parse::<System>());
-    // With a tool, words with `=` are its numbers. A sheet needs neither.
-    let is_numbers = matches!(system, Some(Ok(_))) && source.values.iter().any(|word| word.contains('='));
-    if is_numbers || source.values.is_empty() {
-        let expected = "a file, --from with a tool and its numbers, --fixture, or --lumens and angles";
-        let loaded = source.load(&options.spot)?.ok_or_else(|| Refusal::new("files", "none", expected))?;
-        let name = source.from.clone().or(source.fixture.clone()).unwrap_or_else(|| "data sheet".to_owned());
-        return Ok(vec![Input { name, is_file: matches!(system, Some(Err(_))), loaded: Ok(loaded) }]);
-    }
-    let system = system.transpose()?;
-    let (count, mut inputs) = (source.values.len(), Vec::new());
-    let shows_progress = count > 20 && stderr().is_terminal();
-    for (done, file) in source.values.iter().enumerate() {
-        if shows_progress && done % 16 == 0 {
-            let _ = write!(stderr(), "\r{done} of {count} files");
-        }
-        let lamps = open(file, system, source.fit).and_then(|lamps| source.chosen(lamps));
-        let loaded = lamps.and_then(|lamps| source.loaded(lamps, &options.spot));
-        inputs.push(Input { name: file.clone(), is_file: true, loaded });
-    }
-    if shows_progress {
-        let _ = write!(stderr(), "\r\x1b[K");
-    }
-    Ok(inputs)
 }
 
 /// Returns the lights as a document, with their files and what was refused.
@@ -109,7 +79,7 @@ fn tell(text: &mut String, name: &str, lamps: &Lamps, usage: Use) {
         describe(text, lamp, usage);
     }
     for note in &lamps.notes {
-        let _ = writeln!(text, "  note: {note}");
+        let _ = writeln!(text, "  note: {}", printable(note));
     }
     for refusal in &lamps.refused {
         let _ = writeln!(text, "  refused: {refusal}");
@@ -118,13 +88,10 @@ fn tell(text: &mut String, name: &str, lamps: &Lamps, usage: Use) {
 
 fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
     let light = &lamp.light;
-    let (kind, unit) = match light {
-        AnyLight::Spot(_) => ("spot", " cd"),
-        AnyLight::Point(_) => ("point", " cd"),
-        AnyLight::Directional(_) => ("directional", " lux"),
-    };
+    let unit = if matches!(light, AnyLight::Directional(_)) { " lux" } else { " cd" };
     let (unit, intensity) = (if usage.is_photometric { unit } else { "" }, short(light.intensity().into()));
-    let _ = write!(text, "  {}: {kind}, intensity {intensity}{unit}", shown(&lamp.name));
+    let (name, kind) = (shown(&lamp.name), json::kind(light));
+    let _ = write!(text, "  {name}: {kind}, intensity {intensity}{unit}");
     if let AnyLight::Spot(spot) = light {
         let cone = spot.cone();
         let [beam, field, outer] =
@@ -174,11 +141,11 @@ fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
         }
     }
     for note in &lamp.notes {
-        let _ = writeln!(text, "    note: {note}");
+        let _ = writeln!(text, "    note: {}", printable(note));
     }
 }
 
 /// Returns a name of a file or a light as a terminal shows it, cut after 160 characters.
 fn shown(name: &str) -> String {
-    luminaire_export::printable(name).chars().take(160).collect()
+    printable(name).chars().take(160).collect()
 }

@@ -18,70 +18,99 @@ use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::Parser;
+use luminaire_export::{printable, printable_json};
 use luminaire_pick::{Light, Refusal, Request, Scene};
 use serde_json::{Value, to_value};
 
 use arguments::{Command, Pick};
+use source::Found;
 
 fn main() -> ExitCode {
-    let told = match Command::parse() {
-        Command::Pick(pick) => match answer(&pick) {
-            Err(refusal) if pick.json => {
-                Ok((format!("{}\n", serde_json::json!({ "refused": refusal })), false))
-            }
-            Err(refusal) => return refuse(&refusal),
-            Ok(text) => Ok((text, true)),
-        },
-        Command::Export(options) => export::export(&options).map(|text| (text, true)),
-        Command::Import(options) => import::import(&options),
-        Command::Still(options) => still::still(&options).map(|()| (String::new(), true)),
+    let command = match Command::try_parse() {
+        Ok(command) => command,
+        Err(error) => return explain(&error),
     };
-    let (text, is_done) = match told {
+    let told = match command {
+        Command::Pick(pick) => match answer(&pick) {
+            Err(refusal) if pick.json => Ok((json(&serde_json::json!({ "refused": refusal })), false)),
+            Err(refusal) => return refuse(&refusal),
+            Ok(answer) => Ok(answer),
+        },
+        Command::Export(options) => export::export(&options),
+        Command::Import(options) => import::import(&options),
+        Command::Still(options) => still::still(&options).map(|is_whole| (String::new(), is_whole)),
+    };
+    let (text, is_whole) = match told {
         Ok(told) => told,
         Err(refusal) => return refuse(&refusal),
     };
     match io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush()) {
         // A reader that has read enough closes its end.
         Err(error) if error.kind() != ErrorKind::BrokenPipe => refuse(&format!("output: {error}")),
-        _ if is_done => ExitCode::SUCCESS,
+        _ if is_whole => ExitCode::SUCCESS,
         _ => ExitCode::FAILURE,
     }
 }
 
-/// Writes why not. Nothing can be done if that fails.
+/// Writes the help, the version or what is wrong with the options.
+fn explain(error: &clap::Error) -> ExitCode {
+    let text = error.to_string();
+    let lines: String = text.lines().map(|line| printable(line) + "\n").collect();
+    let _ = if error.use_stderr() {
+        io::stderr().write_all(lines.as_bytes())
+    } else {
+        io::stdout().write_all(lines.as_bytes())
+    };
+    ExitCode::from(error.exit_code() as u8)
+}
+
+/// Writes why not.
 fn refuse(reason: &dyn std::fmt::Display) -> ExitCode {
-    let _ = writeln!(io::stderr(), "error: {reason}");
+    text::say("error", reason);
     ExitCode::FAILURE
 }
 
-/// Returns the answer as text or JSON.
-fn answer(pick: &Pick) -> Result<String, Refusal> {
+fn json(value: &Value) -> String {
+    printable_json(&format!("{value:#}\n"))
+}
+
+/// Returns the answer as text or JSON, and whether no light was refused.
+fn answer(pick: &Pick) -> Result<(String, bool), Refusal> {
     let shown = |value: serde_json::Result<Value>, text| match value {
-        Ok(value) if pick.json => format!("{value:#}\n"),
+        Ok(value) if pick.json => json(&value),
         Ok(_) => text,
         Err(error) => unreachable!("answers are JSON: {error}"),
     };
     let request = Request::new(pick.chip, pick.display).tolerance(pick.tolerance());
-    let scene = match &pick.scene {
-        Some(scene) if scene == "show" => show::lights()?,
-        Some(scene) => lights(&source::Source { from: Some(scene.clone()), ..pick.source.clone() }, pick)?,
+    let (scene, is_whole) = match &pick.scene {
+        Some(scene) if scene == "show" => {
+            pick.source.say_idle(&pick.spot, false, &[]);
+            (show::lights()?, true)
+        }
+        Some(scene) => lights(&source::Source { values: vec![scene.clone()], ..pick.source.clone() }, pick)?,
         None => lights(&pick.source, pick)?,
     };
-    if let (None, [light]) = (&pick.scene, &scene.lights[..]) {
-        let answer = request.pick(light)?;
-        return Ok(shown(to_value(&answer), text::answer(&answer)));
-    }
-    if pick.each {
-        let answers: Result<Vec<_>, _> = scene.lights.iter().map(|light| request.pick(light)).collect();
-        let answers = answers?;
-        return Ok(shown(to_value(&answers), text::lights(&answers)));
-    }
-    let answer = request.pick_scene(&scene)?;
-    Ok(shown(to_value(&answer), text::scene(&answer)))
+    let text = match &scene.lights[..] {
+        [] => String::new(),
+        [light] if pick.scene.is_none() => {
+            let answer = request.pick(light)?;
+            shown(to_value(&answer), text::answer(&answer))
+        }
+        lights if pick.each => {
+            let answers: Result<Vec<_>, _> = lights.iter().map(|light| request.pick(light)).collect();
+            let answers = answers?;
+            shown(to_value(&answers), text::lights(&answers))
+        }
+        _ => {
+            let answer = request.pick_scene(&scene)?;
+            shown(to_value(&answer), text::scene(&answer))
+        }
+    };
+    Ok((text, is_whole))
 }
 
 /// Returns the lights of a source, or without one the light of the options.
-fn lights(source: &source::Source, pick: &Pick) -> Result<Scene, Refusal> {
+fn lights(source: &source::Source, pick: &Pick) -> Result<(Scene, bool), Refusal> {
     let told = |refusal: luminaire_exchange::Refusal| Refusal {
         parameter: if refusal.place.is_empty() {
             refusal.parameter
@@ -91,14 +120,17 @@ fn lights(source: &source::Source, pick: &Pick) -> Result<Scene, Refusal> {
         value: refusal.value,
         expected: refusal.expected,
     };
-    let Some(loaded) = source.load(&pick.spot).map_err(told)? else {
-        return Ok(Scene { lights: vec![pick.light()] });
+    let Some(Found { lamps, is_whole }) = source.load(&pick.spot, false).map_err(told)? else {
+        if pick.has_idle_edge() {
+            text::say("note", "--edge has no effect: --beam and --field together determine the falloff");
+        }
+        return Ok((Scene { lights: vec![pick.light()] }, true));
     };
-    let light = |lamp: &luminaire_exchange::Lamp| {
-        let named = lamp.named(loaded.usage).map_err(told)?;
+    let light = |(lamp, usage): &(luminaire_exchange::Lamp, luminaire_exchange::Use)| {
+        let named = lamp.named(*usage).map_err(told)?;
         let light = Light::of(&named.name, &named.light)?;
         let [near, far] = named.surfaces.unwrap_or([light.near, light.far]);
         Ok(Light { near: pick.near.unwrap_or(near), far: pick.far.unwrap_or(far), ..light })
     };
-    Ok(Scene { lights: loaded.lamps.lamps.iter().map(light).collect::<Result<_, Refusal>>()? })
+    Ok((Scene { lights: lamps.iter().map(light).collect::<Result<_, Refusal>>()? }, is_whole))
 }

@@ -1,22 +1,29 @@
 //! Where the lights of a command come from: a file, the numbers of another tool, or a data sheet.
 
+use std::ffi::{OsStr, OsString};
 use std::fs;
-use std::io::Read;
+use std::io::{self, IsTerminal, Read, Write, stderr};
+use std::path::{Path, PathBuf};
 
-use luminaire_exchange::{Lamps, Place, Refusal, Sheet, System, Use, fixture, numbers, placed, read};
+use luminaire::dynamic::AnyLight;
+use luminaire_exchange::{
+    Lamp, Lamps, Place, Refusal, Sheet, System, Use, fixture, largest, numbers, placed, read,
+};
 
-/// The options by which a light comes from elsewhere. An option of its shape beside one of these would
-/// have no effect.
-pub(crate) const ELSEWHERE: [&str; 5] = ["from", "fixture", "lumens", "candela", "lux"];
+use crate::text::say;
+
+/// The options and words by which a light comes from elsewhere. An option of its shape beside one
+/// of these would have no effect.
+pub(crate) const ELSEWHERE: [&str; 6] = ["from", "values", "fixture", "lumens", "candela", "lux"];
 
 /// The angles, the intensity and the place of a spotlight.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Spot {
     /// The full angle of 50 % intensity in degrees; with --field, the falloff is fitted to both
-    #[arg(long, conflicts_with_all = ["from", "fixture"])]
+    #[arg(long, conflicts_with_all = ["from", "values", "fixture"])]
     pub(crate) beam: Option<f32>,
     /// The full angle of 10 % intensity in degrees [default: 36]
-    #[arg(long, conflicts_with_all = ["from", "fixture"])]
+    #[arg(long, conflicts_with_all = ["from", "values", "fixture"])]
     pub(crate) field: Option<f32>,
     /// The full angle in degrees at which the light ends
     #[arg(long, conflicts_with_all = ELSEWHERE)]
@@ -44,25 +51,25 @@ pub(crate) struct Source {
     /// tool whose numbers follow as KEY=VALUE: gltf, three, godot, opengl, direct3d, blender, usd, x3d, pbrt,
     /// unreal, unity, bevy or babylon
     #[arg(long, value_name = "FILE|TOOL")]
-    pub(crate) from: Option<String>,
-    /// Numbers in the names and units of the tool, and kind=point, position=X,Y,Z and axis=X,Y,Z; or a file
-    /// of the tool, and for `import` any files
+    pub(crate) from: Option<OsString>,
+    /// Numbers in the names and units of the tool, and kind=point, position=X,Y,Z and axis=X,Y,Z;
+    /// or files, and folders, whose files are read
     #[arg(value_name = "KEY=VALUE|FILE")]
-    pub(crate) values: Vec<String>,
-    /// One light of the file, by its name or its number from 1 [default: all]
+    pub(crate) values: Vec<OsString>,
+    /// One light of each file, by its name or its number from 1 [default: all]
     #[arg(long, value_name = "NAME")]
     pub(crate) light: Option<String>,
     /// A stage light of the built-in table, by a part of its name
-    #[arg(long, value_name = "NAME", conflicts_with = "from")]
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["from", "values"])]
     pub(crate) fixture: Option<String>,
     /// The luminous flux of a data sheet, beside --beam and --field
-    #[arg(long, conflicts_with = "from")]
+    #[arg(long, conflicts_with_all = ["from", "values"])]
     pub(crate) lumens: Option<f64>,
     /// The peak of a data sheet in candela, beside --beam and --field
-    #[arg(long, conflicts_with = "from")]
+    #[arg(long, conflicts_with_all = ["from", "values"])]
     pub(crate) candela: Option<f64>,
     /// The illuminance on the axis at the throw, in place of --lumens or --candela
-    #[arg(long, conflicts_with = "from")]
+    #[arg(long, conflicts_with_all = ["from", "values"])]
     pub(crate) lux: Option<f64>,
     /// The distance of the surface that counts [default: 4]
     #[arg(long, value_name = "DISTANCE")]
@@ -72,9 +79,16 @@ pub(crate) struct Source {
     #[arg(long, value_name = "LUX")]
     pub(crate) full_scale: Option<f64>,
     /// Largest difference of a cheaper cone from a measured light, in linear codes; beyond it the light is
-    /// a table
-    #[arg(long, value_name = "CODES", default_value_t = 1.0)]
-    pub(crate) fit: f64,
+    /// a table [default: 1]
+    #[arg(long, value_name = "CODES")]
+    pub(crate) fit: Option<f64>,
+}
+
+/// A file, or another source, with its lights.
+pub(crate) struct Input {
+    pub(crate) name: String,
+    pub(crate) is_file: bool,
+    pub(crate) loaded: Result<Loaded, Refusal>,
 }
 
 /// Lights with the scale of their intensities.
@@ -83,40 +97,128 @@ pub(crate) struct Loaded {
     pub(crate) usage: Use,
 }
 
+/// The lights of all inputs, each with its use, and whether none was refused.
+pub(crate) struct Found {
+    pub(crate) lamps: Vec<(Lamp, Use)>,
+    pub(crate) is_whole: bool,
+}
+
 impl Source {
-    /// Returns the lights; `None` if the command describes its light by other options.
-    pub(crate) fn load(&self, spot: &Spot) -> Result<Option<Loaded>, Refusal> {
-        if let (None, Some(word)) = (&self.from, self.values.first()) {
-            let expected = "an option, or --from with a file or with a tool before its numbers";
-            return Err(Refusal::new("word", word, expected));
+    /// Returns the lights of all inputs, and says which ones were refused; `None` if the command
+    /// describes its light by other options.
+    pub(crate) fn load(&self, spot: &Spot, has_throw: bool) -> Result<Option<Found>, Refusal> {
+        let inputs = self.inputs(spot)?;
+        self.say_idle(spot, has_throw, &inputs);
+        if inputs.is_empty() {
+            return Ok(None);
         }
-        let lamps = match (&self.from, &self.fixture) {
-            (Some(from), _) => match (from.parse::<System>(), &self.values[..]) {
-                (Ok(system), [file]) if !file.contains('=') => open(file, Some(system), self.fit)?,
-                (Ok(system), values) => numbers(system, values.iter().map(String::as_str))?,
-                (Err(_), []) => open(from, None, self.fit)?,
-                // The words that follow are numbers of a tool.
-                (Err(refusal), _) => return Err(refusal),
-            },
-            (None, None) if self.lumens.or(self.candela).or(self.lux).is_none() => return Ok(None),
-            (None, name) => {
-                let [beam, field] = [spot.beam, spot.field].map(|angle| angle.map(f64::from));
-                let own = Sheet { name: "light".to_owned(), beam, field, ..Sheet::default() };
-                let sheet = name.as_ref().map_or(Ok(own), |name| fixture(name))?;
-                let (lumens, candela) = (self.lumens.or(sheet.lumens), self.candela.or(sheet.candela));
-                let sheet = Sheet { lumens, candela, lux: self.lux, throw: self.throw, ..sheet };
-                Lamps { lamps: sheet.lamp()?.ends().collect(), ..Lamps::new(System::Gdtf) }
+        let (mut found, count) = (Found { lamps: Vec::new(), is_whole: true }, inputs.len());
+        for Input { name, is_file, loaded } in inputs {
+            let refused = match loaded {
+                Err(refusal) => vec![refusal],
+                Ok(Loaded { lamps, usage }) => {
+                    found.lamps.extend(lamps.lamps.into_iter().map(|lamp| (lamp, usage)));
+                    lamps.refused
+                }
+            };
+            for refusal in refused {
+                say("error", if is_file && count > 1 { refusal.at(&name) } else { refusal });
+                found.is_whole = false;
             }
-        };
-        let lamps = self.chosen(lamps)?;
-        if let (true, Some(refusal)) = (lamps.lamps.is_empty(), lamps.refused.first()) {
-            return Err(refusal.clone());
         }
-        self.loaded(lamps, spot).map(Some)
+        Ok(Some(found))
     }
 
-    /// Returns lights with the place and the intensity of the options.
-    pub(crate) fn loaded(&self, mut lamps: Lamps, spot: &Spot) -> Result<Loaded, Refusal> {
+    /// Returns what the words and options name; nothing if the command describes its light by other
+    /// options.
+    pub(crate) fn inputs(&self, spot: &Spot) -> Result<Vec<Input>, Refusal> {
+        let system = self.from.as_ref().map(|from| shown(from).parse::<System>());
+        let number = self.values.iter().find(|word| shown(word).contains('=') && !Path::new(word).exists());
+        let other = |name: String, lamps| {
+            let loaded = self.loaded(lamps, spot)?;
+            Ok(vec![Input { name, is_file: false, loaded: Ok(loaded) }])
+        };
+        match (system, number) {
+            // The words that follow are numbers of a tool.
+            (Some(Err(refusal)), Some(_)) => Err(refusal),
+            (None, Some(word)) => {
+                let expected = "a file, a folder, or --from with a tool before its numbers";
+                Err(Refusal::new("word", shown(word), expected))
+            }
+            (Some(Ok(system)), None) if !self.values.is_empty() => {
+                Ok(self.files(&self.values, Some(system), spot))
+            }
+            (Some(Ok(system)), _) => {
+                let words: Vec<_> = self.values.iter().map(|word| shown(word)).collect();
+                other(system.name().to_owned(), numbers(system, words.iter().map(String::as_str))?)
+            }
+            (Some(Err(_)), None) => {
+                let files: Vec<_> = self.from.iter().chain(&self.values).cloned().collect();
+                Ok(self.files(&files, None, spot))
+            }
+            (None, None) if !self.values.is_empty() => Ok(self.files(&self.values, None, spot)),
+            (None, None) if self.fixture.is_none() && self.lumens.or(self.candela).or(self.lux).is_none() => {
+                Ok(Vec::new())
+            }
+            (None, None) => {
+                let [beam, field] = [spot.beam, spot.field].map(|angle| angle.map(f64::from));
+                let own = Sheet { name: "light".to_owned(), beam, field, ..Sheet::default() };
+                let sheet = self.fixture.as_ref().map_or(Ok(own), |name| fixture(name))?;
+                let (lumens, candela) = (self.lumens.or(sheet.lumens), self.candela.or(sheet.candela));
+                let sheet = Sheet { lumens, candela, lux: self.lux, throw: self.throw, ..sheet };
+                let name = self.fixture.clone().unwrap_or_else(|| "data sheet".to_owned());
+                other(name, Lamps { lamps: sheet.lamp()?.ends().collect(), ..Lamps::new(System::Gdtf) })
+            }
+        }
+    }
+
+    /// Reads files, and of folders those that are of a system by their extension or their first
+    /// line.
+    fn files(&self, words: &[OsString], system: Option<System>, spot: &Spot) -> Vec<Input> {
+        let mut paths = Vec::new();
+        for word in words {
+            match fs::read_dir(word) {
+                Ok(entries) => {
+                    let files = entries.filter_map(|entry| Some(entry.ok()?.path()));
+                    let (mut own, others): (Vec<_>, Vec<_>) =
+                        files.filter(|path| path.is_file()).partition(|path| is_of(path, system));
+                    if !others.is_empty() {
+                        let (folder, kind) = (shown(word), system.map_or("any system", System::name));
+                        let count = others.len();
+                        say(
+                            "note",
+                            format_args!("{folder}: left out {count} without an extension of {kind}"),
+                        );
+                    }
+                    own.sort();
+                    paths.extend(own);
+                }
+                Err(_) => paths.push(PathBuf::from(word)),
+            }
+        }
+        let shows_progress = paths.len() > 20 && stderr().is_terminal();
+        let mut inputs = Vec::new();
+        for (done, path) in paths.iter().enumerate() {
+            if shows_progress && done % 16 == 0 {
+                let _ = write!(stderr(), "\r{done} of {} files", paths.len());
+            }
+            let lamps = open(path, system, self.fit.unwrap_or(1.0));
+            let loaded = lamps.and_then(|lamps| self.loaded(lamps, spot));
+            inputs.push(Input { name: shown(path.as_os_str()), is_file: true, loaded });
+        }
+        if shows_progress {
+            let _ = write!(stderr(), "\r\x1b[K");
+        }
+        inputs
+    }
+
+    /// Returns lights with the place and the intensity of the options; without any, that is
+    /// refused.
+    fn loaded(&self, lamps: Lamps, spot: &Spot) -> Result<Loaded, Refusal> {
+        let mut lamps = self.chosen(lamps)?;
+        if lamps.lamps.is_empty() && lamps.refused.is_empty() {
+            lamps.refused.push(Refusal::new("lights", "none", "at least one light"));
+        }
         let usage = self.usage(&lamps)?;
         for lamp in &mut lamps.lamps {
             let intensity = spot.intensity.map(|intensity| intensity * usage.full_scale as f32);
@@ -127,7 +229,7 @@ impl Source {
     }
 
     /// Returns the light of the option `--light` alone, or else all.
-    pub(crate) fn chosen(&self, mut lamps: Lamps) -> Result<Lamps, Refusal> {
+    fn chosen(&self, mut lamps: Lamps) -> Result<Lamps, Refusal> {
         let Some(chosen) = &self.light else { return Ok(lamps) };
         let names: Vec<_> = lamps.lamps.iter().map(|lamp| lamp.name.as_str()).collect();
         let number = chosen.parse().ok().and_then(|number: usize| number.checked_sub(1));
@@ -152,24 +254,84 @@ impl Source {
         let lux = self.full_scale.map(|lux| positive("full-scale", lux)).transpose()?;
         Ok(Use { full_scale: lux.unwrap_or(usage.full_scale), ..usage })
     }
+
+    /// Says which options have no effect on these lights. `has_throw` is whether the command has a
+    /// use for the throw of any light.
+    pub(crate) fn say_idle(&self, spot: &Spot, has_throw: bool, inputs: &[Input]) {
+        let is_own = inputs.is_empty();
+        let loaded: Vec<_> = inputs.iter().filter_map(|input| input.loaded.as_ref().ok()).collect();
+        let has = |of: &[System]| loaded.iter().any(|loaded| of.contains(&loaded.lamps.system));
+        let mut lights =
+            loaded.iter().flat_map(|loaded| &loaded.lamps.lamps).map(|lamp| &lamp.light).peekable();
+        let is_none = lights.peek().is_none();
+        let (mut placed, mut aimed) = (is_none, is_none);
+        for light in lights {
+            placed |= !matches!(light, AnyLight::Directional(_));
+            aimed |= !matches!(light, AnyLight::Point(_));
+        }
+        use System::{Eulumdat, Gdtf, Ies, Ofl};
+        for (option, is_idle, why) in [
+            ("light", self.light.is_some() && is_own, "there is no file"),
+            ("full-scale", self.full_scale.is_some() && is_own, "the intensity is in units of full scale"),
+            (
+                "throw",
+                self.throw.is_some() && !has_throw && !has(&[Ies, Eulumdat, Gdtf, Ofl]),
+                "only photometry is scaled by the light at a distance",
+            ),
+            ("fit", self.fit.is_some() && !has(&[Ies, Eulumdat]), "no light is that of a photometric file"),
+            ("position", spot.position.is_some() && !placed, "a directional light has none"),
+            ("axis", spot.axis.is_some() && !aimed, "a point light has none"),
+        ] {
+            if is_idle {
+                say("note", format_args!("--{option} has no effect: {why}"));
+            }
+        }
+    }
 }
 
-/// The most bytes of a file that are read: more than any reader accepts, and less than a device gives.
-const MOST: u64 = 1 << 30;
+/// Returns whether a file is of the system, or of any: by its extension, or by the line that begins
+/// a text of numbers.
+fn is_of(path: &Path, system: Option<System>) -> bool {
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let extension = extension.to_ascii_lowercase();
+    let mut systems = System::ALL.iter().filter(|own| system.is_none_or(|system| system == **own));
+    let begins = || {
+        let mut head = [0; 10];
+        fs::File::open(path).and_then(|mut file| file.read_exact(&mut head)).is_ok() && head == *b"# system: "
+    };
+    systems.any(|system| system.extensions().contains(&&*extension)) || begins()
+}
 
-/// Reads a file.
-pub(crate) fn open(file: &str, system: Option<System>, fit: f64) -> Result<Lamps, Refusal> {
-    let mut bytes = Vec::new();
-    fs::File::open(file)
-        .and_then(|open| open.take(MOST).read_to_end(&mut bytes))
-        .map_err(|error| Refusal::new("file", file, format_args!("a file that can be read: {error}")))?;
-    read(file, &bytes, system, fit)
+/// Reads a file, but for one that is too large.
+fn open(path: &Path, system: Option<System>, fit: f64) -> Result<Lamps, Refusal> {
+    let name = shown(path.as_os_str());
+    let unread =
+        |error: io::Error| Refusal::new("file", &name, format_args!("a file that can be read: {error}"));
+    let file = fs::File::open(path).map_err(unread)?;
+    let (mut bytes, size, most) = (Vec::new(), file.metadata().map_err(unread)?.len(), largest(&name));
+    if size <= most {
+        // A device states no size.
+        file.take(most + 1).read_to_end(&mut bytes).map_err(unread)?;
+    }
+    if size.max(bytes.len() as u64) > most {
+        let size = if size > most { size.to_string() } else { format!("more than {most}") };
+        return Err(Refusal::new("size", size, format_args!("at most {most} bytes")));
+    }
+    read(&name, &bytes, system, fit)
 }
 
 /// Writes the file of an option.
-pub(crate) fn save(option: &str, file: &str, content: impl AsRef<[u8]>) -> Result<(), Refusal> {
-    fs::write(file, content)
-        .map_err(|error| Refusal::new(option, file, format_args!("a file that can be written: {error}")))
+pub(crate) fn save(option: &str, file: &Path, content: impl AsRef<[u8]>) -> Result<(), Refusal> {
+    let refused = |error| {
+        let expected = format_args!("a file that can be written: {error}");
+        Refusal::new(option, shown(file.as_os_str()), expected)
+    };
+    fs::write(file, content).map_err(refused)
+}
+
+/// Returns a word of the command line as text: bytes that are none are escaped.
+pub(crate) fn shown(word: &OsStr) -> String {
+    word.to_str().map_or_else(|| format!("{word:?}").trim_matches('"').to_owned(), str::to_owned)
 }
 
 /// Reads three numbers.

@@ -11,17 +11,31 @@ use crate::source::save;
 /// The side of the picture in pixels.
 const SIDE: u32 = 512;
 
-/// Writes the picture of a light.
-pub(crate) fn still(options: &Still) -> Result<(), Refusal> {
-    let loaded = options.source.load(&options.spot)?.ok_or_else(|| {
-        Refusal::new("light", "none", "--from, --fixture, or angles with --lumens, --candela or --lux")
+/// Writes the picture of a light. Returns whether none was refused.
+pub(crate) fn still(options: &Still) -> Result<bool, Refusal> {
+    let found = options.source.load(&options.spot, true)?.ok_or_else(|| {
+        Refusal::new(
+            "light",
+            "none",
+            "a file, --from, --fixture, or angles with --lumens, --candela or --lux",
+        )
     })?;
-    let [lamp] = &loaded.lamps.lamps[..] else {
-        let count = loaded.lamps.lamps.len();
-        return Err(Refusal::new("lights", count, format_args!("--light with a number from 1 to {count}")));
-    };
-    let pixels = wall(&lamp.named(loaded.usage)?.light, loaded.usage.throw)?;
-    save("output", &options.output, png(&pixels)?)
+    match &found.lamps[..] {
+        [] => {}
+        [(lamp, usage)] => {
+            let pixels = wall(&lamp.named(*usage)?.light, usage.throw)?;
+            save("output", &options.output, png(&pixels)?)?;
+        }
+        lamps => {
+            let count = lamps.len();
+            return Err(Refusal::new(
+                "lights",
+                count,
+                format_args!("--light with a number from 1 to {count}"),
+            ));
+        }
+    }
+    Ok(found.is_whole)
 }
 
 /// Returns the pixels, in sRGB with three bytes each, of a white wall across the axis of a light at the

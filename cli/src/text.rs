@@ -1,8 +1,15 @@
 //! Numbers and answers of `pick` as text.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
+use std::io::Write as _;
 
+use luminaire_export::printable;
 use luminaire_pick::{Answer, SceneAnswer, Tolerance};
+
+/// Writes a line to the standard error. Nothing can be done if that fails.
+pub(crate) fn say(word: &str, text: impl Display) {
+    let _ = writeln!(std::io::stderr(), "{word}: {}", printable(&text.to_string()));
+}
 
 /// Returns an answer as text, with all parameters of its request, including defaults.
 pub(crate) fn answer(answer: &Answer) -> String {
@@ -77,8 +84,7 @@ pub(crate) fn lights(answers: &[Answer]) -> String {
             unit(answer)
         );
     }
-    // Without lights the sum is -0.
-    let sum = 0.0 + answers.iter().map(|answer| answer.price.instructions).sum::<f64>();
+    let sum: f64 = answers.iter().map(|answer| answer.price.instructions).sum();
     let _ = writeln!(text, "sum {sum:.1} instructions");
     text
 }
