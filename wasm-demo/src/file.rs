@@ -35,19 +35,18 @@ impl LightFile {
         json!({ "lights": lights, "notes": notes }).to_string()
     }
 
-    /// Returns the parameters of a light in a tool, a line each, and after them sentences about their
-    /// difference and about the tool. Throws in words that there are none.
+    /// Returns the parameters of a light in a tool as a text that is a file itself, and after it
+    /// sentences about their difference and about the tool. Throws in words that there are none.
     pub fn parameters(&self, light: usize, tool: &str) -> Result<Vec<String>, Refusal> {
         let lamps = &self.0.lamps;
         let lamp = lamps.get(light).ok_or_else(|| Refusal::light(light, lamps.len()))?;
-        let found = parameters(lamp, tool.parse()?, self.1)?;
+        let found = parameters(lamp, tool.parse()?, self.1.within(lamp))?;
         let Residual { bound, degrees, .. } = found.angle;
-        let lines: String = found.values.iter().map(|(key, value)| format!("{key}={value}\n")).collect();
         let told = format!(
             "Within {bound:.2} of 255 codes over the angle, most at {degrees:.1}°, and {:.2} over the distance.",
             found.distance
         );
-        let told = [format!("# system: {tool}\n{lines}"), told];
+        let told = [found.text(lamp), told];
         Ok(told.into_iter().chain(found.notes.into_iter().map(String::from)).collect())
     }
 }

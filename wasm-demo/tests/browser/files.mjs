@@ -19,7 +19,7 @@ quick("a measured light is shown, its parameters are copied, and it lights the s
   assert.match(await words("file-parameters-told"), /^Within [\d.]+ of 255 codes over the angle/);
   await press("file-copy");
   await until(() => document.getElementById("file-copied").textContent === "Copied.");
-  assert.match(await ask(() => window.copied), /^# system: godot\nspot_angle=[\d.]+\n(\w+=[\d.]+\n)+$/);
+  assert.match(await ask(() => window.copied), /^# system: godot\n# name: Spot 12\n# kind: spot\n(# \w+: [-\d.,]+\n)+spot_angle=[\d.]+\n(\w+=[\d.]+\n)+$/);
   const before = await sum();
   await change("the light of the file", () => press("file-put"));
   assert.deepEqual([await number("light-intensity-number"), await number("light-beam-number")], [2000, 10.79]);
