@@ -14,8 +14,7 @@ use core::fmt::Write;
 
 use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::OutputPin;
-use embedded_hal::spi::SpiBus;
-use embedded_hal_bus::spi::ExclusiveDevice;
+use embedded_hal::spi::SpiDevice;
 use luminaire_stage::{FRAMES, Markers};
 use mipidsi::Builder;
 use mipidsi::interface::SpiInterface;
@@ -29,17 +28,15 @@ use second::Drawn;
 pub use display::{Panel, Words};
 pub use second::{Job, Second, Strip};
 
-/// Starts the display at a bus of bytes in mode 3. `None` if its driver refuses the options.
+/// Starts the display at a bus of bytes in mode 3, which selects it. `None` if its driver refuses the options.
 pub fn start(
-    bus: &mut impl SpiBus,
+    bus: impl SpiDevice,
     is_data: &mut impl OutputPin,
-    select: &mut impl OutputPin,
     reset: impl OutputPin,
     delay: &mut impl DelayNs,
 ) -> Option<()> {
-    let device = ExclusiveDevice::new_no_delay(bus, select).ok()?;
     let mut buffer = [0; 16];
-    let started = Builder::new(ST7789, SpiInterface::new(device, is_data, &mut buffer))
+    let started = Builder::new(ST7789, SpiInterface::new(bus, is_data, &mut buffer))
         .display_size(SIZE, SIZE)
         .invert_colors(ColorInversion::Inverted)
         .reset_pin(reset)

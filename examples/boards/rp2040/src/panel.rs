@@ -5,7 +5,7 @@ use core::convert::Infallible;
 use cortex_m::asm::dsb;
 use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::OutputPin;
-use embedded_hal::spi::{ErrorKind, SpiBus};
+use embedded_hal::spi::{ErrorKind, Operation, SpiDevice};
 use embedded_hal::{digital, spi};
 use luminaire_panel::Words;
 use rp2040_pac::{DMA, IO_BANK0, SIO, SPI0};
@@ -43,7 +43,8 @@ impl<'a> Panel<'a> {
         // The driver sends bytes, and the DMA words of 16 bits.
         let mut bus = Bus(device);
         bus.start(8);
-        luminaire_panel::start(&mut bus, &mut is_data, &mut select, reset, delay)?;
+        let Ok(()) = select.set_high();
+        luminaire_panel::start(Selected(&mut bus, &mut select), &mut is_data, reset, delay)?;
         bus.start(16);
         select.set_low().ok()?;
         Some(Self { bus, dma, is_data })
@@ -117,33 +118,25 @@ impl Bus {
     }
 }
 
-impl spi::ErrorType for Bus {
+/// The bus while the driver starts the display: the pin selects it.
+struct Selected<'a, 'b>(&'a mut Bus, &'a mut Output<'b>);
+
+impl spi::ErrorType for Selected<'_, '_> {
     type Error = ErrorKind;
 }
 
-impl SpiBus for Bus {
-    fn write(&mut self, bytes: &[u8]) -> Result<(), ErrorKind> {
-        bytes.iter().for_each(|&byte| self.send(byte.into()));
+impl SpiDevice for Selected<'_, '_> {
+    fn transaction(&mut self, operations: &mut [Operation<'_, u8>]) -> Result<(), ErrorKind> {
+        let Self(bus, select) = self;
+        let Ok(()) = select.set_low();
+        for operation in operations {
+            // No pin is connected to what the display would send.
+            let Operation::Write(bytes) = operation else { return Err(ErrorKind::Other) };
+            bytes.iter().for_each(|&byte| bus.send(byte.into()));
+        }
+        bus.wait();
+        let Ok(()) = select.set_high();
         Ok(())
-    }
-
-    fn flush(&mut self) -> Result<(), ErrorKind> {
-        self.wait();
-        Ok(())
-    }
-
-    // No pin is connected to what the display would send.
-
-    fn read(&mut self, _: &mut [u8]) -> Result<(), ErrorKind> {
-        Err(ErrorKind::Other)
-    }
-
-    fn transfer(&mut self, _: &mut [u8], _: &[u8]) -> Result<(), ErrorKind> {
-        Err(ErrorKind::Other)
-    }
-
-    fn transfer_in_place(&mut self, _: &mut [u8]) -> Result<(), ErrorKind> {
-        Err(ErrorKind::Other)
     }
 }
 
