@@ -10,6 +10,7 @@ mod fresh;
 mod msrv;
 mod package;
 mod pictures;
+mod portable;
 mod prove;
 mod readers;
 mod renderers;

@@ -90,6 +90,34 @@ pub(crate) fn run(suite: &mut Suite) {
     suite.step(NAMES[5], |progress| unpacked()?.oldest_dependencies(progress));
 }
 
+/// Packs the crates of a checkout, and unpacks them into a folder. Fails if one lacks a file.
+pub(crate) fn pack(root: &Path, target: &Path, progress: &Progress) -> Result<TempDir> {
+    let mut package = command::cargo(["package", "--allow-dirty", "--no-verify"]);
+    package.args(CRATES.iter().flat_map(|(name, _)| ["--package", name]));
+    package.current_dir(root).env("CARGO_TARGET_DIR", target);
+    let output = progress.output(package)?;
+    let warnings = output.lines().filter(|line| line.starts_with("warning"));
+    let others: Vec<_> =
+        warnings.filter(|line| !ACCEPTED.iter().any(|accepted| line.contains(accepted))).collect();
+    ensure!(others.is_empty(), "expected no warning but {ACCEPTED:?}, found {others:?}");
+    let unpacked = tempfile::tempdir()?;
+    for (name, files) in CRATES {
+        let mut tar = Command::new("tar");
+        // By its name alone: to some a colon, as in a path of Windows, is the end of a host's name.
+        tar.arg("xzf").arg(format!("{name}-{VERSION}.crate")).current_dir(target.join("package"));
+        tar.arg("-C").arg(unpacked.path());
+        progress.run(tar)?;
+        // A link that was not followed has only the path of its file.
+        let is_whole = |file: &&&str| {
+            let file = unpacked.path().join(format!("{name}-{VERSION}")).join(file);
+            fs::metadata(file).is_ok_and(|file| file.is_file() && file.len() > 100)
+        };
+        let missing: Vec<_> = files.iter().filter(|file| !is_whole(file)).collect();
+        ensure!(missing.is_empty(), "the crate {name} lacks {missing:?}");
+    }
+    Ok(unpacked)
+}
+
 /// The packed crates, unpacked in a folder outside every workspace.
 struct Unpacked {
     folder: TempDir,
@@ -97,26 +125,8 @@ struct Unpacked {
 
 impl Unpacked {
     fn new(progress: &Progress) -> Result<Self> {
-        let mut package = command::cargo(["package", "--allow-dirty", "--no-verify"]);
-        package.args(CRATES.iter().flat_map(|(name, _)| ["--package", name]));
-        let output = progress.output(package)?;
-        let warnings = output.lines().filter(|line| line.starts_with("warning"));
-        let others: Vec<_> =
-            warnings.filter(|line| !ACCEPTED.iter().any(|accepted| line.contains(accepted))).collect();
-        ensure!(others.is_empty(), "expected no warning but {ACCEPTED:?}, found {others:?}");
-        let unpacked = Self { folder: tempfile::tempdir()? };
-        for (name, files) in CRATES {
-            let mut tar = Command::new("tar");
-            tar.arg("xzf").arg(project::target().join(format!("package/{name}-{VERSION}.crate")));
-            tar.current_dir(unpacked.folder.path());
-            progress.run(tar)?;
-            // A link that was not followed has only the path of its file.
-            let is_whole = |file: &&&str| {
-                fs::metadata(unpacked.of(name).join(file))
-                    .is_ok_and(|file| file.is_file() && file.len() > 100)
-            };
-            let missing: Vec<_> = files.iter().filter(|file| !is_whole(file)).collect();
-            ensure!(missing.is_empty(), "the crate {name} lacks {missing:?}");
+        let unpacked = Self { folder: pack(project::root(), &project::target(), progress)? };
+        for (name, _) in CRATES {
             let settings = unpacked.of(name).join(".cargo");
             fs::create_dir(&settings)?;
             fs::write(settings.join("config.toml"), unpacked.below(name))?;

@@ -16,7 +16,9 @@ use tools::toolchain::Toolchain;
 use tools::{compilers, install, project};
 
 use crate::features::{self, ALL, BARE_METAL, SETS, STD};
-use crate::{browsers, contributing, eva, msrv, package, prove, readers, renderers, scripts, semver};
+use crate::{
+    browsers, contributing, eva, msrv, package, portable, prove, readers, renderers, scripts, semver,
+};
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
 const TOOLS: [&str; 5] = ["lab", "luminaire-counter", "measure", "tools", "xtask"];
@@ -108,6 +110,7 @@ fn host(suite: &mut Suite, full: bool) {
         dependencies(suite);
         fuzz(suite);
         msrv::run(suite);
+        portable::run(suite);
         semver::run(suite);
         readers::run(suite);
     }
