@@ -65,8 +65,10 @@ impl Qemu {
 
     /// A call that still lacks the firmware.
     pub(crate) fn command(&self) -> Command {
-        let mut qemu = if cfg!(unix) { Command::new("timeout") } else { Command::new(&self.program) };
-        if cfg!(unix) {
+        let mut qemu = Command::new(&self.program);
+        // macOS has no such program, and Windows another one of this name.
+        if System::HERE == System::Linux {
+            qemu = Command::new("timeout");
             qemu.arg(PATIENCE).arg(&self.program);
         }
         qemu.args(self.board.machine).args(["-nographic", "-monitor", "none", "-serial", "none"]);

@@ -15,15 +15,16 @@ const OPTIONS: &str = "-std=gnu99 -Os -mmcu=atmega1284p -DF_CPU=16000000UL";
 /// Runs a program that ends by a sleep without interrupts. Returns the lines of its UART; `None` without
 /// the emulator.
 pub(crate) fn emulate(processor: &str, program: &Path) -> Option<Vec<String>> {
+    // Before `timeout` is called, which is another program on Windows.
+    if Command::new("simavr").arg("--help").output().is_err() {
+        return is_missing("simavr");
+    }
     let mut emulator = Command::new("timeout");
     let Ok(output) =
         emulator.args(["300", "simavr", "-f", "16000000", "-m", processor]).arg(program).output()
     else {
         return is_missing("timeout");
     };
-    if output.status.code() == Some(127) {
-        return is_missing("simavr");
-    }
     assert!(output.status.success(), "{}: {:?}", program.display(), output.status);
     let text = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
     // A line is green, and its carriage return and line feed are printed as points.

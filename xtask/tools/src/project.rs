@@ -95,9 +95,9 @@ pub fn remove(folder: &Path) -> Result<()> {
     }
 }
 
-/// The CRC-32 of files and their names.
+/// The CRC-32 of files and their names, which is the same on every system.
 pub fn checksum(files: &BTreeMap<PathBuf, Vec<u8>>) -> u32 {
-    let names = files.keys().map(|path| path.to_string_lossy().into_owned().into_bytes());
+    let names = files.keys().map(|path| path.to_string_lossy().replace('\\', "/").into_bytes());
     let mut crc = u32::MAX;
     for byte in names.zip(files.values()).flat_map(|(name, content)| [name, content.clone()].concat()) {
         crc ^= u32::from(byte);
