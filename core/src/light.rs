@@ -139,13 +139,16 @@ impl Axis {
     /// Returns the axis along a vector and the length of the vector, or an error that shows the
     /// length.
     fn new(parameter: Parameter, vector: Vec3<f32>) -> Result<(Self, f32), Error> {
-        let length = trig::sqrt(vector.dot(vector));
+        let [x, y, z] = [vector.x, vector.y, vector.z].map(f32::abs);
+        let exponent = 253_u32.saturating_sub(x.max(y).max(z).to_bits() >> 23).max(1);
+        let [scale, back] = [exponent, 254 - exponent].map(|exponent| f32::from_bits(exponent << 23));
+        // From the scaled axis alone, so that a stored light is read back with the same bits.
+        let toward = vector.map(|c| c * scale);
+        let scaled = trig::sqrt(toward.dot(toward));
+        let length = scaled * back;
         if !(1e-18..=1e18).contains(&length) {
             return Err(Error { parameter, value: length, accepted: Expected::Direction });
         }
-        let [x, y, z] = [vector.x, vector.y, vector.z].map(f32::abs);
-        let exponent = x.max(y).max(z).to_bits() >> 23;
-        let scale = f32::from_bits((253 - exponent) << 23);
-        Ok((Self { unit: vector.map(|c| c / length), toward: vector.map(|c| c * scale) }, length))
+        Ok((Self { unit: toward.map(|c| c / scaled), toward }, length))
     }
 }

@@ -87,9 +87,14 @@ fn numbers_out_of_range() {
 #[test]
 fn vectors_that_are_none() {
     let lengths = "expected finite components and a length between 1e-18 and 1e18";
-    for (axis, shown) in
-        [(ORIGIN, "0"), (Vec3::new(f32::NAN, 0.0, 1.0), "NaN"), (Vec3::new(f32::MAX, 0.0, 0.0), "inf")]
-    {
+    let ahead = |x| Vec3::new(x, 0.0, 0.0);
+    for (axis, shown) in [
+        (ORIGIN, "0"),
+        (Vec3::new(f32::NAN, 0.0, 1.0), "NaN"),
+        (ahead(f32::MAX), "3.4028235e38"),
+        (ahead(f32::INFINITY), "inf"),
+        (ahead(1e-45), "1e-45"),
+    ] {
         assert_refused(SpotLight::new(ORIGIN, axis, cone()), &format!("axis = {shown}: {lengths}"));
         assert_refused(spot().with_axis(axis), &format!("axis = {shown}: {lengths}"));
     }

@@ -80,7 +80,7 @@ const POINTS: &str = "fn(usize) -> luminaire::Vec3<<Format as luminaire::Scalar>
 const PLACES: &str = "fn(usize) -> <Format as luminaire::Scalar>::Length";
 /// The type for a parameter that has only bounds in `OF_NUMBERS`, which every number satisfies.
 const PLAIN: &[&str] = &["Format"];
-const OF_NUMBERS: &str = "Clone Debug Default Deserialize Eq Format Hash Named Ord PartialEq PartialOrd Pod Serialize \
+const OF_NUMBERS: &str = "Any Clone Debug Default Deserialize Eq Format Hash Named Ord PartialEq PartialOrd Pod Serialize \
                           Source Zeroable";
 
 /// The values for a const generic parameter, by its type: exponents and squarings, and the lengths

@@ -18,7 +18,9 @@
 //! it hold [`Angle`]s, and call the constructor of [`Cone`](crate::Cone). A [`Table`] borrows its
 //! samples, so it can be neither written nor read: store the samples.
 //!
-//! The other types accept every value of their serialised form.
+//! The other types accept every value of their serialised form but numbers that are not finite: an
+//! angle, a component or a channel that is infinite or NaN is neither written nor read, because text
+//! formats have no such numbers.
 //!
 //! ```
 //! use luminaire::{Angle, Cone, SpotLight, falloff::Soft};
@@ -40,6 +42,7 @@ use crate::{
     falloff::Table,
     vec3::Vec3,
 };
+use core::{any::Any, fmt};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 
 /// The error of a table.
@@ -57,18 +60,48 @@ impl<'de> Deserialize<'de> for Table<'_> {
     }
 }
 
+/// A number that is not finite, and its name: the error of what is written and of what is read.
+struct NotFinite(&'static str, f64);
+
+impl fmt::Display for NotFinite {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}: expected a finite number", self.0, self.1)
+    }
+}
+
+/// Returns an error for a float that is not finite; JSON reads 1e39 as infinity, which it writes as
+/// `null`. Values of other types are accepted.
+fn check_finite<T: Any>(name: &'static str, value: &T) -> Result<(), NotFinite> {
+    let value: &dyn Any = value;
+    let single = value.downcast_ref().map(|&single: &f32| single.into());
+    match single.or(value.downcast_ref().copied()) {
+        Some(number) if !f64::is_finite(number) => Err(NotFinite(name, number)),
+        _ => Ok(()),
+    }
+}
+
 /// Implements serialisation of three components as an array.
 macro_rules! array {
-    ($($name:ident($first:ident, $second:ident, $third:ident))*) => {$(
-        impl<T: Serialize> Serialize for $name<T> {
-            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                [&self.$first, &self.$second, &self.$third].serialize(serializer)
+    ($($name:ident($($component:ident),*))*) => {$(
+        impl<T: Any> $name<T> {
+            fn check_finite(&self) -> Result<(), NotFinite> {
+                $(check_finite(stringify!($component), &self.$component)?;)*
+                Ok(())
             }
         }
 
-        impl<'de, T: Deserialize<'de>> Deserialize<'de> for $name<T> {
+        impl<T: Serialize + Any> Serialize for $name<T> {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                self.check_finite().map_err(ser::Error::custom)?;
+                [$(&self.$component),*].serialize(serializer)
+            }
+        }
+
+        impl<'de, T: Deserialize<'de> + Any> Deserialize<'de> for $name<T> {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                <[T; 3]>::deserialize(deserializer).map(Self::from)
+                let read = <[T; 3]>::deserialize(deserializer).map(Self::from)?;
+                read.check_finite().map_err(de::Error::custom)?;
+                Ok(read)
             }
         }
     )*};
@@ -76,34 +109,38 @@ macro_rules! array {
 
 array!(Vec3(x, y, z) Rgb(red, green, blue));
 
-/// Implements serialisation of a type as another type.
+/// Implements serialisation of a type as another type, under a name for errors.
 macro_rules! written_as {
-    ($($name:ident($as:ty, $from:expr, $to:expr))*) => {$(
+    ($($name:ident($as:ty, $from:expr, $to:expr, $words:literal))*) => {$(
         impl Serialize for $name {
             fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                $to(*self).serialize(serializer)
+                let written = $to(*self);
+                check_finite($words, &written).map_err(ser::Error::custom)?;
+                written.serialize(serializer)
             }
         }
 
         impl<'de> Deserialize<'de> for $name {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                <$as>::deserialize(deserializer).map($from)
+                let read = <$as>::deserialize(deserializer)?;
+                check_finite($words, &read).map_err(de::Error::custom)?;
+                Ok($from(read))
             }
         }
     )*};
 }
 
 written_as! {
-    Rgb565(u16, Self, u16::from)
-    Angle(f32, Self::degrees, Self::to_degrees)
-    HalfAngle(f32, Self::degrees, Self::to_degrees)
+    Rgb565(u16, Self, u16::from, "pixel")
+    Angle(f32, Self::degrees, Self::to_degrees, "angle")
+    HalfAngle(f32, Self::degrees, Self::to_degrees, "half angle")
 }
 
 /// Implements serialisation of numbers as the integers that store them.
 #[cfg(feature = "fixed")]
 macro_rules! bits {
     ($($number:ident($bits:ty))*) => {
-        written_as!($($number($bits, Self::from_bits, Self::to_bits))*);
+        written_as!($($number($bits, Self::from_bits, Self::to_bits, "bits"))*);
     };
 }
 
@@ -124,6 +161,7 @@ mod tests {
         light::{AmbientLight, DirectionalLight, PointLight, SpotLight},
     };
     use core::fmt::Debug;
+    use serde::de::value::F32Deserializer;
     use serde_json::{from_str, to_string};
 
     extern crate std;
@@ -263,6 +301,51 @@ mod tests {
         assert!(refusal::<DirectionalLight>(direction).starts_with("axis = 0: expected"));
         let bright = r#"{"color":[1.0,1.0,1.0],"intensity":1e10}"#;
         assert!(refusal::<AmbientLight>(bright).starts_with("intensity = 10000000000: expected"));
+    }
+
+    /// JSON, and a format that holds the bits of any float: a value is read back to the bit, or refused
+    /// in words both when it is written and when it is read.
+    #[test]
+    fn floats_are_read_back_or_refused() {
+        let mut rng = fastrand::Rng::with_seed(38);
+        let hostile = [f32::NAN, f32::INFINITY, -f32::INFINITY, f32::MAX, f32::MIN, 1e-45, -1e-39, -0.0];
+        let drawn: std::vec::Vec<_> = (0..10_000).map(|_| f32::from_bits(rng.u32(..))).collect();
+        for number in hostile.into_iter().chain(drawn) {
+            type Bits = F32Deserializer<de::value::Error>;
+            let bits = |angle: Angle| angle.to_degrees().to_bits();
+            let read = Angle::deserialize(Bits::new(number)).map_err(|error| error.to_string());
+            let written = to_string(&Angle::degrees(number)).map_err(|error| error.to_string());
+            let way = to_string(&Vec3::new(0.5, number, 2.0)).map_err(|error| error.to_string());
+            if !number.is_finite() {
+                let refused = |name: &str| std::format!("{name} = {number}: expected a finite number");
+                assert_eq!((read, written), (Err(refused("angle")), Err(refused("angle"))));
+                assert_eq!(way, Err(refused("y")));
+                continue;
+            }
+            let from_text = from_str::<Angle>(&written.unwrap()).unwrap();
+            assert_eq!([bits(read.unwrap()), bits(from_text)], [number.to_bits(); 2]);
+            let way: Vec3<f32> = from_str(&way.unwrap()).unwrap();
+            assert_eq!(way.y.to_bits(), number.to_bits());
+        }
+        assert!(refusal::<Angle>("1e39").starts_with("angle = inf: expected a finite number"));
+        assert!(refusal::<HalfAngle>("-1e39").starts_with("half angle = -inf: expected"));
+        assert!(refusal::<Vec3<f32>>("[0.0,-1e39,0.0]").starts_with("y = -inf: expected"));
+        assert!(refusal::<Rgb<f32>>("[0.0,0.0,1e39]").starts_with("blue = inf: expected"));
+    }
+
+    /// Also an axis with components so small that they have few digits.
+    #[test]
+    fn an_axis_is_read_back_to_the_bit() {
+        let mut rng = fastrand::Rng::with_seed(39);
+        let mut tiny = 0;
+        for _ in 0..20_000 {
+            let [x, z] = [(); 2].map(|()| f32::from_bits(rng.u32(..) & 0x83ff_ffff));
+            let axis = Vec3::new(x, f32::from_bits(rng.u32(..)), z);
+            let Ok(light) = DirectionalLight::new(axis) else { continue };
+            tiny += usize::from([axis.x, axis.y, axis.z].iter().any(|c| c.abs() < 1e-38));
+            read_back(light);
+        }
+        assert!(tiny > 1_000, "{tiny} axes with a component that is not a normal number");
     }
 
     #[test]
