@@ -1,6 +1,7 @@
 // The lights of a file that is picked by a button, or dropped on the page. What reads it is loaded with the first one.
 import { element } from "./elements.js";
 import { words } from "./failure.js";
+import { built } from "./parts.js";
 import { load } from "./support.js";
 import { reveal } from "./tabs.js";
 
@@ -18,6 +19,7 @@ export function takeFiles(stage) {
     [told.textContent, told.className] = [`Reading ${file.name}.`, "note"];
     try {
       if (file.size > 2 ** 26) throw `size = ${file.size}: expected at most ${2 ** 26} bytes`;
+      await built("files", (text) => (told.textContent = text));
       const [bytes, { openPanel }] = await Promise.all([file.arrayBuffer(), load("file-panel.js")]);
       show ??= await openPanel(place, stage);
       told.textContent = show?.(file.name, new Uint8Array(bytes)) ?? "";

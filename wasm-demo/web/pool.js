@@ -2,6 +2,7 @@
 import { Painter } from "./pkg/wasm_demo.js";
 import { isTrap, words } from "./failure.js";
 import { compile } from "./module.js";
+import { built } from "./parts.js";
 import { now, Share } from "./share.js";
 import { hire } from "./workers.js";
 
@@ -193,6 +194,7 @@ export class Pool {
   async #equip(jobs) {
     await this.#opening;
     if (this.#isEquipped || jobs.every((job) => Painter.draws(job))) return;
+    await built("wide");
     try {
       wide ??= compile(new URL("pkg/wide_bg.wasm", import.meta.url));
       const order = { module: await wide };

@@ -3,6 +3,7 @@ import { element, made, onceSeen } from "./elements.js";
 import { load } from "./support.js";
 import { words } from "./failure.js";
 import { median, tidy } from "./numbers.js";
+import { built } from "./parts.js";
 
 /**
  * A light, and the distances of the surfaces that it reaches: the nearest and the farthest, or none.
@@ -66,7 +67,10 @@ export class PriceSlot {
   }
 
   async #open() {
+    const told = made("p", { className: "note", role: "status" });
+    this.#place.replaceChildren(told);
     try {
+      await built("price", (text) => (told.textContent = text));
       const { PricePanel } = await load("price-panel.js");
       /** @type {import("./price-panel.js").PricePanel} */
       const panel = await PricePanel.open(this.#place);

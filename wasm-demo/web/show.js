@@ -27,23 +27,26 @@ export async function open() {
   const meter = new Meter(stage, page, module, memory);
   /**
    * A view that is loaded when it is opened, and that the meter then knows.
-   * @type {(id: "comparison" | "museum" | "class" | "chip", name: string) => import("./views.js").Source}
+   * @type {(id: "comparison" | "museum" | "class" | "chip", name: string, part: import("./parts.js").Name) => import("./views.js").Source}
    */
-  const late = (id, name) => ({
+  const late = (id, name, part) => ({
     element: element(id),
+    part,
     open: async () => (meter[id] = await (await load(`${id}-view.js`))[name].open()),
   });
   Object.assign(window, { luminaire: meter });
-  await new Views(
+  const views = new Views(
     new Map([
       ["stage", { element: element("stage-page"), open: async () => page }],
-      ["compare", late("comparison", "ComparisonView")],
-      ["museum", late("museum", "MuseumView")],
-      ["class", late("class", "ClassView")],
-      ["chip", late("chip", "ChipView")],
-      ["use", { element: element("use"), open: async () => (await load("use-view.js")).UseView.open(() => page.selected) }],
+      ["compare", late("comparison", "ComparisonView", "comparison")],
+      ["museum", late("museum", "MuseumView", "comparison")],
+      ["class", late("class", "ClassView", "class")],
+      ["chip", late("chip", "ChipView", "chip")],
+      ["use", { element: element("use"), part: "code", open: async () => (await load("use-view.js")).UseView.open(() => page.selected) }],
     ]),
-  ).show();
+  );
+  // A view that is still being built keeps nobody from the others.
+  await Promise.race([views.show(), new Promise((resolve) => (views.onwait = () => resolve(undefined)))]);
 }
 
 /**

@@ -13,6 +13,7 @@ import { LightList } from "./light-list.js";
 import { LightPanel } from "./light-panel.js";
 import { MapLegend } from "./map-legend.js";
 import { tidy, whole } from "./numbers.js";
+import { isBuilt } from "./parts.js";
 import { plain } from "./plain.js";
 import { PriceSlot } from "./price-slot.js";
 import { Readout } from "./readout.js";
@@ -236,7 +237,7 @@ export class StagePage {
 
   /** Lights the picture with the needed effects and with all, and compares the two bit for bit. */
   compare() {
-    return this.#pool.compare(this.#stage.job());
+    return this.#pool.compare(this.#jobs()[0]);
   }
 
   #join() {
@@ -300,6 +301,7 @@ export class StagePage {
         this.#stage.set("with", format);
         this.#stage.set("difference", true);
       });
+      this.#verdict.onbuilt = () => this.#changed();
       this.#verdict.later();
     };
     later("curve.js", joinCurve).catch(reportError);
@@ -390,7 +392,7 @@ export class StagePage {
     input("camera").checked = stage.cameraPlays;
     input("camera").disabled = !stage.cameraMoves;
     this.#controls.show();
-    this.#divided.cover(stage.get("with") !== "", stage.get("difference"));
+    this.#divided.cover(this.#jobs()[1] !== undefined, stage.get("difference"));
     element("equality").textContent = EQUAL;
     element("told").textContent = "";
     this.#lights.show();
@@ -461,6 +463,17 @@ export class StagePage {
   }
 
   /**
+   * The jobs of the picture and of its other half. Until what draws in 32 bits is built, the picture is
+   * whole and in 16 bits, and the sentence below it says so.
+   * @returns {[string, string?]}
+   */
+  #jobs() {
+    const stage = this.#stage;
+    if (isBuilt("wide")) return [stage.job(), stage.otherJob()];
+    return [stage.get("format") === "fx16" ? stage.job() : stage.jobIn("fx16")];
+  }
+
+  /**
    * Draws what has changed: see `CameraView`.
    * @param {number} now
    * @param {() => void} onfree
@@ -471,9 +484,8 @@ export class StagePage {
     const step = Math.min((now - (this.#last ?? now)) / 1000, LONGEST_STEP);
     const isPlaying = stage.advance(step);
     this.#last = isPlaying ? now : undefined;
-    const job = stage.job();
+    const [job, other] = this.#jobs();
     const { isAtRest } = stage;
-    const other = stage.otherJob();
     if (job === this.#drawnJob && this.#divided.hasDrawn(other)) return { goesOn: isPlaying, show: () => this.#show() };
     const { width, height } = stage;
     this.#drawnJob = undefined;

@@ -3,6 +3,7 @@ import { copyTextOf } from "./clipboard.js";
 import { openCode } from "./code-drawer.js";
 import { element as find, fetchText } from "./elements.js";
 import { refusalOf } from "./failure.js";
+import { built } from "./parts.js";
 
 /** @typedef {{ job: string, light: number, name: string }} Selected a light of a job of the stage */
 
@@ -40,6 +41,8 @@ export class UseView {
     element("links").hidden = !source;
     find("use-source", HTMLAnchorElement).href = source ?? "";
     find("use-guide", HTMLAnchorElement).href = `${source}blob/HEAD/core/src/guide.rs`;
+    // Without the chip there is no firmware to offer, and its own view says why.
+    built("chip").then(() => (element("firmware").hidden = false), () => {});
     for (const button of /** @type {NodeListOf<HTMLElement>} */ (find("use").querySelectorAll("[data-copies]"))) {
       button.addEventListener("click", () => copyTextOf(find(button.dataset.copies ?? ""), element("told")));
     }

@@ -3,6 +3,7 @@ import { Divided } from "./pkg/wasm_demo.js";
 import { apart } from "./apart.js";
 import { element, fetchText } from "./elements.js";
 import { words } from "./failure.js";
+import { built, isBuilt } from "./parts.js";
 import { Pool } from "./pool.js";
 
 /** Time after a change until the visitor has probably paused, in milliseconds. */
@@ -27,6 +28,9 @@ export class Verdict {
 
   /** Called with the format that the picture is to be compared with, to show where they differ. */
   onwhere = /** @type {(format: string) => void} */ (() => {});
+
+  /** Called when what draws in 32 bits has been waited for and is built. */
+  onbuilt = () => {};
 
   /**
    * @param {import("./pkg/wasm_demo.js").Stage} stage
@@ -65,8 +69,12 @@ export class Verdict {
     const asked = jobs.join();
     if (asked === this.#measured) return;
     this.#measured = asked;
-    const pool = new Pool(Promise.resolve(this.#module), 1);
+    /** @type {Pool | undefined} */
+    let pool;
     try {
+      await this.#wide((text) => asked === this.#measured && this.#tell(text, false));
+      if (asked !== this.#measured) return;
+      pool = new Pool(Promise.resolve(this.#module), 1);
       const shown = jobs.map((job) => this.#shown(job));
       const pictures = [];
       for (const [i, job] of jobs.entries()) pictures.push(bytes(shown[i] ?? (await pool.draw(job)).parts[0].pixels));
@@ -81,10 +89,21 @@ export class Verdict {
       if (asked !== this.#measured) return;
       this.#measured = "";
       this.#cheaper = undefined;
-      this.#tell(`${NAMES[format]}: not measured: ${words(refusal)}`, false);
+      const drawn = isBuilt("wide") ? "" : " The picture is drawn in 16 bits.";
+      this.#tell(`${NAMES[format]}: not measured: ${words(refusal)}${drawn}`, false);
     } finally {
-      pool.end();
+      pool?.end();
     }
+  }
+
+  /**
+   * Waits until what draws in 32 bits is built.
+   * @param {(text: string) => void} tell
+   */
+  async #wide(tell) {
+    if (isBuilt("wide")) return;
+    await built("wide", tell);
+    this.onbuilt();
   }
 
   /**

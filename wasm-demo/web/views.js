@@ -2,9 +2,13 @@
 import { follow } from "./address.js";
 import { element } from "./elements.js";
 import { isTrap, words } from "./failure.js";
+import { built } from "./parts.js";
 
 /** @typedef {{ show: (query: string) => void, hide: () => void }} Shown an opened view */
-/** @typedef {{ element: HTMLElement, open: () => Promise<Shown> }} Source */
+/**
+ * What opens a view once its part of the demo is built.
+ * @typedef {{ element: HTMLElement, part?: import("./parts.js").Name, open: () => Promise<Shown> }} Source
+ */
 
 /**
  * Splits the part of the address after the #: the name of a view and, after a question mark, the
@@ -18,16 +22,22 @@ function requestedView(hash) {
 
 /** A view that is opened when it is first requested. A failed opening can be retried. */
 class View {
-  #open;
+  #source;
   /** @type {Promise<Shown> | undefined} */
   #opening;
   /** @type {Shown | undefined} */
   #opened;
 
+  /** What the view waits for, in words. */
+  waits = "";
+
+  /** Called when that has changed. */
+  onwait = () => {};
+
   /** @param {Source} source */
-  constructor({ element, open }) {
-    this.element = element;
-    this.#open = open;
+  constructor(source) {
+    this.#source = source;
+    this.element = source.element;
   }
 
   /**
@@ -46,6 +56,23 @@ class View {
     if (isWanted()) await this.#opened.show(query);
   }
 
+  async #open() {
+    const { part, open } = this.#source;
+    try {
+      if (part) await built(part, (text) => this.#wait(text));
+      return await open();
+    } finally {
+      this.#wait("");
+    }
+  }
+
+  /** @param {string} text */
+  #wait(text) {
+    if (text === this.waits) return;
+    this.waits = text;
+    this.onwait();
+  }
+
   hide() {
     this.element.hidden = true;
     this.#opened?.hide();
@@ -61,6 +88,10 @@ export class Views {
   #chosen;
   #absent = element("absent");
   #reason = element("absent-reason");
+  #waiting = element("waiting");
+
+  /** Called when the chosen view waits for what is still being built. */
+  onwait = () => {};
 
   /**
    * @param {Map<string, Source>} views by name; the first is shown if the address names none of them. `show` gets the
@@ -68,6 +99,7 @@ export class Views {
    */
   constructor(views) {
     this.#views = new Map([...views].map(([name, view]) => [name, new View(view)]));
+    for (const [name, view] of this.#views) view.onwait = () => name === this.#chosen && this.#place(view);
     window.addEventListener("hashchange", ({ newURL }) => this.#follow(newURL));
     element("absent-retry").addEventListener("click", () => this.show());
   }
@@ -81,10 +113,7 @@ export class Views {
     const before = this.#chosen;
     const shown = this.show(requestedView(new URL(address).hash));
     const view = this.#views.get(this.#chosen ?? "");
-    if (view && this.#chosen !== before) {
-      view.element.tabIndex = -1;
-      view.element.focus({ preventScroll: true });
-    }
+    if (view && this.#chosen !== before) lead(view.waits ? this.#waiting : view.element);
     await shown;
   }
 
@@ -109,7 +138,7 @@ export class Views {
     }
     this.#absent.hidden = true;
     const view = /** @type {View} */ (this.#views.get(chosen));
-    view.element.hidden = false;
+    this.#place(view);
     try {
       await view.show(query, isWanted);
     } catch (error) {
@@ -119,12 +148,36 @@ export class Views {
   }
 
   /**
+   * Shows a view, or what it waits for.
+   * @param {View} view
+   */
+  #place({ element, waits }) {
+    const [shown, other] = waits ? [this.#waiting, element] : [element, this.#waiting];
+    const hasFocus = other.contains(document.activeElement);
+    this.#waiting.textContent = waits;
+    element.hidden = waits !== "";
+    if (hasFocus) lead(shown);
+    if (waits) this.onwait();
+  }
+
+  /**
    * @param {View} view
    * @param {unknown} error
    */
   #tell(view, error) {
+    const hasFocus = view.element.contains(document.activeElement);
     view.hide();
     this.#reason.textContent = `This view can't be shown: ${words(error)} The other views still work.`;
     this.#absent.hidden = false;
+    if (hasFocus) lead(this.#absent);
   }
+}
+
+/**
+ * Leads the focus to a part of the page.
+ * @param {HTMLElement} part
+ */
+function lead(part) {
+  part.tabIndex = -1;
+  part.focus({ preventScroll: true });
 }

@@ -2,6 +2,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
+import { serveParts } from "./building.mjs";
 import {
   EVERY_PANEL, STATES, STILL, VIEWS, ask, assert, exists, follow, isOpen, isShown, long, more, must, open, press, quick, redraw, resize, settle,
   show, tab, until,
@@ -28,6 +29,20 @@ quick("axe-core finds no fault in the views", async () => {
     await follow(view);
     await isOpen(view);
     await axeFindsNothing(view);
+  }
+});
+
+quick("axe-core finds no fault in a view that is being built, or could not be", async () => {
+  const { address, end } = await serveParts({ class: "building", comparison: "no memory" });
+  try {
+    await open("#class", { page: address });
+    await isShown("waiting");
+    await axeFindsNothing("a view that is being built");
+    await follow("compare");
+    await isShown("absent");
+    await axeFindsNothing("a view that could not be built");
+  } finally {
+    end();
   }
 });
 

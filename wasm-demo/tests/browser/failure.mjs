@@ -4,9 +4,10 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 
+import { serveParts } from "./building.mjs";
 import {
-  EXPECT, STILL, VIEWS, ask, assert, change, enter, exists, follow, isLit, isShown, more, must, open, press, quick, requests,
-  settle, shows, tab, until, words, works,
+  EXPECT, STILL, VIEWS, ask, assert, change, enter, exists, follow, go, isLit, isOpen, isShown, more, must, open, press, quick,
+  requests, settle, shows, sum, tab, until, words, works,
 } from "./visit.mjs";
 
 const MAY_COMPLAIN = { fails: true };
@@ -81,6 +82,76 @@ more(
     await change("32 bits, with a connection", () => enter("format", "f32"));
     assert.equal(await words("stage-error"), "");
     await works();
+  },
+  MAY_COMPLAIN,
+);
+
+// The page while the demo is still being built.
+
+/** Waits until an element has a text. */
+const tells = (id, pattern) => until((id, pattern) => new RegExp(pattern, "s").test(document.getElementById(id).textContent), id, pattern);
+
+quick(
+  "what is still being built says so, and opens by itself",
+  async () => {
+    const states = { wide: "waiting", price: "waiting", code: "waiting", comparison: "no memory", class: "building", files: "waiting", chip: "waiting" };
+    const { address, end } = await serveParts(states);
+    try {
+      // A deep link opens the page, and its view later.
+      await open("#class?figure=cones", { page: address });
+      await tells("waiting", "^The class is being built: 1 of 8 parts is ready");
+      assert.deepEqual([await shows("class"), await shows("absent")], [false, false]);
+      await go(STILL);
+      assert.equal(await words("waiting"), "");
+      const picture = await sum();
+      // The formats of 32 bits are drawn in 16 bits until they are built.
+      await enter("format", "f32");
+      await tells("verdict-text", "32-bit renderer is not built yet.* in 16 bits");
+      assert.deepEqual([await sum(), await words("stage-error"), await shows("verdict-where")], [picture, "", false]);
+      await change("a beam", () => enter("light-beam-number", 15));
+      await change("the beam before", () => press("undo"));
+      assert.equal(await sum(), picture);
+      await works();
+      // Panels and drawers.
+      await ask(() => document.querySelector("#code summary").click());
+      await tells("code-told", "^The code exporter is not built yet");
+      await press("tab-price");
+      await tells("price", "^The price is not built yet");
+      states.wide = "built";
+      await until((before) => window.probe.sum() !== before, picture);
+      await tells("verdict-text", "differ from 32-bit floats");
+      // A part that has failed leaves the others as they are, and opens once it is built.
+      await follow("compare");
+      await isShown("absent");
+      assert.match(await words("absent-reason"), /could not be built: no memory\. Run `cargo demo` again.*other views still work/s);
+      states.comparison = "building";
+      await press("absent-retry");
+      await tells("waiting", "^The comparison with f64 is being built");
+      assert.ok(!(await shows("absent")));
+      await follow("class");
+      await tells("waiting", "^The class");
+      assert.equal(await ask(() => document.activeElement.id), "waiting");
+      for (const name of ["price", "code", "comparison", "class"]) states[name] = "built";
+      await isOpen("class");
+      assert.deepEqual([await words("waiting"), await ask(() => document.activeElement.id), await ask(() => window.luminaire.class.state.figure)], ["", "class", "cones"]);
+      await until(() => window.luminaire.comparison && !window.probe.visible("comparison"));
+      await follow("stage");
+      await exists("#price-picked b");
+      await press("tab-lights");
+      await exists("#code-text:not(:empty)");
+      // A server that has ended is not asked for ever.
+      await ask(() => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File(["{}"], "light.json"));
+        document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+      });
+      await tells("file-told", "^The file reader is not built yet: 6 of 8");
+      end();
+      await tells("file-told", "server of the demo does not answer");
+      await works();
+    } finally {
+      end();
+    }
   },
   MAY_COMPLAIN,
 );
