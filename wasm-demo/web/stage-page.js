@@ -304,9 +304,9 @@ export class StagePage {
       this.#verdict.onbuilt = () => this.#changed();
       this.#verdict.later();
     };
-    later("curve.js", joinCurve).catch(reportError);
-    later("verdict.js", joinVerdict).catch(reportError);
-    later("handles.js", joinHandles).catch(reportError);
+    const seen = [later("curve.js", joinCurve), later("handles.js", joinHandles)].map((loading) => loading.catch(reportError));
+    // It needs a second module, which comes after what is seen at once.
+    Promise.all(seen).then(() => later("verdict.js", joinVerdict)).catch(reportError);
   }
 
   /**

@@ -9,6 +9,9 @@ import { Pool } from "./pool.js";
 /** Time after a change until the visitor has probably paused, in milliseconds. */
 const PAUSE = 600;
 
+/** Longest time that a busy browser lets a measurement wait, in milliseconds. */
+const PATIENCE = 5000;
+
 /** The formats in fixed point, in words. */
 const NAMES = /** @type {const} */ ({ fx16: "16 bits", fx32: "32 bits" });
 
@@ -97,13 +100,17 @@ export class Verdict {
   }
 
   /**
-   * Waits until what draws in 32 bits is built.
+   * Waits until what draws in 32 bits is built, and until the browser is idle: that module is as large as
+   * the module of the first picture.
    * @param {(text: string) => void} tell
    */
   async #wide(tell) {
-    if (isBuilt("wide")) return;
-    await built("wide", tell);
-    this.onbuilt();
+    if (!isBuilt("wide")) {
+      await built("wide", tell);
+      this.onbuilt();
+    }
+    // Safari has no such call.
+    await new Promise((resolve) => ("requestIdleCallback" in window ? requestIdleCallback(resolve, { timeout: PATIENCE }) : setTimeout(resolve)));
   }
 
   /**
