@@ -240,7 +240,9 @@ quick(
 const { hosted } = EXPECT;
 
 quick("the folder for static hosts works under a path", async () => {
-  await open("", { page: hosted.address, plays: true });
+  const script = `document.addEventListener("DOMContentLoaded", () =>
+    new MutationObserver(() => (window.readyAfter ??= performance.now())).observe(document.body, { attributeFilter: ["data-state"] }))`;
+  await open("", { page: hosted.address, plays: true, script });
   await isLit("on a static host");
   assert.ok(!(await ask(() => crossOriginIsolated)), "the server sends special headers");
   // Firefox and WebKit also list the pictures and fonts of their own controls, which are data in the address.
@@ -250,6 +252,15 @@ quick("the folder for static hosts works under a path", async () => {
   const late = /^(curve|handles|press|shapes|icon|verdict)\./;
   const first = (names) => [...names].map((name) => name.replace(`${version}/`, "")).filter((name) => name && name !== "index.html" && !late.test(name)).sort();
   assert.deepEqual(first(names), first(hosted.files), "the files of the first picture");
+  // The page names all of its scripts, so that no script waits for another to arrive. What draws in 32
+  // bits comes after the picture.
+  await until(() => performance.getEntriesByType("resource").some(({ name }) => name.endsWith("wide_bg.wasm")));
+  const files = await ask(() => {
+    const early = performance.getEntriesByType("resource").filter(({ startTime }) => startTime < window.readyAfter).map(({ name }) => name);
+    const named = Array.from(document.querySelectorAll("link[rel=modulepreload], script[src]"), ({ href, src }) => href ?? src);
+    return { wide: early.filter((name) => name.includes("wide")), unnamed: early.filter((name) => name.endsWith(".js") && !named.includes(name)) };
+  });
+  assert.deepEqual([files.wide, first(files.unnamed.map((name) => name.split("/").at(-1)))], [[], []]);
   for (const view of VIEWS) {
     await open(`?#${view}?play=none`, { page: hosted.address });
     assert.equal(await ask(() => document.querySelector(".views [aria-current]").hash), `#${view}`);

@@ -65,8 +65,7 @@ fn place(site: &Path, to: &Path, links: [Option<&str>; 2]) -> Result<BTreeSet<St
                 let prefix = if other == PREVIEW { links[0].unwrap_or_default() } else { "" };
                 text = text.replace(&format!("\"{other}\""), &format!("\"{prefix}{folder}{other}\""));
             }
-            let page = name == PAGE;
-            if page { with_links(&text, &folder, &first, links)? } else { text }.into_bytes()
+            if name == PAGE { with_addresses(&text, links)? } else { text }.into_bytes()
         } else {
             content.clone()
         };
@@ -107,21 +106,13 @@ fn first(files: &Files) -> Result<BTreeSet<String>> {
     Ok(first)
 }
 
-/// The page, which also preloads the modules that its own modules import.
-fn with_links(
-    page: &str,
-    folder: &str,
-    first: &BTreeSet<String>,
-    [address, repository]: [Option<&str>; 2],
-) -> Result<String> {
-    let is_linked = |name: &&String| *name == PAGE || page.contains(&format!("\"{folder}{name}\""));
-    let preload = |name: &String| format!("  <link rel=\"modulepreload\" href=\"{folder}{name}\">\n");
-    let mut links: String = first.iter().filter(|name| !is_linked(name)).map(preload).collect();
-    for (name, url) in [("property=\"og:url\"", address), ("name=\"repository\"", repository)] {
-        links += &url.map_or_else(String::new, |url| format!("  <meta {name} content=\"{url}\">\n"));
-    }
+/// The page, which also states where it is and where its source is.
+fn with_addresses(page: &str, [address, repository]: [Option<&str>; 2]) -> Result<String> {
+    let named = [("property=\"og:url\"", address), ("name=\"repository\"", repository)];
+    let meta = |(name, url): (&str, Option<&str>)| Some(format!("  <meta {name} content=\"{}\">\n", url?));
+    let metas: String = named.into_iter().filter_map(meta).collect();
     let (head, body) = page.split_once("</head>").context("the page has no head")?;
-    Ok(format!("{head}{links}</head>{body}"))
+    Ok(format!("{head}{metas}</head>{body}"))
 }
 
 #[test]
