@@ -64,6 +64,7 @@ mod file;
 mod fixture;
 #[cfg(feature = "comparison")]
 mod form;
+#[cfg(feature = "state")]
 mod format;
 #[cfg(feature = "state")]
 mod job;

@@ -1,8 +1,43 @@
 //! A picture of the wall in one form: the timed work and its result.
 
-use crate::display::Shown;
+use crate::display::srgb_code;
+use luminaire::number::{Light16, Light32};
+use luminaire::{
+    Fx16, Fx32, Rgb,
+    display::{clip, encode_srgb},
+};
 use luminaire_kernels::{Kernel, Value, scene::Site};
 use std::fmt;
+
+/// Light of a number format, with the display encoder of that format.
+pub(crate) trait Shown: Value {
+    /// The sRGB code, clipped at full scale.
+    fn code(self) -> u8;
+}
+
+impl Shown for f32 {
+    fn code(self) -> u8 {
+        encode_srgb(self)
+    }
+}
+
+impl Shown for f64 {
+    fn code(self) -> u8 {
+        srgb_code(self).round() as u8
+    }
+}
+
+impl Shown for Light16 {
+    fn code(self) -> u8 {
+        encode_srgb(clip::<Fx16>(Rgb::new(self, self, self)).red)
+    }
+}
+
+impl Shown for Light32 {
+    fn code(self) -> u8 {
+        encode_srgb(clip::<Fx32>(Rgb::new(self, self, self)).red)
+    }
+}
 
 /// A picture behind a trait object that hides its form: the choice costs one indirect call per
 /// picture, and none per pixel.
