@@ -104,7 +104,7 @@ fn every_published_crate_has_the_licences_as_files() {
 fn workflows_name_actions_by_commit() {
     let mut found = 0;
     for file in [".github/workflows/ci.yml", "docs/PUBLISHING.md"] {
-        let text = std::fs::read_to_string(project::root().join(file)).unwrap();
+        let text = fs::read_to_string(Path::new(ROOT).join(file)).unwrap();
         for action in text.lines().filter_map(|line| Some(line.split_once("uses: ")?.1)) {
             let commit = action.split_once('@').and_then(|(_, at)| at.split_once(" # v"));
             let is_commit =
