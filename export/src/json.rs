@@ -1,11 +1,14 @@
 //! Lights as JSON: the one format that every command reads and writes.
 
+use std::fmt;
+
 use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula, Soft};
 use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
+use serde::de::{Deserializer, Error as _, IgnoredAny, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, value::RawValue};
 
 use crate::error::{ExportError, printable_json};
 use crate::words;
@@ -22,7 +25,7 @@ pub struct NamedLight {
     pub light: AnyLight,
     /// The distances of the nearest and of the farthest surface, where they are known.
     pub surfaces: Option<[f32; 2]>,
-    /// What is known of the light beside it: any JSON, which a reader skips.
+    /// What is known of the light beside it: any JSON. Readers skip it.
     pub about: Option<Value>,
 }
 
@@ -38,11 +41,51 @@ macro_rules! object {
     };
 }
 
+/// Reads any JSON in no memory.
+fn skipped<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Value>, D::Error> {
+    IgnoredAny::deserialize(from).map(|_| None)
+}
+
+/// Reads at most 10,000 lights, and no further.
+fn few<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<Light>>, D::Error> {
+    struct Few;
+    impl<'de> Visitor<'de> for Few {
+        type Value = Vec<Light>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a list of at most 10,000 lights")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<Light>, A::Error> {
+            let mut found = Vec::new();
+            while let Some(light) = list.next_element()? {
+                if found.len() == 10_000 {
+                    return Err(A::Error::invalid_length(10_001, &self));
+                }
+                found.push(light);
+            }
+            Ok(found)
+        }
+    }
+    from.deserialize_seq(Few).map(Some)
+}
+
+/// Reads an object that is a few members long: not a tree of any size.
+fn short<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Map<String, Value>>, D::Error> {
+    let text = <&RawValue>::deserialize(from)?.get();
+    if text.len() > 1_000 {
+        return Err(D::Error::custom("more than 1,000 bytes: expected a law and its numbers"));
+    }
+    serde_json::from_str(text).map(Some).map_err(D::Error::custom)
+}
+
 object! {
     Document {
         format: String,
+        #[serde(deserialize_with = "few")]
         lights: Vec<Light>,
         /// What could not be written, for people: any JSON.
+        #[serde(deserialize_with = "skipped")]
         refused: Value,
     }
 }
@@ -59,9 +102,11 @@ object! {
         specular_color: [f32; 3],
         intensity: f32,
         cone: Shape,
+        #[serde(deserialize_with = "short")]
         attenuation: Map<String, Value>,
         near: f32,
         far: f32,
+        #[serde(deserialize_with = "skipped")]
         about: Value,
     }
 }
@@ -307,7 +352,7 @@ fn named(described: &Light) -> Result<NamedLight, ExportError> {
     };
     let light = light.with_color(color)?.with_specular_color(specular)?.with_intensity(intensity)?;
     let name = described.name.clone().unwrap_or_else(|| "light".to_owned());
-    Ok(NamedLight { name, light, surfaces, about: described.about.clone() })
+    Ok(NamedLight { name, light, surfaces, about: None })
 }
 
 fn cone(shape: &Shape) -> Result<Cone<AnyFalloff>, ExportError> {
