@@ -8,6 +8,7 @@ pub mod cubic {
 
     /// The compiled light.
     pub const LIGHT: CompiledSpotLight<Fx16, Cubic, Windowed<InverseSquare>> = {
+const _: () = ::luminaire::codegen::written_by("0.1.0");
 #[allow(unused_imports, reason = "an expression need not have names of both kinds")]
 use ::luminaire::{attenuation::*, codegen::*, display::*, draw::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
 CompiledSpotLight::<Fx16, _, Windowed<InverseSquare>>::from_parts(
@@ -44,6 +45,7 @@ pub mod point {
 
     /// The compiled light.
     pub const LIGHT: CompiledPointLight<Fx32, SmoothRange> = {
+const _: () = ::luminaire::codegen::written_by("0.1.0");
 #[allow(unused_imports, reason = "an expression need not have names of both kinds")]
 use ::luminaire::{attenuation::*, codegen::*, display::*, draw::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
 CompiledPointLight::<Fx32, SmoothRange>::from_parts(
@@ -70,6 +72,7 @@ pub mod sun {
 
     /// The compiled light.
     pub const LIGHT: CompiledDirectionalLight<f32> = {
+const _: () = ::luminaire::codegen::written_by("0.1.0");
 #[allow(unused_imports, reason = "an expression need not have names of both kinds")]
 use ::luminaire::{attenuation::*, codegen::*, display::*, draw::*, falloff::*, haze::*, light::*, number::*, projector::*, specular::*, *};
 CompiledDirectionalLight::<f32>::from_parts(
