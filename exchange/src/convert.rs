@@ -15,10 +15,10 @@ use luminaire::import::{self, Difference, Imported, OpenGlLight};
 use luminaire::{Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
 
 use crate::lamp::Lamp;
+use crate::limits::within;
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
 use crate::system::System;
-use crate::tabulate::Shape;
 use crate::versine::{full, of_versine, versine};
 
 type Spot = Imported<SpotLight<AnyFalloff, AnyAttenuation>>;
@@ -181,22 +181,12 @@ fn spot(
     Ok(Imported { light: light.with_attenuation(attenuation.into()), difference })
 }
 
-/// Returns a cone of a function of the angle that falls from 1 to 0 between two half angles in radians,
-/// and the difference of its table.
-fn tabulated(
-    inner: f64,
-    outer: f64,
-    falloff: &dyn Fn(f64) -> f64,
-) -> Result<(Cone<AnyFalloff>, f64), Refusal> {
-    let (cone, difference) = Shape { inner, outer, at: falloff, breaks: &[] }.cone()?;
-    Ok((cone.with_falloff(AnyFalloff::from(cone.falloff())), difference))
-}
-
 fn gltf(record: &mut Record) -> Result<Spot, Refusal> {
     let range = record.optional("range")?.map(|range| range as f32);
+    let outer = half(record, "outerConeAngle", FRAC_PI_4, HALF_RADIANS)?;
     let light = import::Gltf {
-        inner_cone_angle: record.get("innerConeAngle", 0.0)? as f32,
-        outer_cone_angle: half(record, "outerConeAngle", FRAC_PI_4, HALF_RADIANS)? as f32,
+        inner_cone_angle: record.near("innerConeAngle", 0.0, 0.0, outer)? as f32,
+        outer_cone_angle: outer as f32,
         range,
         intensity: record.get("intensity", 1.0)? as f32,
     };
@@ -206,9 +196,9 @@ fn gltf(record: &mut Record) -> Result<Spot, Refusal> {
 fn three(record: &mut Record) -> Result<Spot, Refusal> {
     let light = import::Three {
         angle: half(record, "angle", PI / 3.0, HALF_RADIANS)? as f32,
-        penumbra: record.get("penumbra", 0.0)? as f32,
+        penumbra: record.near("penumbra", 0.0, 0.0, 1.0)? as f32,
         distance: record.get("distance", 0.0)? as f32,
-        decay: record.get("decay", 2.0)? as f32,
+        decay: record.near("decay", 2.0, 0.0, 16.0)? as f32,
         intensity: record.get("intensity", 1.0)? as f32,
     };
     Ok(light.import(vector(record.position), vector(record.axis))?)
@@ -220,22 +210,23 @@ fn godot(record: &mut Record) -> Result<Spot, Refusal> {
         if is_point { ["omni_range", "omni_attenuation"] } else { ["spot_range", "spot_attenuation"] };
     let light = import::Godot {
         spot_angle: half(record, "spot_angle", 45.0, HALF_DEGREES)?.to_degrees() as f32,
-        spot_angle_attenuation: record.get("spot_angle_attenuation", 1.0)? as f32,
+        spot_angle_attenuation: record.near("spot_angle_attenuation", 1.0, 1.0 / 128.0, 128.0)? as f32,
         spot_range: record.get(range, 5.0)? as f32,
-        spot_attenuation: record.get(attenuation, 1.0)? as f32,
+        spot_attenuation: record.near(attenuation, 1.0, 0.0, 16.0)? as f32,
         light_energy: record.get("light_energy", 1.0)? as f32,
     };
     Ok(light.import(vector(record.position), vector(record.axis))?)
 }
 
 fn opengl(record: &mut Record) -> Result<Spot, Refusal> {
-    let cutoff = record.get("spot_cutoff", 180.0)?;
+    let cutoff = record.near("spot_cutoff", 180.0, 0.0, 90.0)?;
+    let cutoff = within(cutoff, 180.0, 180.0).unwrap_or(cutoff);
     if cutoff == 180.0 {
         record.kind = Kind::Point;
     }
     let light = import::OpenGl {
         spot_cutoff: cutoff as f32,
-        spot_exponent: record.get("spot_exponent", 0.0)? as f32,
+        spot_exponent: record.near("spot_exponent", 0.0, 0.0, 1_024.0)? as f32,
         constant_attenuation: record.get("constant_attenuation", 1.0)? as f32,
         linear_attenuation: record.get("linear_attenuation", 0.0)? as f32,
         quadratic_attenuation: record.get("quadratic_attenuation", 0.0)? as f32,
@@ -256,9 +247,7 @@ fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
     let attenuation0 = coefficient("attenuation0")?;
     let attenuation1 = coefficient("attenuation1")?;
     let attenuation2 = coefficient("attenuation2")?;
-    // The last digit of a full turn, and of an angle that is the other one.
-    let cut = |value: f64, most: f64| if value <= most * (1.0 + 1e-6) { value.min(most) } else { value };
-    let phi = cut(record.get("phi", 0.0)?, PI);
+    let phi = record.near("phi", 0.0, 0.0, PI)?;
     if [attenuation0, attenuation1, attenuation2] == [0.0; 3] {
         let expected = "one that is not 0. A zeroed D3DLIGHT9 divides by 0: runtimes show nothing or the full \
                         light at every distance; for the second give attenuation0=1";
@@ -271,9 +260,9 @@ fn direct3d(record: &mut Record) -> Result<Spot, Refusal> {
     }
     let phi = if record.kind == Kind::Spot { phi } else { 1.0 };
     let light = import::Direct3d {
-        theta: cut(record.get("theta", 0.0)?, phi) as f32,
+        theta: record.near("theta", 0.0, 0.0, phi)? as f32,
         phi: phi as f32,
-        falloff: record.get("falloff", 1.0)? as f32,
+        falloff: record.near("falloff", 1.0, 0.0, 1_024.0)? as f32,
         attenuation0,
         attenuation1,
         attenuation2,
@@ -330,7 +319,7 @@ fn usd(record: &mut Record) -> Result<Spot, Refusal> {
         let any = cone(Soft.into(), 0.0, FRAC_PI_2)?;
         return spot(record, any, intensity, InverseSquare, 0.0);
     }
-    let lowest = if focus > 0.0 { angle.min(90.0) } else { angle };
+    let lowest = if focus > 0.0 { angle.min(90.0) } else { within(angle, 0.0, 90.0).unwrap_or(angle) };
     if !(lowest > 0.0 && lowest <= 90.0) {
         let expected = "over 0 and at most 90 degrees (half angle), or 180 for none: the kernel's spotlights end \
                         at 90 degrees off the axis";
@@ -347,7 +336,7 @@ fn usd(record: &mut Record) -> Result<Spot, Refusal> {
         return spot(record, cone(Step.into(), outer, outer)?, intensity, InverseSquare, 0.0);
     }
     let inner = if focus > 0.0 { 0.0 } else { start.min(outer) };
-    let (cone, difference) = tabulated(inner, outer, &shaped)?;
+    let (cone, difference) = record.tables.cone(inner, outer, [edge, start, focus], &shaped)?;
     spot(record, cone, intensity, InverseSquare, difference)
 }
 
@@ -379,7 +368,8 @@ fn x3d(record: &mut Record) -> Result<Spot, Refusal> {
         return spot(record, cone(Step.into(), outer, outer)?, intensity, attenuation, 0.0);
     }
     let inner = beam.max(0.0);
-    let (cone, difference) = tabulated(inner, outer, &|angle| (outer - angle) / (outer - inner))?;
+    let fall = |angle: f64| (outer - angle) / (outer - inner);
+    let (cone, difference) = record.tables.cone(inner, outer, [0.0; 3], &fall)?;
     spot(record, cone, intensity, attenuation, difference)
 }
 
@@ -480,7 +470,7 @@ fn babylon(record: &mut Record) -> Result<Spot, Refusal> {
         "1" | "luminouspower" => given / (4.0 * PI),
         _ => return Err(Refusal::new("intensityMode", mode, "0 or 2 for candela, or 1 for lumens")),
     };
-    let exponent = record.get("exponent", 2.0)?;
+    let exponent = record.near("exponent", 2.0, 0.0, 1_024.0)?;
     let inner = record.get("innerAngle", 0.0)? / 2.0;
     let law = record.word("falloffType", "default").to_ascii_lowercase();
     match law.as_str() {
@@ -494,7 +484,7 @@ fn babylon(record: &mut Record) -> Result<Spot, Refusal> {
             let kappa = 100_f64.ln() / versine(outer);
             let glow = |angle: f64| (-kappa * versine(angle)).exp();
             let end = of_versine(65_535_f64.ln() / kappa);
-            let (cone, difference) = tabulated(0.0, end, &glow)?;
+            let (cone, difference) = record.tables.cone(0.0, end, [kappa, 0.0, 0.0], &glow)?;
             // What the law leaves behind 90 degrees off the axis is lost.
             spot(record, cone, intensity, InverseSquare, difference.max(glow(end)))
         }

@@ -43,7 +43,9 @@ impl Curve {
     pub fn at(&self, angle: f64) -> f64 {
         let next = self.points.partition_point(|point| point.0 < angle);
         match (next.checked_sub(1).map(|before| self.points[before]), self.points.get(next)) {
-            (Some((a, from)), Some(&(b, to))) => from + (to - from) * (angle - a) / (b - a),
+            // At its end a line has its value, and rounding leaves it neither there nor below 0.
+            (Some(_), Some(&(b, to))) if angle >= b => to,
+            (Some((a, from)), Some(&(b, to))) => from + (to - from) * ((angle - a) / (b - a)),
             (None, Some(&(_, first))) => first,
             (_, None) => 0.0,
         }

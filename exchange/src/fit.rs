@@ -10,7 +10,7 @@ use crate::refusal::Refusal;
 use crate::residual::{Residual, difference, even};
 use crate::search;
 use crate::tabulate::Shape;
-use crate::versine::{full, versine};
+use crate::versine::{full, of_versine, versine};
 
 /// A cone in place of measured intensities, and its difference from them.
 #[derive(Clone, PartialEq, Debug)]
@@ -24,7 +24,7 @@ pub struct Fit {
 }
 
 /// Returns the intensity of a cone at a half angle in degrees, relative to the intensity of its light,
-/// in f64.
+/// in f64 and in [0, 1].
 pub fn share(cone: &Cone<AnyFalloff>, half_degrees: f64) -> f64 {
     let [inner, outer, limit] = cone.versines().map(f64::from);
     let versine = versine(half_degrees.to_radians());
@@ -32,7 +32,7 @@ pub fn share(cone: &Cone<AnyFalloff>, half_degrees: f64) -> f64 {
         return 0.0;
     }
     let t = if versine <= inner { 1.0 } else { (outer - versine) / (outer - inner) };
-    cone.falloff().formula().exact(t)
+    cone.falloff().formula().exact(t).clamp(0.0, 1.0)
 }
 
 /// The polynomials, the cheapest first: the order of their counts of instructions in the records of
@@ -66,12 +66,7 @@ pub fn fits(curve: &Curve, tolerance: f64) -> Result<Vec<Fit>, Refusal> {
     if peak <= 0.0 {
         return Err(Refusal::new("largest intensity", peak, "light up to 90 degrees off the axis"));
     }
-    let points = curve.points();
-    let middles = points.windows(2).map(|pair| (pair[0].0 + pair[1].0) / 2.0);
-    let grid: Vec<_> =
-        points.iter().map(|point| point.0).chain(middles).filter(|&degrees| degrees <= 90.0).collect();
-    let grid: Vec<_> =
-        grid.iter().map(|&degrees| (versine(degrees.to_radians()), curve.at(degrees) / peak)).collect();
+    let grid = searched(curve, peak);
     let angle =
         |share| curve.angle(share, Definition::Ies).map_or(FRAC_PI_2, |full| (full / 2.0).to_radians());
     let (beam, field) = (angle(0.5), angle(0.1));
@@ -102,7 +97,8 @@ pub fn fits(curve: &Curve, tolerance: f64) -> Result<Vec<Fit>, Refusal> {
         let searched = starts.map(|start| search::least(start, steps(start), cost));
         let Some((best, least)) = searched.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
         if least.is_finite() {
-            let cone = cone(kind, constrained(kind, best))?;
+            // The kernel may reject what the search found in f64; the table remains.
+            let Ok(cone) = cone(kind, constrained(kind, best)) else { continue };
             let residual = residual(curve, &cone);
             found.push(Fit { name, cone, residual });
             if residual.bound <= tolerance {
@@ -112,6 +108,16 @@ pub fn fits(curve: &Curve, tolerance: f64) -> Result<Vec<Fit>, Refusal> {
     }
     found.push(table(curve)?);
     Ok(found)
+}
+
+/// Returns at most 1,024 versines at which the difference of a polynomial is searched, and the share of the
+/// largest intensity there: those of the measured angles and the middles between them, or every so many.
+fn searched(curve: &Curve, peak: f64) -> Vec<(f64, f64)> {
+    let points = curve.points();
+    let middles = points.windows(2).map(|pair| (pair[0].0 + pair[1].0) / 2.0);
+    let all = points.iter().map(|point| point.0).chain(middles).filter(|&degrees| degrees <= 90.0);
+    let every = (2 * points.len()).div_ceil(1_024);
+    all.step_by(every).map(|degrees| (versine(degrees.to_radians()), curve.at(degrees) / peak)).collect()
 }
 
 /// Returns the parameters of a polynomial from those of the search.
@@ -147,21 +153,46 @@ fn cone(kind: usize, [outer, inner, edge, slope]: Parameters) -> Result<Cone<Any
 /// Returns the table of a curve up to 90 degrees off the axis.
 fn table(curve: &Curve) -> Result<Fit, Refusal> {
     let (peak, _) = curve.peak();
-    let outer = curve.end().min(90.0).to_radians();
+    let end = curve.end().min(90.0);
     let breaks: Vec<_> =
-        curve.points().iter().map(|point| point.0.to_radians()).filter(|&a| a < outer).collect();
-    let at = |angle: f64| curve.at(angle.to_degrees()) / peak;
-    let (cone, bound) = Shape { inner: 0.0, outer, at: &at, breaks: &breaks }.cone()?;
-    let cone = cone.with_falloff(AnyFalloff::from(cone.falloff()));
+        curve.points().iter().filter(|point| point.0 < end).map(|point| point.0.to_radians()).collect();
+    // Rounding leads behind the end, where there is no light.
+    let at = |angle: f64| curve.at(angle.to_degrees().min(end)) / peak;
+    let (cone, bound) = Shape::new(0.0, end.to_radians(), &at, &breaks).cone()?;
     let found = residual(curve, &cone);
     Ok(Fit { name: "table", cone, residual: Residual { bound: (255.0 * bound).max(found.found), ..found } })
+}
+
+/// Returns the half angle in degrees at which a cone ends.
+pub(crate) fn end(cone: &Cone<AnyFalloff>) -> f64 {
+    of_versine(cone.versines()[2].into()).to_degrees()
 }
 
 /// Returns the difference between a cone with a monotone falloff and a curve.
 pub(crate) fn residual(curve: &Curve, cone: &Cone<AnyFalloff>) -> Residual {
     let (peak, _) = curve.peak();
     let breaks = curve.points().iter().map(|point| point.0.min(90.0)).collect();
-    let end = f64::from(cone.outer().to_degrees()) / 2.0;
+    let (last, end) = (curve.points().last().map_or(90.0, |last| last.0), end(cone));
     let breaks = [breaks, even(0.0, end)].concat();
-    difference(&|degrees| curve.at(degrees) / peak, breaks, &|degrees| share(cone, degrees))
+    difference(
+        &|degrees| curve.at(degrees) / peak,
+        &|degrees| share(cone, degrees),
+        breaks,
+        [&[last], &[end]],
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The eight searches take as long for a million angles as for five hundred.
+    #[test]
+    fn search_is_bounded_however_many_angles_were_measured() {
+        for (count, searched_at) in [(512, 1_023), (513, 513), (20_000, 1_000)] {
+            let points = (0..count).map(|i| (90.0 * f64::from(i) / f64::from(count), 1.0));
+            let curve = Curve::new(points.collect()).unwrap();
+            assert_eq!(searched(&curve, 1.0).len(), searched_at, "{count} angles");
+        }
+    }
 }

@@ -11,6 +11,7 @@ use crate::read::{self, Found};
 use crate::record::{Kind, Record, Value};
 use crate::refusal::Refusal;
 use crate::system::System;
+use crate::tabulate::Tables;
 use crate::text::{LARGEST, decode};
 
 /// Returns the lights of a file.
@@ -22,18 +23,16 @@ use crate::text::{LARGEST, decode};
 /// light's table, in [0, 255].
 ///
 /// # Errors
-/// A name without a known extension; a file that its reader does not accept. A light of a file that
-/// cannot be read is in [`Lamps::refused`].
+/// A name without a known extension; a file that its reader does not accept, or in which there is no light,
+/// with the reasons that are known. A light of a file that cannot be read is in [`Lamps::refused`].
 pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) -> Result<Lamps, Refusal> {
     let system = match system {
         Some(system) => system,
         None => recognised(name, bytes)?,
     };
     let text = || decode(bytes);
-    if bytes.starts_with(BEGIN.as_bytes()) {
-        return values(system, &text()?);
-    }
-    match system {
+    let lamps = match system {
+        _ if bytes.starts_with(BEGIN.as_bytes()) => values(system, &text()?),
         System::Ies => photometry(system, read::ies::read(&text()?)?, tolerance),
         System::Eulumdat => photometry(system, read::eulumdat::read(&text()?)?, tolerance),
         System::Gdtf => read::gdtf::read(bytes).map(zoomed),
@@ -41,7 +40,12 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
         System::Luminaire => own(&text()?),
         System::OpenGl | System::Direct3d | System::Blender | System::Bevy => values(system, &text()?),
         _ => Ok(converted(system, scene(system, bytes)?)),
+    }?;
+    if lamps.lamps.is_empty() && lamps.refused.is_empty() {
+        let reasons: String = lamps.notes.iter().map(|note| format!("; {note}")).collect();
+        return Err(Refusal::new("lights", "none", format_args!("at least one light{reasons}")));
     }
+    Ok(lamps)
 }
 
 /// Returns the most bytes of a file of this name that are read: more of a container, which has its
@@ -169,8 +173,9 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
 }
 
 fn converted(system: System, Found { records, mut refused, notes }: Found) -> Lamps {
-    let mut lamps = Vec::new();
+    let (mut lamps, tables) = (Vec::new(), Tables::default());
     for (number, mut record) in records.into_iter().enumerate() {
+        record.tables = tables.clone();
         if system == System::Unity {
             record.without_prefix();
         }
@@ -208,18 +213,21 @@ fn own(text: &str) -> Result<Lamps, Refusal> {
 pub(crate) fn recognised(name: &str, bytes: &[u8]) -> Result<System, Refusal> {
     let extension = Path::new(name).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     let extension = extension.to_ascii_lowercase();
-    let has = |word: &str| bytes.windows(word.len()).any(|window| window == word.as_bytes());
     if extension == "json" {
+        let text = decode(bytes)?;
+        let members = read::members(&text);
+        let has = |name: &str| members.contains(&name);
         return Ok(match () {
-            () if has("luminaire-lights-") => System::Luminaire,
-            () if has("\"metadata\"") && has("\"object\"") => System::Three,
-            () if has("\"asset\"") => System::Gltf,
+            () if has("format") => System::Luminaire,
+            () if has("metadata") => System::Three,
+            () if has("asset") => System::Gltf,
             () => System::Ofl,
         });
     }
-    // Numbers in a text say whose they are.
+    // Numbers in a text say in the first line whose they are.
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(200)]);
-    if let Some(name) = text.lines().find_map(|line| line.strip_prefix(BEGIN)) {
+    let first = text.split(['\n', '\r']).next().unwrap_or("");
+    if let Some(name) = first.strip_prefix(BEGIN) {
         return name.trim().parse();
     }
     System::ALL.iter().copied().find(|system| system.extensions().contains(&&*extension)).ok_or_else(|| {

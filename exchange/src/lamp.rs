@@ -22,7 +22,7 @@ pub struct Lamp {
     pub light: AnyLight,
     /// The largest difference between the light and that of the source.
     pub difference: Difference,
-    /// The measured intensities, of a photometric file or of the numbers of a data sheet.
+    /// The measured intensities of a photometric file, over the whole sphere for a point light.
     pub measured: Option<Curve>,
     /// The cones that were tried for the measured intensities, the cheapest first; the last one is that
     /// of the light.

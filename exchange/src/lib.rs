@@ -6,6 +6,7 @@ mod curve;
 mod fit;
 mod input;
 mod lamp;
+mod limits;
 mod measured;
 mod parameters;
 mod read;

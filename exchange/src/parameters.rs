@@ -181,20 +181,23 @@ struct Target<'a> {
     at: Box<dyn Fn(f64) -> f64 + 'a>,
     /// The half angles in degrees between which the light is monotone.
     breaks: Vec<f64>,
+    /// The half angles in degrees at which the light may have a step.
+    steps: Vec<f64>,
     /// Half angles in radians: beam, field and end.
     angles: [f64; 3],
 }
 
 impl<'a> Target<'a> {
     fn new(lamp: &'a Lamp) -> Option<Self> {
-        if let Some(curve) = &lamp.measured {
-            let breaks = curve.points().iter().map(|point| point.0.min(90.0)).collect();
-            let peak = curve.peak().0;
-            return Some(Self::of(move |degrees: f64| curve.at(degrees) / peak, breaks, curve.end(), curve));
-        }
         let AnyLight::Spot(spot) = &lamp.light else { return None };
+        if let Some(curve) = &lamp.measured {
+            let breaks: Vec<_> = curve.points().iter().map(|point| point.0.min(90.0)).collect();
+            let (peak, last) = (curve.peak().0, breaks[breaks.len() - 1]);
+            let at = move |degrees: f64| curve.at(degrees) / peak;
+            return Some(Self::of(at, breaks, vec![last], curve.end(), curve));
+        }
         let cone = spot.cone();
-        let end = f64::from(cone.outer().to_degrees()) / 2.0;
+        let end = fit::end(&cone);
         let [inner, outer, _] = cone.versines().map(f64::from);
         let degrees = |u: f64| of_versine(inner + u * (outer - inner)).to_degrees();
         let places: Vec<f64> = match cone.falloff().formula() {
@@ -206,18 +209,20 @@ impl<'a> Target<'a> {
             }
             _ => Vec::new(),
         };
-        let mut breaks: Vec<_> = places.into_iter().map(degrees).chain([0.0, end, 90.0]).collect();
+        // The lines of a table need not meet.
+        let steps: Vec<_> = places.into_iter().map(degrees).chain([end]).collect();
+        let mut breaks: Vec<_> = steps.iter().copied().chain([0.0, 90.0]).collect();
         breaks.extend((0..=32).map(|i| end * f64::from(i) / 32.0));
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         let curve = Curve::new(breaks.iter().map(|&at| (at, fit::share(&cone, at))).collect())?;
-        Some(Self::of(move |degrees: f64| fit::share(&cone, degrees), breaks, end, &curve))
+        Some(Self::of(move |degrees: f64| fit::share(&cone, degrees), breaks, steps, end, &curve))
     }
 
-    fn of(at: impl Fn(f64) -> f64 + 'a, breaks: Vec<f64>, end: f64, curve: &Curve) -> Self {
+    fn of(at: impl Fn(f64) -> f64 + 'a, breaks: Vec<f64>, steps: Vec<f64>, end: f64, curve: &Curve) -> Self {
         let half = |share| curve.angle(share, crate::Definition::Ies).map_or(end, |full| full / 2.0);
         let angles = [half(0.5), half(0.1), end.min(90.0)].map(f64::to_radians);
-        Self { at: Box::new(at), breaks, angles }
+        Self { at: Box::new(at), breaks, steps, angles }
     }
 
     /// Returns the parameters of a family with the least difference.
@@ -230,8 +235,9 @@ impl<'a> Target<'a> {
             _ => FRAC_PI_2,
         };
         let middles = self.breaks.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0);
-        let grid: Vec<_> = self.breaks.iter().copied().chain(middles).collect();
-        let grid: Vec<_> = grid.iter().map(|&degrees| (degrees.to_radians(), (self.at)(degrees))).collect();
+        // At most 1,024 places, so that the search takes no longer for a table of many.
+        let grid = self.breaks.iter().copied().chain(middles).step_by(self.breaks.len().div_ceil(512));
+        let grid: Vec<_> = grid.map(|degrees| (degrees.to_radians(), (self.at)(degrees))).collect();
         let cost = |free: Free| {
             if !family.accepts(free, widest) {
                 return f64::INFINITY;
@@ -265,8 +271,9 @@ impl<'a> Target<'a> {
             found.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([end.min(widest), 0.0, 1.0], 1.0));
         let fitted = |degrees: f64| family.at(free, degrees.to_radians());
         // The end of the fitted cone is a break of it.
-        let breaks = [&self.breaks[..], &even(0.0, free[0].to_degrees())].concat();
-        (free, difference(&self.at, breaks, &fitted))
+        let end = free[0].to_degrees();
+        let breaks = [&self.breaks[..], &even(0.0, end)].concat();
+        (free, difference(&self.at, &fitted, breaks, [&self.steps, &[end]]))
     }
 }
 
@@ -314,7 +321,7 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
     if let Some(end) = target.as_ref().map(|target| target.angles[2]).filter(|end| *end < NARROWEST) {
         let least = (2.0 * NARROWEST).to_degrees();
         let expected = format_args!("at least {least:.4} degrees (full angle) in {tool}");
-        return Err(Refusal::new("outer angle", (2.0 * end).to_degrees(), expected));
+        return Err(Refusal::new("outer angle", (2.0 * end).to_degrees() as f32, expected));
     }
     let is_spot = target.is_some();
     let (free, angle) = target.map_or(([FRAC_PI_2, 0.0, 1.0], Residual::default()), |own| own.fitted(tool));

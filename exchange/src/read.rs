@@ -20,6 +20,8 @@ pub(crate) mod usd;
 pub(crate) mod x3d;
 mod xml;
 
+pub(crate) use self::json::members;
+
 use std::fmt::Display;
 
 use glam::{DAffine3, DMat3, DVec3};
@@ -40,6 +42,18 @@ pub(crate) struct Found {
 }
 
 impl Found {
+    /// Notes how many lights are left out because the file does not show them.
+    pub(crate) fn hide(&mut self, count: usize) {
+        let note = || format!("lights that are off or hidden are left out: {count}");
+        self.notes.extend((count > 0).then(note));
+    }
+
+    /// Notes that lights move or change, if the file has an animation.
+    pub(crate) fn rest(&mut self, is_animated: bool) {
+        let note = || "the animations are not read: lights are as the file has them at rest".to_owned();
+        self.notes.extend(is_animated.then(note));
+    }
+
     /// Adds a light of a node, moved by the transform from the node to the world, or its refusal.
     ///
     /// # Errors

@@ -4,7 +4,9 @@ use std::fmt;
 
 use glam::DVec3;
 
+use crate::limits::within;
 use crate::refusal::Refusal;
+use crate::tabulate::Tables;
 
 /// The kind of a light.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -25,7 +27,7 @@ pub(crate) enum Value {
 ///
 /// The values have the names, the units and the defaults of the system. A reader of a file sets the
 /// position and the axis from the transforms of the nodes.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Record {
     pub(crate) name: String,
     pub(crate) kind: Kind,
@@ -38,13 +40,16 @@ pub(crate) struct Record {
     /// The names that were read: those that the system has.
     asked: Vec<String>,
     pub(crate) notes: Vec<String>,
+    /// The tables of the lights of a file.
+    pub(crate) tables: Tables,
 }
 
 impl Record {
-    /// Creates a record without values, at the origin and along -z.
-    pub(crate) fn new(name: impl Into<String>, kind: Kind, place: impl fmt::Display) -> Self {
+    /// Creates a record without values, at the origin and along -z. A name ends after 200 characters: the
+    /// lights of a file may share one.
+    pub(crate) fn new(name: &str, kind: Kind, place: impl fmt::Display) -> Self {
         Self {
-            name: name.into(),
+            name: name.chars().take(200).collect(),
             kind,
             place: place.to_string(),
             position: DVec3::ZERO,
@@ -52,6 +57,7 @@ impl Record {
             values: Vec::new(),
             asked: Vec::new(),
             notes: Vec::new(),
+            tables: Tables::default(),
         }
     }
 
@@ -109,10 +115,14 @@ impl Record {
     /// Returns a number within limits, or its default.
     pub(crate) fn within(&mut self, key: &str, default: f64, least: f64, most: f64) -> Result<f64, Refusal> {
         let value = self.get(key, default)?;
-        if (least..=most).contains(&value) {
-            return Ok(value);
-        }
-        Err(Refusal::new(key, value, format_args!("a number from {least} to {most}")))
+        let refusal = || Refusal::new(key, value, format_args!("a number from {least} to {most}"));
+        within(value, least, most).ok_or_else(refusal)
+    }
+
+    /// Returns a number, or its default, for the kernel to judge. Only rounding across these limits is undone.
+    pub(crate) fn near(&mut self, key: &str, default: f64, least: f64, most: f64) -> Result<f64, Refusal> {
+        let value = self.get(key, default)?;
+        Ok(within(value, least, most).unwrap_or(value))
     }
 
     /// Returns three numbers, or their default. One number stands for three equal ones.
@@ -145,8 +155,12 @@ fn shown(value: &Value) -> String {
     match value {
         Value::Word(word) => word.clone(),
         Value::Numbers(numbers) => {
-            let numbers: Vec<_> = numbers.iter().take(5).map(f64::to_string).collect();
-            numbers.join(",")
+            // Without the hundreds of digits of very large and very small ones.
+            let text = |number: &f64| match number.abs() {
+                0.0 | 1e-9..1e15 => number.to_string(),
+                _ => format!("{number:e}"),
+            };
+            numbers.iter().take(5).map(text).collect::<Vec<_>>().join(",")
         }
     }
 }

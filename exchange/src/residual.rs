@@ -21,13 +21,37 @@ pub(crate) fn even(from: f64, to: f64) -> Vec<f64> {
     (0..=64).map(|i| from + (to - from) * f64::from(i) / 64.0).collect()
 }
 
+/// The part of an angle within which two ends of lights are one: the rounding of a cone's angle to `f32`.
+const SAME: f64 = 5e-7;
+
 /// Returns the difference between two functions, such as of the half angle in degrees, from the first of
-/// the breaks to the last one. Both are monotone between two neighbours.
+/// the breaks to the last one. Both are monotone between two neighbours, but for steps, which are given for
+/// each of them.
+///
+/// Where both have a step, within half a millionth of the place, the values before and behind it count: a
+/// cone has no light at its end itself, where measured intensities have their last one.
 pub(crate) fn difference(
     measured: &dyn Fn(f64) -> f64,
-    mut breaks: Vec<f64>,
     fitted: &dyn Fn(f64) -> f64,
+    mut breaks: Vec<f64>,
+    [own, other]: [&[f64]; 2],
 ) -> Residual {
+    let tagged = |steps: &[f64], whose: u8| steps.iter().map(move |&step| (step, whose)).collect::<Vec<_>>();
+    let mut steps = [tagged(own, 1), tagged(other, 2)].concat();
+    steps.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // The cells around steps: their ends, and whose steps are between them.
+    let mut around: Vec<(f64, f64, u8)> = Vec::new();
+    for (step, whose) in steps {
+        let (from, to) = (step * (1.0 - SAME), step * (1.0 + SAME));
+        match around.last_mut().filter(|last| from <= last.1) {
+            Some(last) => (last.1, last.2) = (to, last.2 | whose),
+            None => around.push((from, to, whose)),
+        }
+    }
+    let within =
+        |at: f64| around[..around.partition_point(|cell| cell.0 < at)].last().filter(|cell| at < cell.1);
+    breaks.retain(|&at| within(at).is_none());
+    breaks.extend(around.iter().flat_map(|cell| [cell.0, cell.1]));
     breaks.sort_by(f64::total_cmp);
     let mut worst = Residual::default();
     let mut look = |degrees: f64| {
@@ -44,6 +68,12 @@ pub(crate) fn difference(
     // that is refused later, a cell is not divided.
     while let Some((a, b)) = cells.pop() {
         let ((m, f, _), (n, g, found)) = (look(a), look(b));
+        if let Some(&(.., whose)) = within((a + b) / 2.0) {
+            // Of one step, the other function has all its values on both sides of it.
+            let both = if whose == 3 { 0.0 } else { (m - n).abs().min((f - g).abs()) };
+            bound = bound.max(255.0 * ((m - f).abs().max((n - g).abs()) + both));
+            continue;
+        }
         let largest = 255.0 * (m.max(n) - f.min(g)).max(f.max(g) - m.min(n));
         if largest > found + 0.05 && b - a >= 1e-7 {
             let middle = (a + b) / 2.0;
@@ -65,13 +95,13 @@ mod tests {
     #[test]
     fn difference_is_bounded_and_found_between_two_breaks() {
         let most = 255.0 / 4.0;
-        let found = difference(&|x| x / 10.0, vec![10.0, 0.0], &|x| (x / 10.0).powi(2));
+        let found = difference(&|x| x / 10.0, &|x| (x / 10.0).powi(2), vec![10.0, 0.0], [&[]; 2]);
         assert!(
             (most - 0.06..=most).contains(&found.found) && (found.degrees - 5.0).abs() < 0.2,
             "{found:?}"
         );
         assert!((most..=found.found + 0.05).contains(&found.bound), "{found:?}");
-        let jump = difference(&|x| x / 10.0, vec![0.0, 10.0], &|x| if x < 3.0 { 0.0 } else { 1.0 });
+        let jump = difference(&|x| x / 10.0, &|x| if x < 3.0 { 0.0 } else { 1.0 }, vec![0.0, 10.0], [&[]; 2]);
         assert!((178.4..=178.5 + 1e-6).contains(&jump.found) && jump.bound >= 178.5, "{jump:?}");
     }
 }

@@ -1,14 +1,16 @@
 //! A light from the numbers of its data sheet.
 
 use std::cmp::Reverse;
+use std::f32::consts::PI;
 
 use luminaire::falloff::{AnyFalloff, Hard, Soft};
 use luminaire::import::Difference;
-use luminaire::{Angle, Cone, SpotLight, dynamic::AnyLight};
+use luminaire::{Angle, Cone, PointLight, SpotLight, dynamic::AnyLight};
 use luminaire_export::json;
 use luminaire_fixtures::{FIXTURES, Kind};
 
 use crate::lamp::Lamp;
+use crate::limits::within;
 use crate::refusal::Refusal;
 
 /// The edge of a light of which one angle is known.
@@ -55,7 +57,7 @@ impl Sheet {
     /// Returns the light, at the origin and down along -y.
     ///
     /// Its intensity is `candela`, else that of `lux`, else that of `lumens`, else 1. The widest zoom
-    /// has the same flux.
+    /// has the same flux. A light of 360 degrees is a point light.
     ///
     /// # Errors
     /// Angles of no cone, an intensity outside [0, 1e9] candela, or `lux` without `throw`.
@@ -71,12 +73,19 @@ impl Sheet {
             notes.push("the zoom begins at 0 degrees, which is no cone: the light is the widest zoom".into());
             (angles, widest) = (wide, None);
         }
+        let is_full = |angle: &f64| within(*angle, 360.0, 360.0).is_some();
+        let is_globe = angles.iter().flatten().count() > 0 && angles.iter().flatten().all(is_full);
+        if is_globe {
+            notes.push("360 degrees are every direction: it is a point light".into());
+            (angles, widest) = ([None; 2], None);
+        }
         let mut published = angles[0].filter(|_| angles[0] == angles[1]);
         if published.is_some() && self.cone([widest.unwrap_or(angles)[0], None]).is_err() {
             notes.push("the published angle is too wide for a beam angle: it is the field angle".into());
             (published, angles[0], widest) = (None, None, widest.map(|[_, field]| [None, field]));
         }
-        let cone = self.cone(angles)?;
+        let cone = if is_globe { None } else { Some(self.cone(angles)?) };
+        let candela = |lumens: f32| cone.map_or(lumens / (4.0 * PI), |cone| cone.candela(lumens));
 
         let throw = self.throw.filter(|throw| *throw > 0.0);
         let lux = match (self.lux, throw) {
@@ -89,13 +98,18 @@ impl Sheet {
             }
             (lux, throw) => lux.zip(throw).map(|(lux, throw)| lux * throw * throw),
         };
-        let flux = self.lumens.map(|lumens| f64::from(cone.candela(lumens as f32)));
+        let flux = self.lumens.map(|lumens| f64::from(candela(lumens as f32)));
         let peaks = [("intensity", self.candela), ("illuminance", lux), ("flux", flux)];
         let mut peaks = peaks.into_iter().filter_map(|(source, peak)| Some((source, peak?)));
         let first = peaks.next();
         let intensity = first.map_or(1.0, |(_, peak)| peak as f32);
-        let lumens = cone.lumens(intensity);
+        let lumens = cone.map_or(intensity * 4.0 * PI, |cone| cone.lumens(intensity));
         let [own_peak, own_flux] = [number(intensity, "cd"), number(lumens, "lm")];
+        if intensity > 1e9 {
+            let expected =
+                format!("at most 1e9 cd: check the angle and the {}", first.map_or("", |own| own.0));
+            return Err(Refusal::new("peak", own_peak, expected));
+        }
         for (source, peak) in peaks.filter(|(_, peak)| (peak / f64::from(intensity) - 1.0).abs() > 0.1) {
             let peak = number(peak as f32, "cd");
             notes.push(format!("the {source} means a peak of {peak}, but the light has {own_peak}"));
@@ -106,13 +120,13 @@ impl Sheet {
             None => "no intensity, illuminance or flux is given: the intensity is 1".into(),
             Some(_) => format!("peak {own_peak}, flux {own_flux}{lux}"),
         });
-        if let Some(degrees) = published {
-            let (degrees, peak) = (degrees as f32, self.cone([None, published])?.candela(lumens));
+        if let Some((degrees, Ok(field))) = published.map(|degrees| (degrees, self.cone([None, published]))) {
+            let (degrees, peak) = (degrees as f32, field.candela(lumens));
             let other = format!("the peak of this flux is {} in place of {own_peak}", number(peak, "cd"));
             notes.push(format!("if {degrees} degrees is the field angle, not the beam angle, {other}"));
         }
         let wide = widest.filter(|wide| *wide != angles).map(|wide| self.cone(wide));
-        let wide = wide.map(|cone| cone.and_then(|cone| lit(cone, cone.candela(lumens))));
+        let wide = wide.map(|cone| cone.and_then(|cone| lit(Some(cone), cone.candela(lumens))));
         if let Some(Err(refusal)) = &wide {
             notes.push(format!("the widest zoom is left out: {refusal}"));
         }
@@ -131,7 +145,8 @@ impl Sheet {
     }
 }
 
-fn lit(cone: Cone<AnyFalloff>, intensity: f32) -> Result<AnyLight, Refusal> {
+fn lit(cone: Option<Cone<AnyFalloff>>, intensity: f32) -> Result<AnyLight, Refusal> {
+    let Some(cone) = cone else { return Ok(PointLight::new([0.0; 3])?.with_intensity(intensity)?.into()) };
     Ok(SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone)?.with_intensity(intensity)?.into())
 }
 
@@ -189,6 +204,35 @@ mod tests {
         assert!(lamp(120.0, 120.0).notes[0].contains("it is the field angle"));
         let refused = Sheet { beam: Some(20.0), field: Some(10.0), ..Sheet::default() }.lamp().unwrap_err();
         assert!(refused.to_string().contains("alone"), "{refused}");
+    }
+
+    /// Each limit on both of its sides.
+    #[test]
+    fn sheets_are_accepted_up_to_their_limits() {
+        let sheet = |angle, lumens| {
+            let angle = Some(angle);
+            Sheet { beam: angle, field: angle, lumens: Some(lumens), ..Sheet::default() }.lamp()
+        };
+        assert!(sheet(90.0, 1e9).is_ok() && sheet(90.0, 1.001e9).is_err());
+        // 1e9 candela.
+        let peak = f64::from(sheet(2.0, 1e4).unwrap().light.intensity());
+        assert!(sheet(2.0, 0.99e9 / peak * 1e4).is_ok());
+        let refused = sheet(2.0, 1.01e9 / peak * 1e4).unwrap_err();
+        let words = "at most 1e9 cd: check the angle and the flux";
+        assert_eq!((&*refused.parameter, &*refused.expected), ("peak", words));
+        for (angle, is_point) in [(359.9, false), (360.0, true), (360.0001, true)] {
+            assert_eq!(sheet(angle, 100.0).is_ok(), is_point, "{angle}");
+        }
+        // Two intensities that differ by a tenth are one.
+        let notes = |candela| Sheet {
+            beam: Some(20.0),
+            candela: Some(candela),
+            lux: Some(100.0),
+            throw: Some(1.0),
+            ..Sheet::default()
+        };
+        let notes = |candela| notes(candela).lamp().unwrap().notes.len();
+        assert_eq!([notes(100.0 / 1.09), notes(100.0 / 1.11)], [1, 2]);
     }
 
     #[test]

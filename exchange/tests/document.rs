@@ -66,6 +66,16 @@ fn document_is_read_back_and_keeps_to_the_schema() {
     let back = read(&text).expect("lights");
     assert!(back.len() == lights.len() && back.iter().zip(&lights).all(|(back, light)| back == light));
 
+    // What a reader skips may be any JSON. More than 10,000 lights are not read.
+    let many = |count: usize| {
+        let light = r#"{"kind":"point","about":{"a":[[{}]]}},"#.repeat(count - 1);
+        read(&format!(
+            r#"{{"format":"luminaire-lights-1","refused":[1],"lights":[{light}{{"kind":"point"}}]}}"#
+        ))
+    };
+    assert!(many(10_000).is_ok_and(|lights| lights.len() == 10_000 && lights[0].about.is_none()));
+    assert!(many(10_001).is_err());
+
     let by_hand =
         PAGE.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     check(by_hand).expect("a document of the schema");
@@ -78,6 +88,7 @@ fn document_is_read_back_and_keeps_to_the_schema() {
             "lights[1]: window = round: expected cut or gltf or square",
         ),
         (by_hand.replace("\"outer_degrees\": 40", "\"outer_degrees\": 400"), "lights[2]: outer angle = 400"),
+        (by_hand.replace("\"inverse-square\"", &format!("\"{:1000}\"", "")), "JSON = more than 1,000 bytes"),
         (
             by_hand.replace("\"outer_degrees\": 40", "\"outer_degrees\": 40, \"outer_versine\": 0.5"),
             "lights[2]: outer_degrees = 40: expected 120",
@@ -85,6 +96,9 @@ fn document_is_read_back_and_keeps_to_the_schema() {
     ] {
         let refused = read(&wrong).expect_err(told).to_string();
         assert!(refused.starts_with(told), "{refused}: expected {told}");
-        assert!(check(&wrong).is_err() || wrong.contains("versine"), "the schema accepts {told}");
+        assert!(
+            check(&wrong).is_err() || wrong.contains("versine") || wrong.len() > by_hand.len() + 900,
+            "the schema accepts {told}"
+        );
     }
 }

@@ -145,7 +145,8 @@ fn values_of_files_reach_the_light() {
     let file = br#"LightSource "point" "rgb I" [4 2 1]"#;
     let light = read("a.pbrt", file, None, 1.0).expect("a light").lamps.remove(0).light;
     assert_eq!((light.intensity(), light.color().green, light.color().blue), (4.0, 0.5, 0.25));
-    let file = b"Begin Object Class=PointLightComponent Name=\"a\"\nbUseInverseSquaredFalloff=False";
+    let file =
+        b"Begin Object Class=PointLightComponent Name=\"a\"\nbUseInverseSquaredFalloff=False\nEnd Object";
     let lamps = read("a.t3d", file, None, 1.0).expect("a file");
     assert_eq!((lamps.lamps.len(), &*lamps.refused[0].parameter), (0, "bUseInverseSquaredFalloff"));
 }
@@ -161,7 +162,7 @@ fn real_lights_are_read() {
             let name = path.file_name().and_then(|name| name.to_str()).expect("a name").to_owned();
             if ["md", "xml"].iter().any(|own| name.ends_with(own))
                 || name.starts_with("expected")
-                || name == "refused.txt"
+                || ["refused.txt", "bzip2.gdtf"].contains(&&*name)
             {
                 continue;
             }

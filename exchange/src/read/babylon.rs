@@ -6,17 +6,21 @@ use glam::{DAffine3, DQuat, EulerRot};
 use serde::de::IgnoredAny;
 
 use super::Found;
-use super::json::{Member, fill, list, named, objects, parse, vector, word, world};
+use super::json::{Member, Worlds, fill, list, named, objects, parse, vector, word};
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
 
 objects! {
-    File: useRightHandedSystem bool, lights Vec<Light>, transformNodes Vec<Node>, meshes Vec<Node>;
+    File: useRightHandedSystem bool, lights Vec<Light>, transformNodes Vec<Node>, meshes Vec<Node>,
+        animationGroups Vec<IgnoredAny>;
     Node: id Id, uniqueId Id, parentId Id, parentInstanceIndex IgnoredAny, position [f64; 3],
-        rotation [f64; 3], rotationQuaternion [f64; 4], scaling [f64; 3], scalingDeterminant f64;
+        rotation [f64; 3], rotationQuaternion [f64; 4], scaling [f64; 3], scalingDeterminant f64, isEnabled bool,
+        animations Vec<IgnoredAny>;
     Light: name String, r#type f64, parentId Id, parentInstanceIndex IgnoredAny, position [f64; 3],
         direction [f64; 3], diffuse [f64; 3], intensity f64, intensityMode f64, range f64, falloffType f64,
-        angle f64, innerAngle f64, exponent f64, isEnabled bool, projectedLightTexture IgnoredAny;
+        angle f64, innerAngle f64, exponent f64, isEnabled bool, projectedLightTexture IgnoredAny,
+        includedOnlyMeshesIds Vec<IgnoredAny>, excludedMeshesIds Vec<IgnoredAny>, includeOnlyWithLayerMask f64,
+        excludeWithLayerMask f64, animations Vec<IgnoredAny>;
 }
 
 /// The number of a node, or in older files its name.
@@ -43,6 +47,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         // Of the nodes of a name, the last counts.
         indices.extend([(node.id.as_ref(), at), (node.uniqueId.as_ref(), at)]);
     }
+    let (mut worlds, mut hidden) = (Worlds::new(nodes.len()), 0);
     for (at, light) in lights.iter().enumerate() {
         let kind = match light.r#type.as_deref().copied().unwrap_or(f64::NAN) {
             0.0 => Ok(Kind::Point),
@@ -56,24 +61,32 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
             other => Err(Refusal::new("type", other, "0, 1 or 2")),
         };
         let place = format!("lights[{at}]");
+        let mut is_off = light.isEnabled.as_deref() == Some(&false);
         let record = kind.and_then(|kind| {
-            let mut unknown = false;
-            let mut parent = |parent: &Member<Id>, instance: &Member<IgnoredAny>| {
+            let parent = |parent: &Member<Id>, instance: &Member<IgnoredAny>| {
                 let own = parent.as_ref().filter(|_| instance.is_none());
-                let found = own.and_then(|own| indices.get(&Some(own)).copied());
-                unknown |= parent.is_some() && found.is_none();
-                found
+                own.and_then(|own| indices.get(&Some(own)).copied())
             };
-            let world = match parent(&light.parentId, &light.parentInstanceIndex) {
-                None => DAffine3::IDENTITY,
-                Some(above) => world(above, |at| {
-                    (nodes[at].local(), parent(&nodes[at].parentId, &nodes[at].parentInstanceIndex))
-                })?,
+            let above = parent(&light.parentId, &light.parentInstanceIndex);
+            let parent = |at: usize| parent(&nodes[at].parentId, &nodes[at].parentInstanceIndex);
+            let marks = |at: usize| {
+                [
+                    nodes[at].isEnabled.as_deref() == Some(&false),
+                    nodes[at].parentId.is_some() && parent(at).is_none(),
+                ]
             };
+            let own = |above| worlds.of(above, |at| (nodes[at].local(), marks(at)), parent);
+            let (world, [is_below_off, is_unknown]) =
+                above.map_or(Ok((DAffine3::IDENTITY, [false, light.parentId.is_some()])), own)?;
+            is_off |= is_below_off;
+            let masks = [&light.includeOnlyWithLayerMask, &light.excludeWithLayerMask];
+            let meshes = [&light.includedOnlyMeshesIds, &light.excludedMeshesIds];
+            let is_choosy = masks.iter().any(|mask| mask.as_deref().is_some_and(|mask| *mask != 0.0))
+                || meshes.iter().any(|meshes| !list(meshes).is_empty());
             let notes = [
-                (unknown, "its parent is not a node of the file: position and axis are relative to it"),
+                (is_unknown, "its parent is not a node of the file: position and axis are relative to it"),
                 (light.parentId.is_some(), "pivots of its parents are left out"),
-                (light.isEnabled.as_deref() == Some(&false), "it is off in the file"),
+                (is_choosy, "in the file it lights some of the meshes alone"),
                 (light.projectedLightTexture.is_some(), "its projected texture is left out"),
             ];
             let mut record = Record::new(word(&light.name), kind, &place);
@@ -81,8 +94,19 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
             let values = named!(light, intensity intensityMode range falloffType angle innerAngle exponent);
             Ok((fill(record, &notes, light.diffuse.as_deref().copied(), &values, [4, 2])?, world))
         });
-        found.add(place, record)?;
+        if is_off {
+            hidden += 1;
+        } else {
+            found.add(place, record)?;
+        }
     }
+    found.hide(hidden);
+    let moves = |animations: &Member<Vec<IgnoredAny>>| !list(animations).is_empty();
+    found.rest(
+        moves(&file.animationGroups)
+            || lights.iter().any(|light| moves(&light.animations))
+            || nodes.iter().any(|node| moves(&node.animations)),
+    );
     Ok(found)
 }
 

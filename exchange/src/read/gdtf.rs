@@ -6,8 +6,9 @@ use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_with_limit};
 use rawzip::{CompressionMethod, ZipArchive, ZipVerification, crc32};
 use roxmltree::Node;
 
+use super::scene::among;
 use super::xml;
-use crate::lamp::Lamps;
+use crate::lamp::{Lamp, Lamps};
 use crate::refusal::Refusal;
 use crate::sheet::{Edge, Sheet};
 use crate::system::System;
@@ -17,7 +18,8 @@ use crate::text;
 ///
 /// Angles are full and without percentages in the standard: `BeamAngle` is the 50 % angle here and
 /// `FieldAngle` the 10 % angle. `Zoom` is the beam angle, because it "is used to adjust the beam angle
-/// of the light source" (attribute definitions); the field angle keeps its ratio to it.
+/// of the light source" (attribute definitions); the field angle keeps its ratio to it. `ZoomMSpeed` and the
+/// like are other attributes.
 ///
 /// # Errors
 /// No zip with a `description.xml`, one that is not well-formed, has a DTD or is over the limits, or a
@@ -34,7 +36,10 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
     let gobos: Vec<_> = elements("Slot").filter(is_gobo).take(20).map(|slot| short(slot, "Name")).collect();
     lamps.notes.extend((!gobos.is_empty()).then(|| format!("gobos: {}", gobos.join(", "))));
     let mut ends = Vec::new();
-    let zooms = |node: &Node| node.attribute("Attribute").is_some_and(|name| name.starts_with("Zoom"));
+    let is_zoom = |name: &str| {
+        name.strip_prefix("Zoom").is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    let zooms = |node: &Node| node.attribute("Attribute").is_some_and(is_zoom);
     for node in elements("ChannelFunction").filter(zooms) {
         match [("PhysicalFrom", 0.0), ("PhysicalTo", 1.0)].map(|(key, value)| number(node, key, value)) {
             [Ok(0.0), Ok(1.0)] => {} // the values of the standard, which are no angles
@@ -52,12 +57,32 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
             lamps.notes.push(format!("{name} is left out: a beam of the type {kind} lights nothing"));
             continue;
         }
-        match sheet(beam, name, zoom).and_then(|sheet| sheet.lamp()) {
+        match lamp(beam, name, zoom) {
             Ok(lamp) => lamps.lamps.push(lamp),
             Err(refusal) => lamps.refused.push(refusal.at(path(beam))),
         }
     }
+    if elements("Beam").next().is_none() {
+        lamps
+            .notes
+            .push("the fixture has no geometry of the type Beam, which has the light of a fixture".into());
+    }
+    let is_moved = |node: &Node| node.attribute("Position").is_some_and(|own| !is_identity(own));
+    let within = elements("Geometries").flat_map(|node| node.descendants());
+    if within.clone().any(|node| is_moved(&node)) {
+        let note = "positions in the fixture are not read: each beam is at the origin and shines down";
+        lamps.notes.push(note.into());
+    }
+    let again = within.filter(|node| node.has_tag_name("GeometryReference")).count();
+    let note = || format!("`GeometryReference` is not read ({again} of them): each beam is read once");
+    lamps.notes.extend((again > 0).then(note));
     Ok(lamps)
+}
+
+/// Returns whether a matrix such as `{1,0,0,0}{0,1,0,0}{0,0,1,0}{0,0,0,1}` moves nothing.
+fn is_identity(matrix: &str) -> bool {
+    let numbers = matrix.split(['{', ',', '}']).filter_map(|number| number.trim().parse::<f64>().ok());
+    numbers.enumerate().all(|(at, number)| number == f64::from(u8::from(at % 5 == 0)))
 }
 
 /// Returns the text of `description.xml`, if the text and its tree take at most 60 MB.
@@ -108,8 +133,12 @@ fn unpack(packed: &[u8], method: CompressionMethod) -> Result<Cow<'_, [u8]>, Ref
     }
 }
 
-/// Returns the numbers of a beam at both ends of the zoom.
-fn sheet(node: Node, name: String, zoom: Option<(f64, f64)>) -> Result<Sheet, Refusal> {
+/// The attributes of a beam that are read, or that say nothing of its light.
+const ATTRIBUTES: &str = "Name Model Position LampType PowerConsumption LuminousFlux ColorTemperature BeamAngle FieldAngle \
+                          ThrowRatio RectangleRatio BeamRadius BeamType ColorRenderingIndex";
+
+/// Returns the light of a beam, with both ends of the zoom.
+fn lamp(node: Node, name: String, zoom: Option<(f64, f64)>) -> Result<Lamp, Refusal> {
     let mut notes = Vec::new();
     let mut standard = |key, value| {
         let assumed = || format!("{key} is not in the file: {value}, the value of the standard");
@@ -127,15 +156,23 @@ fn sheet(node: Node, name: String, zoom: Option<(f64, f64)>) -> Result<Sheet, Re
         _ => return Err(Refusal::new("BeamType", kind, "Wash, Fresnel, PC, Spot, Rectangle, None or Glow")),
     };
     notes.extend((kind == "Rectangle").then(|| "the pyramid of the type Rectangle is read as a cone".into()));
-    let [mut beam, mut field] = angles.map(|angle| Some(angle).filter(|angle| *angle != 0.0));
-    let mut widest = None;
-    if let Some((least, most)) = zoom {
-        let ratio = field.zip(beam).map(|(field, beam)| field / beam);
+    let others = node.attributes().map(|own| own.name()).filter(|own| !among(ATTRIBUTES, own));
+    notes.extend(others.take(20).map(|own| format!("`{own:.80}` is not read")));
+    let [beam, field] = angles.map(|angle| Some(angle).filter(|angle| *angle != 0.0));
+    let sheet = Sheet { name, beam, field, lumens, edge, notes, ..Sheet::default() };
+    let Some((least, most)) = zoom else { return sheet.lamp() };
+    let zoomed = |ratio: Option<f64>, note: Option<String>| {
         let end = |beam| [Some(beam), ratio.map(|ratio| beam * ratio)];
-        ([beam, field], widest) = (end(least), Some(end(most)));
-        notes.push(format!("the beam angle is that of Zoom, {least} to {most}, not {} degrees", angles[0]));
-    }
-    Ok(Sheet { name, beam, field, lumens, edge, widest, notes, ..Sheet::default() })
+        let ([beam, field], widest) = (end(least), Some(end(most)));
+        let own = format!("the beam angle is that of Zoom, {least} to {most}, not {} degrees", angles[0]);
+        let notes = sheet.notes.iter().cloned().chain([own]).chain(note).collect();
+        Sheet { beam, field, widest, notes, ..sheet.clone() }.lamp()
+    };
+    // A field angle of another zoom, or of none, says nothing of this one.
+    let note = || {
+        Some(format!("the field angle, {} degrees, is left out: no cone has it beside this beam", angles[1]))
+    };
+    zoomed(field.zip(beam).map(|(field, beam)| field / beam), None).or_else(|_| zoomed(None, note()))
 }
 
 /// Returns a number of an attribute, or that of the standard.
@@ -192,7 +229,8 @@ mod tests {
     fn every_beam_is_a_light_with_the_angles_of_the_zoom() {
         let lamps = read(&zipped(DESCRIPTION)).expect("a fixture");
         let left_out = "Two Beams: Tip is left out: a beam of the type Glow lights nothing";
-        assert_eq!(lamps.notes, ["gobos: Leaves, Bars", left_out]);
+        let again = "`GeometryReference` is not read (3 of them): each beam is read once";
+        assert_eq!(lamps.notes, ["gobos: Leaves, Bars", left_out, again]);
         let [main, dot] = &lamps.lamps[..] else { panic!("expected two lights, found {lamps:?}") };
         assert_eq!([&main.name, &dot.name], ["Two Beams: Main", "Two Beams: Dot"]);
         assert!(main.notes.iter().any(|note| note.ends_with("flux 9,000 lm")), "{:?}", main.notes);
@@ -224,10 +262,53 @@ mod tests {
 
     #[test]
     fn refusals_have_the_path_of_the_element() {
-        for (from, to) in [("\"10\"", "\"ten\""), ("\"Wash\"", "\"Wish\""), ("\"15\"", "\"5\"")] {
+        for (from, to) in [("\"10\"", "\"ten\""), ("\"Wash\"", "\"Wish\"")] {
             let lamps = read(&zipped(&DESCRIPTION.replace(from, to))).expect("the other beam");
             assert_eq!(lamps.refused[0].place, "Geometries/Geometry[Base]/Axis[Yoke]/Axis[Head]/Beam[Main]");
         }
+    }
+
+    /// Beside a zoom the angles of the beam need not be those of a cone; without one they must be.
+    #[test]
+    fn zoom_is_the_attribute_of_that_name_and_enough_for_a_beam() {
+        let speed = "<ChannelFunction Attribute=\"ZoomMSpeed\" PhysicalFrom=\"0.1\" PhysicalTo=\"25.5\"/></LogicalChannel>";
+        let file = DESCRIPTION.replace("</LogicalChannel>", speed).replace("\"15\"", "\"1\"");
+        let lamps = read(&zipped(&file)).expect("a fixture");
+        let note = "the field angle, 1 degrees, is left out: no cone has it beside this beam";
+        assert!(lamps.refused.is_empty() && lamps.lamps[0].notes.iter().any(|own| own == note), "{lamps:?}");
+        let Some(AnyLight::Spot(widest)) = lamps.lamps[0].widest else { panic!("expected a zoom") };
+        assert_eq!(widest.cone().beam().to_degrees().round(), 40.0);
+        let numbered = read(&zipped(&file.replace("\"Zoom\"", "\"Zoom2\""))).expect("a fixture");
+        assert_eq!(numbered.lamps[0].light, lamps.lamps[0].light);
+        let none = read(&zipped(&file.replace("\"Zoom\"", "\"Zoomed\""))).expect("a fixture");
+        assert_eq!(none.refused[0].parameter, "field angle", "{none:?}");
+    }
+
+    /// What a file has and is not read is noted, and a globe is a point light.
+    #[test]
+    fn beams_have_notes_of_what_is_not_read() {
+        let moved = "Position=\"{1,0,0,0.1}{0,1,0,0}{0,0,1,0}{0,0,0,1}\" LightDistribution=\"a\" BeamType";
+        let file = DESCRIPTION.replace("BeamType", moved).replace("\"Zoom\"", "\"Pan\"");
+        let lamps = read(&zipped(&file.replace("\"20\"", "\"360\""))).expect("a fixture");
+        assert!(
+            lamps.notes.iter().any(|note| note.starts_with("positions in the fixture")),
+            "{:?}",
+            lamps.notes
+        );
+        assert!(lamps.lamps[0].notes.iter().any(|note| note == "`LightDistribution` is not read"));
+        let AnyLight::Point(globe) = lamps.lamps[1].light else { panic!("expected a point light") };
+        assert!((globe.intensity() - 10_000.0 / (4.0 * std::f32::consts::PI)).abs() < 0.01);
+        let still = read(&zipped(&file.replace("0.1}", "0}"))).expect("a fixture");
+        assert!(!still.notes.iter().any(|note| note.starts_with("positions")), "{:?}", still.notes);
+        let none = read(&zipped(&file.replace("<Beam", "<Geometry"))).expect("a fixture");
+        assert!(
+            none.lamps.is_empty()
+                && none.notes.iter().any(|note| note.contains("no geometry of the type Beam"))
+        );
+        let beams = |count: usize| {
+            DESCRIPTION.replace("<Beam Name=\"Tip\"", &("<Beam/>".repeat(count - 3) + "<Beam"))
+        };
+        assert!(read(&zipped(&beams(1_000))).is_ok() && read(&zipped(&beams(1_001))).is_err());
     }
 
     #[test]

@@ -4,18 +4,19 @@ use glam::{DAffine3, DQuat};
 use serde::de::IgnoredAny;
 
 use super::Found;
-use super::json::{fill, index, list, matrix, named, objects, parse, vector, word, world};
+use super::json::{Worlds, fill, index, list, matrix, named, objects, parse, vector, word};
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
 use crate::text::decode;
 
 objects! {
-    File: asset Asset, scene f64, scenes Vec<Scene>, nodes Vec<Node>, extensions Extensions;
+    File: asset Asset, scene f64, scenes Vec<Scene>, nodes Vec<Node>, extensions Extensions, animations Vec<IgnoredAny>;
     Asset: version String;
     Scene: nodes Vec<f64>;
     Node: name String, children Vec<f64>, extensions Extensions,
         matrix [f64; 16], translation [f64; 3], rotation [f64; 4], scale [f64; 3];
-    Extensions: KHR_lights_punctual Punctual, EXT_lights_ies IgnoredAny, EXT_lights_image_based IgnoredAny;
+    Extensions: KHR_lights_punctual Punctual, KHR_node_visibility Visibility, EXT_lights_ies IgnoredAny, EXT_lights_image_based IgnoredAny;
+    Visibility: visible bool;
     Punctual: light f64, lights Vec<Light>;
     Light: name String, r#type String, color [f64; 3], intensity f64, range f64, spot Spot;
     Spot: innerConeAngle f64, outerConeAngle f64;
@@ -58,24 +59,27 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
     }
     let punctual = extensions.KHR_lights_punctual.unwrap_or_default();
     let lights = list(&punctual.lights);
-    let mut used = vec![false; lights.len()];
+    let (mut used, mut worlds, mut hidden) = (vec![false; lights.len()], Worlds::new(nodes.len()), 0);
     for (at, node) in nodes.iter().enumerate() {
         let own = node.extensions.as_ref().and_then(|own| own.KHR_lights_punctual.as_ref()?.light.as_deref());
         let Some(own) = own else { continue };
-        let mut seen = false;
-        let world = world(at, |node| {
-            seen |= roots[node];
-            (nodes[node].local(), parents[node])
-        });
-        if !seen && world.is_ok() {
+        let local = |node: usize| (nodes[node].local(), [roots[node], nodes[node].is_hidden()]);
+        let world = worlds.of(at, local, |node| parents[node]);
+        if matches!(world, Ok((_, [false, _]))) {
             continue;
         }
         let record = index("light", *own, lights.len()).and_then(|own| {
             used[own] = true;
-            Ok((lights[own].record(node.name.as_deref(), own)?, world?))
+            Ok((lights[own].record(node.name.as_deref(), own)?, world.clone()?.0))
         });
-        found.add(format_args!("nodes[{at}]"), record)?;
+        if matches!(world, Ok((_, [_, true]))) {
+            hidden += 1;
+        } else {
+            found.add(format_args!("nodes[{at}]"), record)?;
+        }
     }
+    found.hide(hidden);
+    found.rest(!list(&file.animations).is_empty());
     for (at, light) in lights.iter().enumerate().filter(|(at, _)| !used[*at]) {
         let record = light.record(None, at).map(|mut record| {
             record.note("no node of the scene uses it: it is at the origin and shines along -z");
@@ -87,6 +91,12 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
 }
 
 impl Node {
+    fn is_hidden(&self) -> bool {
+        let own =
+            self.extensions.as_ref().and_then(|own| own.KHR_node_visibility.as_ref()?.visible.as_deref());
+        own == Some(&false)
+    }
+
     fn local(&self) -> DAffine3 {
         let rotation = self.rotation.as_deref().map_or(DQuat::IDENTITY, |own| DQuat::from_array(*own));
         let [scale, translation] = [vector(&self.scale, 1.0), vector(&self.translation, 0.0)];

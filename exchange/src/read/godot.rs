@@ -5,16 +5,18 @@ use std::collections::HashMap;
 use glam::{DAffine3, DVec3};
 
 use super::Found;
-use super::scene::{Block, OUTSIDE, System, add, among, attribute, color, lights};
+use super::scene::{Block, Lines, OUTSIDE, System, add, among, attribute, color, lights, unquoted};
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
     kinds: ["SpotLight3D SpotLight", "OmniLight3D OmniLight", SUN, "AreaLight3D"],
     axis: DVec3::NEG_Z,
     keys: "light_energy omni_range omni_attenuation spot_range spot_attenuation spot_angle spot_angle_attenuation",
-    others: "light_negative=0 light_projector= light_temperature= light_intensity_lumens= light_intensity_lux=",
+    others: "light_projector= light_temperature= light_intensity_lumens= light_intensity_lux= \
+             light_cull_mask=4294967295 distance_fade_enabled=0",
+    never: "light_negative=true sky_mode=2",
     off: "visible=false editor_only=true",
-    outside: "instance",
+    outside: "instance AnimationPlayer",
 };
 const SUN: &str = "DirectionalLight3D DirectionalLight";
 
@@ -22,15 +24,17 @@ const SUN: &str = "DirectionalLight3D DirectionalLight";
 /// lights of Godot 3.
 pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     let (mut blocks, mut paths, mut node) = (Vec::new(), HashMap::new(), None);
-    for (line, text) in (1..).zip(text.lines()) {
+    for line in Lines::new(text, true) {
+        let (line, text) = line?;
         if text.starts_with("[node ") {
-            let [name, kind, parent] = ["name", "type", "parent"].map(|key| attribute(text, key));
+            let [own, kind, parent] = ["name", "type", "parent"].map(|key| attribute(text, key));
+            let [name, kind, parent] = [own, kind, parent].map(unquoted);
             let path = match parent {
                 "" => ".".to_owned(),
                 "." => name.to_owned(),
                 _ => format!("{parent}/{name}"),
             };
-            let mut block = Block { kind, name, line, ..Block::default() };
+            let mut block = Block { kind, name: own, line, ..Block::default() };
             // A transform does not go through nodes without one.
             if !parent.is_empty() && !among("Node Control CanvasLayer SubViewport Viewport Window", kind) {
                 block.parents.push(paths.get(parent).copied().unwrap_or(OUTSIDE));
@@ -50,6 +54,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
             }
         }
     }
+    blocks.iter_mut().for_each(|block| block.values.sort());
     lights(&SYSTEM, &blocks, local, |block, record| {
         record.set("color", color(block.numbers("light_color", [1.0; 4])?));
         if !block.kind.ends_with("3D") {

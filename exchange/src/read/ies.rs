@@ -50,16 +50,26 @@ pub(crate) fn read(text: &str) -> Result<Photometry, Refusal> {
     factor *= fields.number("multiplier", POSITIVE)?;
     let angles = fields.count("number of vertical angles", 2)?;
     let planes = fields.count("number of horizontal angles", 1)?;
-    let kind = fields.text("photometric type")?;
-    if kind != "1" {
+    let kind = fields.number("photometric type", 1.0..=3.0)?;
+    if kind != 1.0 {
         let expected = "1 (type C); 2 is type B and 3 is type A: convert the file to type C";
         return Err(fields.refusal("photometric type", kind, expected));
     }
     fields.skip(4)?; // units, width, length, height
     factor *= fields.number("ballast factor", POSITIVE)?;
     let lamp = fields.number("ballast-lamp photometric factor", POSITIVE)?;
-    if !text.starts_with("IES:LM-63-2019") {
+    // The first line has the number and the year of the standard, with whatever between and around them.
+    let head = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
+    let digits: Vec<_> = head.split(|c: char| !c.is_ascii_digit()).filter(|run| !run.is_empty()).collect();
+    if !(head.to_ascii_uppercase().contains("IES") && digits.windows(2).any(|pair| pair == ["63", "2019"])) {
         factor *= lamp;
+    }
+    let has_watts =
+        |label: &str| ["w/sr", "steradian"].iter().any(|unit| label.to_lowercase().contains(unit));
+    if let Some(label) = labels().find(|label| has_watts(label)) {
+        notes.push(format!(
+            "The intensities are watts, not lumens, per steradian, if this holds: {label:.100}"
+        ));
     }
     fields.skip(1)?; // watts
     let vertical = fields.ascending("vertical angle", angles, -90.0..=180.0)?;
@@ -92,6 +102,12 @@ mod tests {
                 (light.curve.at(2.5) - mean).abs() < 1e-9 && (light.difference - difference).abs() < 1e-12
             );
         }
+        // The mean of two planes is half of the difference off each: 1/255 of the peak is the limit.
+        let two = |candela: f64| {
+            let planes = format!("2550 0 0 0 0 2550 {candela} 0 0 0");
+            read(&format!("{} 0 180 {planes}", head.replace("5 3 1 2", "5 2 1 2")))
+        };
+        assert!(two(19.99).is_ok() && two(20.01).is_err_and(|refusal| refusal.parameter == "symmetry"));
         let refused = read(&format!("{head} 0 30 180 {plane} {plane} 4000 3800 1400 10 0")).unwrap_err();
         let plane =
             "plane 180 differs from the mean of the planes by 5.8 % of the peak at the vertical angle 7";

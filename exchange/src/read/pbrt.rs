@@ -3,7 +3,7 @@
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::Found;
-use super::scene::{Block, Scan, System, add, among, lights, rotation};
+use super::scene::{Block, PBRT, Scan, System, add, among, is_text, lights, rotation, unquoted};
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
@@ -11,6 +11,7 @@ const SYSTEM: System = System {
     axis: DVec3::Z,
     keys: "coneangle conedeltaangle scale power illuminance I L",
     others: "",
+    never: "",
     off: "",
     outside: "Include Import Attribute AreaLightSource",
 };
@@ -19,14 +20,16 @@ const SYSTEM: System = System {
 /// `version` = 3 if the file has a word that version 4 rejects.
 pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     // The nodes are the directives: the parent of each is the one before, as transforms go.
-    let (mut scan, mut blocks) = (Scan::new(text), vec![Block::default()]);
+    let (mut scan, mut blocks) = (Scan::new(text, &PBRT), vec![Block::default()]);
     let (mut stack, mut current) = (Vec::new(), 0);
     while let Some(token) = scan.next() {
         let mut block = Block { kind: token, line: scan.line(), parents: vec![current], ..Block::default() };
         match token {
             "Identity" | "WorldBegin" => current = 0,
-            "AttributeBegin" | "TransformBegin" => stack.push(current),
-            "AttributeEnd" | "TransformEnd" => current = stack.pop().ok_or_else(|| scan.unmatched())?,
+            "AttributeBegin" | "TransformBegin" | "ObjectBegin" => stack.push(current),
+            "AttributeEnd" | "TransformEnd" | "ObjectEnd" => {
+                current = stack.pop().ok_or_else(|| scan.unmatched())?;
+            }
             "Translate" | "Scale" | "Rotate" | "LookAt" | "ConcatTransform" | "Transform" => {
                 block.values.insert(token, scan.numbers());
                 block.parents = vec![if token == "Transform" { 0 } else { current }];
@@ -37,10 +40,10 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
                 current = add(&mut blocks, block)?;
             }
             "LightSource" => {
-                block.name = scan.next().unwrap_or("").trim_matches('"');
+                block.name = unquoted(scan.value());
                 block.kind = if SYSTEM.kinds.contains(&block.name) { block.name } else { token };
-                while scan.peek().is_some_and(|next| next.starts_with('"')) {
-                    let declaration = scan.value().trim_matches('"');
+                while scan.peek().is_some_and(is_text) {
+                    let declaration = unquoted(scan.value());
                     let name = match declaration.split_once(' ').unwrap_or_default() {
                         ("float" | "rgb" | "color" | "point" | "point3", name) => name.trim(),
                         _ => declaration,
@@ -56,13 +59,18 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
             _ => {}
         }
     }
+    if !stack.is_empty() {
+        return Err(scan.unmatched());
+    }
+    scan.whole()?;
+    blocks.iter_mut().for_each(|block| block.values.sort());
     let three = blocks[0].has("WorldEnd");
     lights(&SYSTEM, &blocks, local, |block, record| {
         if three {
             record.number("version", 3.0);
         }
         let read = |key: &str| among(SYSTEM.keys, key) || among("from to", key);
-        for key in block.values.keys().filter(|key| !read(key)) {
+        for key in block.values.names().filter(|key| !read(key)) {
             record.note(format!("`{key}` is not read"));
         }
         record.position = block.vector("from", 0.0)?;

@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::ops::RangeInclusive;
 
 use crate::curve::Curve;
+use crate::limits::within;
 use crate::refusal::Refusal;
 
 /// A photometric file of a light with rotational symmetry.
@@ -50,7 +51,8 @@ impl<'a> Fields<'a> {
     /// Returns the next field as a number within a range, with a decimal point or a decimal comma.
     pub(crate) fn number(&mut self, name: &str, range: Range) -> Result<f64, Refusal> {
         let field = self.text(name)?;
-        let number = field.replace(',', ".").parse().ok().filter(|number| range.contains(number));
+        let number = field.replace(',', ".").parse().ok();
+        let number = number.and_then(|number| within(number, *range.start(), *range.end()));
         let expected = format_args!("a number from {} to {}", range.start(), range.end());
         number.ok_or_else(|| self.refusal(name, field, expected))
     }
@@ -62,7 +64,8 @@ impl<'a> Fields<'a> {
         whole.ok_or_else(|| self.refusal(name, count, "a whole number"))
     }
 
-    /// Returns the next fields as ascending numbers within a range.
+    /// Returns the next fields as ascending numbers within a range. A first or last one that was rounded is the
+    /// right angle or the two that it means.
     pub(crate) fn ascending(&mut self, name: &str, count: usize, range: Range) -> Result<Vec<f64>, Refusal> {
         let mut angles: Vec<f64> = Vec::new();
         for _ in 0..count {
@@ -72,18 +75,33 @@ impl<'a> Fields<'a> {
             }
             angles.push(angle);
         }
+        let last = angles.len() - 1;
+        for end in [0, last] {
+            let limit = [90.0, 180.0].into_iter().find_map(|limit| within(angles[end], limit, limit));
+            angles[end] = limit.unwrap_or(angles[end]);
+        }
         Ok(angles)
     }
 
-    /// Returns the intensities, at most 1e9 cd, which end the file. A Ctrl-Z of DOS may follow.
-    pub(crate) fn candela(&mut self, count: usize, factor: f64) -> Result<Vec<f64>, Refusal> {
+    /// Returns the intensities, at most 1e9 cd, and the word that follows them: the end of the file, or a
+    /// comment that needs no reading.
+    ///
+    /// # Errors
+    /// A number behind the last intensity: a declared count is too small.
+    pub(crate) fn candela(
+        &mut self,
+        count: usize,
+        factor: f64,
+    ) -> Result<(Vec<f64>, Option<&'a str>), Refusal> {
         let value = |_| Ok(factor * self.number("intensity", 0.0..=1e9 / factor)?);
         let values = (0..count).map(value).collect::<Result<_, Refusal>>()?;
-        if let Some((line, field)) = self.rest.find(|(_, field)| !matches!(*field, "" | "\x1a")) {
+        let rest = self.rest.find(|(_, field)| !matches!(*field, "" | "\x1a"));
+        if let Some((line, field)) = rest.filter(|(_, field)| field.replace(',', ".").parse::<f64>().is_ok())
+        {
             self.line = line;
             return Err(self.refusal("value", field, "the end of the file: a declared count is too small"));
         }
-        Ok(values)
+        Ok((values, rest.map(|(_, field)| field)))
     }
 
     /// Returns a refusal at the line of the last field.
@@ -94,14 +112,14 @@ impl<'a> Fields<'a> {
 
 /// Intensities in candela in planes through the vertical axis, plane by plane: the symmetry that
 /// the file states, and ascending angles in degrees, of the planes and from the direction down.
-pub(crate) struct Planes {
+pub(crate) struct Planes<'a> {
     pub(crate) symmetry: &'static str,
     pub(crate) horizontal: Vec<f64>,
     pub(crate) vertical: Vec<f64>,
-    pub(crate) candela: Vec<f64>,
+    pub(crate) candela: (Vec<f64>, Option<&'a str>),
 }
 
-impl Planes {
+impl Planes<'_> {
     /// Returns the light with the first name that is not empty and the mean of the planes as curve.
     /// For a light that shines up, half angles are from the vertical angle 180.
     ///
@@ -113,8 +131,10 @@ impl Planes {
         if first != 0.0 && (first, last) != (90.0, 180.0) {
             return Err(refusal("0 to 90, 0 to 180, or 90 to 180 (type C)"));
         }
+        let (candela, rest) = &self.candela;
+        notes.extend(rest.map(|word| format!("What follows the last intensity is not read: {word:.40}")));
         let mut mean = vec![0.0; self.vertical.len()];
-        for (weight, plane) in weights(&self.horizontal).zip(self.candela.chunks(mean.len())) {
+        for (weight, plane) in weights(&self.horizontal).zip(candela.chunks(mean.len())) {
             mean.iter_mut().zip(plane).for_each(|(mean, candela)| *mean += weight * candela);
         }
         let mut points: Vec<_> = self.vertical.iter().copied().zip(mean).collect();
@@ -124,9 +144,8 @@ impl Planes {
             return Err(Refusal::new("intensities", "0 cd at every angle", "a light"));
         }
         let size = points.len();
-        let difference = |at: &usize| (self.candela[*at] - points[at % size].1).abs() / peak.1;
-        let worst =
-            (0..self.candela.len()).max_by(|a, b| difference(a).total_cmp(&difference(b))).unwrap_or(0);
+        let difference = |at: &usize| (candela[*at] - points[at % size].1).abs() / peak.1;
+        let worst = (0..candela.len()).max_by(|a, b| difference(a).total_cmp(&difference(b))).unwrap_or(0);
         let difference = difference(&worst);
         if difference > 1.0 / 255.0 {
             let (plane, angle) = (self.horizontal[worst / size] % 360.0, self.vertical[worst % size]);
@@ -140,6 +159,7 @@ impl Planes {
         if last == 180.0 && (first == 90.0 || peak.0 > 90.0) {
             notes.push("The light shines up: half angles are from the vertical angle 180.".to_owned());
             points = points.into_iter().rev().map(|(angle, candela)| (180.0 - angle, candela)).collect();
+            points.dedup_by_key(|point| point.0);
         }
         let curve = Curve::new(points).ok_or_else(|| refusal("ascending angles"))?;
         let name = (*names.iter().find(|name| !name.is_empty()).unwrap_or(&"")).to_owned();

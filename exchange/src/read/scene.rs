@@ -1,24 +1,68 @@
 //! What the readers of text scenes share: tokens, numbers, and lights below their parents.
 
-use std::collections::BTreeMap;
-
 use glam::{DAffine3, DMat4, DVec3, DVec4};
 
 use super::Found;
 use crate::record::{Kind, Record, Value, linear};
 use crate::refusal::Refusal;
 
-/// Tokens of USD, VRML and pbrt: names, numbers, texts in `"`, and each of `=()[]{}`.
+/// What is text and what is a comment in a language: everything else has structure.
+pub(crate) struct Syntax {
+    /// What begins and what ends a text, whether a backslash escapes what follows it, and whether the text
+    /// may have several lines.
+    texts: &'static [(&'static str, &'static str, bool, bool)],
+    comments: &'static [(&'static str, &'static str)],
+    /// What ends a word, beside spaces and `=()[]{}`.
+    marks: &'static str,
+}
+
+const HASH: &[(&str, &str)] = &[("#", "\n")];
+/// VRML97 and X3D as text.
+pub(crate) const WORLD: Syntax = Syntax { texts: &[("\"", "\"", true, true)], comments: HASH, marks: "\"#" };
+pub(crate) const PBRT: Syntax = Syntax { texts: &[("\"", "\"", true, false)], ..WORLD };
+/// The heading of a node of Godot or of an object of Unreal.
+const HEADING: Syntax = Syntax { comments: &[], marks: "\"", ..WORLD };
+/// USD: texts, asset paths and paths of prims.
+pub(crate) const USD: Syntax = Syntax {
+    texts: &[
+        ("\"\"\"", "\"\"\"", true, true),
+        ("'''", "'''", true, true),
+        ("\"", "\"", true, false),
+        ("'", "'", true, false),
+        ("@@@", "@@@", true, false),
+        ("@", "@", false, false),
+        ("<", ">", false, false),
+    ],
+    comments: &[("#", "\n"), ("//", "\n"), ("/*", "*/")],
+    marks: "\"#'@<",
+};
+
+/// Returns whether a token is a text.
+pub(crate) fn is_text(token: &str) -> bool {
+    token.starts_with(['"', '\'', '@', '<'])
+}
+
+/// Returns a token without the marks around a text.
+pub(crate) fn unquoted(token: &str) -> &str {
+    let marks = ["\"\"\"", "'''", "@@@", "\"", "'", "@"];
+    let inner = |mark| token.strip_prefix(mark).and_then(|rest| rest.strip_suffix(mark));
+    marks.into_iter().find_map(inner).unwrap_or(token)
+}
+
+/// The tokens of a language: names, numbers, texts, and each of `=()[]{}`.
 #[derive(Clone)]
 pub(crate) struct Scan<'a> {
     rest: &'a str,
     counted: &'a str,
     line: usize,
+    syntax: &'static Syntax,
+    /// Whether the file ended within a text or a bracket.
+    cut: bool,
 }
 
 impl<'a> Scan<'a> {
-    pub(crate) fn new(text: &'a str) -> Self {
-        Self { rest: text, counted: text, line: 1 }
+    pub(crate) fn new(text: &'a str, syntax: &'static Syntax) -> Self {
+        Self { rest: text, counted: text, line: 1, syntax, cut: false }
     }
 
     /// Returns the line of the last token.
@@ -34,33 +78,70 @@ impl<'a> Scan<'a> {
 
     /// Returns the next token, or all from a bracket to the one that closes it.
     pub(crate) fn value(&mut self) -> &'a str {
-        let (start, mut depth) = (self.rest, 0_usize);
-        for token in self.by_ref() {
-            match token {
-                "(" | "[" | "{" => depth += 1,
-                ")" | "]" | "}" => depth = depth.saturating_sub(1),
-                _ => {}
+        self.group(0)
+    }
+
+    /// Returns what follows up to the end of so many brackets that are open.
+    pub(crate) fn group(&mut self, mut depth: usize) -> &'a str {
+        let start = self.rest;
+        loop {
+            match self.next() {
+                Some("(" | "[" | "{") => depth += 1,
+                Some(")" | "]" | "}") => depth = depth.saturating_sub(1),
+                Some(_) => {}
+                None => self.cut = true,
             }
-            if depth == 0 {
-                break;
+            if depth == 0 || self.cut {
+                return start[..start.len() - self.rest.len()].trim();
             }
         }
-        start[..start.len() - self.rest.len()].trim()
     }
 
     /// Returns the numbers that follow, with or without square brackets.
     pub(crate) fn numbers(&mut self) -> &'a str {
-        let start = self.rest;
-        while self.peek().is_some_and(|token| "[]".contains(token) || !numbers(token).is_empty()) {
+        let (start, mut open) = (self.rest, 0_usize);
+        while let Some(token) = self.peek() {
+            match token {
+                "[" => open += 1,
+                "]" => open = open.saturating_sub(1),
+                _ if is_text(token) || numbers(token).is_empty() => break,
+                _ => {}
+            }
             self.next();
         }
+        self.cut |= open > 0 && self.peek().is_none();
         &start[..start.len() - self.rest.len()]
     }
 
-    /// Returns the error of a file whose brackets do not match.
+    /// Returns the error of a file whose brackets or texts do not end.
     pub(crate) fn unmatched(&mut self) -> Refusal {
-        Refusal::new("brackets", "unmatched", "a complete file").at(format_args!("line {}", self.line()))
+        unmatched(self.line())
     }
+
+    /// Returns an error if the file ended within a text or a bracket.
+    pub(crate) fn whole(mut self) -> Result<(), Refusal> {
+        if self.cut { Err(self.unmatched()) } else { Ok(()) }
+    }
+}
+
+/// Returns the error of a file that is cut off.
+pub(crate) fn unmatched(line: usize) -> Refusal {
+    Refusal::new("brackets", "unmatched", "a complete file").at(format_args!("line {line}"))
+}
+
+/// Returns the bytes of a text that begins here, and whether it ends as the language has it.
+pub(crate) fn length(text: &str, close: &str, escapes: bool, has_lines: bool) -> (usize, bool) {
+    let mut escaped = false;
+    for (at, c) in text.char_indices() {
+        match c {
+            _ if escaped => escaped = false,
+            '\\' if escapes => escaped = true,
+            '\n' if !has_lines => return (at, false),
+            _ if text[at..].starts_with(close) => return (at + close.len(), true),
+            _ => {}
+        }
+    }
+    (text.len(), false)
 }
 
 impl<'a> Iterator for Scan<'a> {
@@ -68,21 +149,76 @@ impl<'a> Iterator for Scan<'a> {
 
     fn next(&mut self) -> Option<&'a str> {
         let space = |c: char| c.is_whitespace() || ",;".contains(c);
+        let Syntax { texts, comments, marks } = self.syntax;
         let mut rest = self.rest.trim_start_matches(space);
-        while rest.starts_with('#') {
-            rest = rest.split_once('\n').map_or("", |(_, rest)| rest.trim_start_matches(space));
+        while let Some((open, close)) = comments.iter().find(|(open, _)| rest.starts_with(open)) {
+            rest =
+                rest[open.len()..].split_once(close).map_or("", |(_, rest)| rest.trim_start_matches(space));
         }
-        let mut escaped = false;
-        let mut closes = |c| (c == '"' && !escaped, escaped = c == '\\' && !escaped).0;
-        let length = match rest.chars().next()? {
-            '"' if rest.starts_with("\"\"\"") => rest[3..].find("\"\"\"").map(|end| end + 6),
-            '"' => rest[1..].find(&mut closes).map(|end| end + 2),
-            first if "=()[]{}".contains(first) => Some(1),
-            _ => rest.find(|c| space(c) || "#\"=()[]{}".contains(c)),
+        let opened = texts.iter().find(|(open, ..)| rest.starts_with(open));
+        let end = match (opened, rest.chars().next()?) {
+            (Some(&(open, close, escapes, has_lines)), _) => {
+                let (length, ends) = length(&rest[open.len()..], close, escapes, has_lines);
+                self.cut |= !ends;
+                open.len() + length
+            }
+            (_, first) if "=()[]{}".contains(first) => 1,
+            _ => {
+                let ends = |c| space(c) || "=()[]{}".contains(c) || marks.contains(c);
+                // The first character belongs to the word, whatever it is.
+                rest.char_indices().skip(1).find(|(_, c)| ends(*c)).map_or(rest.len(), |(at, _)| at)
+            }
         };
-        let (token, rest) = rest.split_at(length.unwrap_or(rest.len()));
+        let (token, rest) = rest.split_at(end);
         self.rest = rest;
         Some(token)
+    }
+}
+
+/// The lines of a text with their numbers. A line goes on while a text in `"` is open, or with `brackets`
+/// a bracket; then `;` begins a comment, too.
+pub(crate) struct Lines<'a> {
+    rest: &'a str,
+    line: usize,
+    brackets: bool,
+}
+
+impl<'a> Lines<'a> {
+    pub(crate) fn new(text: &'a str, brackets: bool) -> Self {
+        Self { rest: text, line: 1, brackets }
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = Result<(usize, &'a str), Refusal>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let (text, first) = (self.rest, self.line);
+        let (mut depth, mut quoted, mut escaped, mut comment) = (0_usize, false, false, false);
+        let mut end = text.len();
+        for (at, byte) in text.bytes().enumerate() {
+            self.line += usize::from(byte == b'\n');
+            match byte {
+                b'\n' if !quoted && depth == 0 => {
+                    end = at;
+                    break;
+                }
+                b'\n' => (comment, escaped) = (false, false),
+                _ if comment || escaped => escaped = false,
+                b'\\' => escaped = quoted,
+                b'"' => quoted = !quoted,
+                b'[' | b'(' | b'{' if self.brackets && !quoted => depth += 1,
+                b']' | b')' | b'}' if self.brackets && !quoted => depth = depth.saturating_sub(1),
+                b';' => comment = self.brackets && !quoted,
+                _ => {}
+            }
+        }
+        self.rest = text.get(end + 1..).unwrap_or("");
+        match (quoted || depth > 0, text) {
+            (true, _) => Some(Err(unmatched(first))),
+            (false, "") => None,
+            _ => Some(Ok((first, text[..end].trim()))),
+        }
     }
 }
 
@@ -109,11 +245,33 @@ pub(crate) fn color(components: impl IntoIterator<Item = f64>) -> Value {
     Value::Numbers(components.into_iter().take(3).map(linear).collect())
 }
 
-/// Returns the value of ` key=value` in a heading, without quotation marks.
+/// Returns the value of `key=value` in a heading, with its quotation marks.
 pub(crate) fn attribute<'a>(heading: &'a str, key: &str) -> &'a str {
-    let value = heading.split_once(&format!(" {key}=")).map_or("", |(_, value)| value);
-    let quoted = value.strip_prefix('"').map(|value| value.split('"'));
-    quoted.map_or_else(|| value.split([' ', ']']).next(), |mut parts| parts.next()).unwrap_or("")
+    let mut scan = Scan::new(heading, &HEADING);
+    while let Some(token) = scan.next() {
+        if token == key && scan.peek() == Some("=") {
+            return scan.nth(1).unwrap_or("");
+        }
+    }
+    ""
+}
+
+/// Returns the texts in a value of USD.
+pub(crate) fn texts(value: &str) -> impl Iterator<Item = &str> {
+    Scan::new(value, &USD).filter(|token| is_text(token)).map(unquoted)
+}
+
+/// Returns the begin of a name, without the marks around a text and without its escapes.
+fn plain(name: &str) -> String {
+    // Many lights may have one name of any length.
+    let cut = |text: &str| text.chars().take(1_000).collect::<String>();
+    let inner = |mark| name.strip_prefix(mark).and_then(|rest| rest.strip_suffix(mark)).map(cut);
+    match (inner('"'), inner('\'')) {
+        // The escapes of Godot, Unity and Unreal are among those of JSON, but for a few without a meaning in names.
+        (Some(text), _) => serde_json::from_str(&format!("\"{text}\"")).unwrap_or(text),
+        (_, Some(text)) => text.replace("''", "'"),
+        _ => cut(name),
+    }
 }
 
 /// Returns the rotation by an angle in radians about an axis of any length.
@@ -129,7 +287,42 @@ pub(crate) struct Block<'a> {
     pub(crate) line: usize,
     /// The nodes above: `OUTSIDE`, or several for a node that is used again.
     pub(crate) parents: Vec<usize>,
-    pub(crate) values: BTreeMap<&'a str, &'a str>,
+    /// Whether the file says that the node is none: a class of USD.
+    pub(crate) off: bool,
+    pub(crate) values: Values<'a>,
+}
+
+/// Values by name. The last one of a name counts. Most nodes have one or two, for which a map takes five
+/// times the memory.
+#[derive(Default)]
+pub(crate) struct Values<'a> {
+    list: Vec<(&'a str, &'a str)>,
+    is_sorted: bool,
+}
+
+impl<'a> Values<'a> {
+    pub(crate) fn insert(&mut self, name: &'a str, value: &'a str) {
+        self.list.push((name, value));
+        self.is_sorted = false;
+    }
+
+    /// Sorts the values, after which a look takes a time that does not grow with them.
+    pub(crate) fn sort(&mut self) {
+        self.list.sort_by_key(|value| value.0);
+        self.is_sorted = true;
+    }
+
+    pub(crate) fn get(&self, name: &str) -> Option<&'a str> {
+        let near =
+            if self.is_sorted { self.list.partition_point(|value| value.0 <= name) } else { self.list.len() };
+        let last = if self.is_sorted { near.saturating_sub(1) } else { 0 };
+        self.list[last..near].iter().rfind(|value| value.0 == name).map(|value| value.1)
+    }
+
+    /// Returns the names, in any order.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'a str> {
+        self.list.iter().map(|value| value.0)
+    }
 }
 
 /// A parent that is not in the file.
@@ -138,11 +331,11 @@ pub(crate) const OUTSIDE: usize = usize::MAX;
 impl<'a> Block<'a> {
     /// Returns a value without quotation marks.
     pub(crate) fn get(&self, key: &str) -> &'a str {
-        self.values.get(key).map_or("", |value| value.trim().trim_matches('"'))
+        unquoted(self.values.get(key).unwrap_or("").trim())
     }
 
     pub(crate) fn has(&self, key: &str) -> bool {
-        self.values.contains_key(key)
+        self.values.get(key).is_some()
     }
 
     pub(crate) fn refused(&self, key: &str, expected: &str) -> Refusal {
@@ -151,7 +344,7 @@ impl<'a> Block<'a> {
 
     /// Returns the numbers of a value, or the default of a value that is not there.
     pub(crate) fn numbers<const N: usize>(&self, key: &str, default: [f64; N]) -> Result<[f64; N], Refusal> {
-        let value = self.values.get(key).map_or(default.to_vec(), |value| numbers(value));
+        let value = self.values.get(key).map_or(default.to_vec(), numbers);
         value.try_into().map_err(|_| self.refused(key, &format!("{N} numbers")))
     }
 
@@ -174,8 +367,10 @@ pub(crate) struct System {
     pub(crate) axis: DVec3,
     /// The values of a light that are read.
     pub(crate) keys: &'static str,
-    /// `key=number`: values that change a light and are not read, unless they have this number.
+    /// `key=number,number`: values that change a light and are not read, unless they have these numbers.
     pub(crate) others: &'static str,
+    /// `key=value`: a light that is none, or takes light away.
+    pub(crate) never: &'static str,
     /// `key=value`: a node and those below it are off.
     pub(crate) off: &'static str,
     /// Kinds and values of any node by which a file refers to what is not read.
@@ -192,6 +387,14 @@ pub(crate) fn add<'a>(blocks: &mut Vec<Block<'a>>, block: Block<'a>) -> Result<u
     (index < MOST).then_some(index).ok_or_else(|| Refusal::new("nodes", "more", "at most 262144"))
 }
 
+/// Returns whether a node has one of the values of a list `key=value`.
+fn has_any(pairs: &str, block: &Block) -> bool {
+    pairs.split(' ').filter_map(|pair| pair.split_once('=')).any(|(key, value)| block.get(key) == value)
+}
+
+/// The transform of a node to its parents, or `None` of one that is off.
+type Own = Option<Result<DAffine3, Refusal>>;
+
 /// Returns the lights among the nodes, in the world. `local` returns the transform of a node to its
 /// parents, and `light` completes a record.
 pub(crate) fn lights(
@@ -201,12 +404,14 @@ pub(crate) fn lights(
     light: impl Fn(&Block, &mut Record) -> Result<(), Refusal>,
 ) -> Result<Found, Refusal> {
     let (mut found, mut steps, mut hidden) = (Found::default(), 0, 0);
+    // The text of a node is read once, however many lights are below it.
+    let mut nodes: Vec<Option<Box<Own>>> = vec![None; blocks.len()];
     for (index, block) in blocks.iter().enumerate().filter(|(_, block)| !block.kind.is_empty()) {
         let Some(kind) = system.kinds.iter().position(|kinds| among(kinds, block.kind)) else { continue };
         let kind = [Kind::Spot, Kind::Point, Kind::Directional].get(kind);
-        let refusal = || Refusal::new(block.kind, block.name, "a spot, point or directional light");
+        let refusal = || Refusal::new(block.kind, plain(block.name), "a spot, point or directional light");
         let record = kind.ok_or_else(refusal).and_then(|&kind| {
-            let mut record = record(system, block, kind);
+            let mut record = record(system, block, kind)?;
             light(block, &mut record).map(|()| record)
         });
         let mut paths = vec![(index, DAffine3::IDENTITY, 0)];
@@ -215,15 +420,21 @@ pub(crate) fn lights(
             if steps > 4 * MOST {
                 return Err(Refusal::new("parents", "of lights", "at most 1048576"));
             }
-            let node = blocks.get(at).filter(|_| depth < blocks.len());
-            let is = |(key, value): (&str, &str)| node.is_some_and(|node| node.get(key) == value);
-            if system.off.split(' ').filter_map(|pair| pair.split_once('=')).any(is) {
-                hidden += 1;
-                continue;
-            }
             let outside =
                 || Refusal::new("parent", "not in the file, or in a cycle", "all parents in one file");
-            match (node.ok_or_else(outside).and_then(&local), node.map(|node| &*node.parents)) {
+            let node = blocks.get(at).filter(|_| depth < blocks.len());
+            let own = match node {
+                None => Err(outside()),
+                Some(node) => {
+                    let read = || Box::new((!(node.off || has_any(system.off, node))).then(|| local(node)));
+                    let Some(own) = &**nodes[at].get_or_insert_with(read) else {
+                        hidden += 1;
+                        continue;
+                    };
+                    own.clone()
+                }
+            };
+            match (own, node.map(|node| &*node.parents)) {
                 (Ok(own), Some(parents @ [_, ..])) => {
                     paths.extend(parents.iter().rev().map(|&parent| (parent, own * below, depth + 1)));
                 }
@@ -234,9 +445,7 @@ pub(crate) fn lights(
             }
         }
     }
-    if hidden > 0 {
-        found.notes.push(format!("lights that are off or hidden are left out: {hidden}"));
-    }
+    found.hide(hidden);
     let used =
         |word: &&str| !word.is_empty() && blocks.iter().any(|block| block.kind == *word || block.has(word));
     let outside = system.outside.split(' ').filter(used);
@@ -245,20 +454,61 @@ pub(crate) fn lights(
 }
 
 /// Returns the record of a light, at the origin of its node.
-fn record(system: &System, block: &Block, kind: Kind) -> Record {
-    let mut record = Record::new(block.name, kind, format_args!("line {}", block.line));
+///
+/// # Errors
+/// A light that takes light away or is none.
+fn record(system: &System, block: &Block, kind: Kind) -> Result<Record, Refusal> {
+    for (key, value) in system.never.split(' ').filter_map(|pair| pair.split_once('=')) {
+        if block.get(key) == value {
+            return Err(
+                block.refused(key, "a light that adds light to the scene: remove this value or the light")
+            );
+        }
+    }
+    let mut record = Record::new(&plain(block.name), kind, format_args!("line {}", block.line));
     record.axis = system.axis;
     for key in system.keys.split(' ').filter(|key| block.has(key)) {
         let numbers = numbers(block.get(key));
-        let word = Value::Word(block.get(key).to_owned());
-        record.set(key, if numbers.is_empty() { word } else { Value::Numbers(numbers) });
+        // What has no numbers is a name.
+        let word = || Value::Word(block.get(key).chars().take(200).collect());
+        let value = if numbers.is_empty() { word() } else { Value::Numbers(numbers) };
+        record.set(key.strip_prefix("inputs:").unwrap_or(key), value);
     }
     for (key, neutral) in system.others.split(' ').filter_map(|pair| pair.split_once('=')) {
-        let numbers = numbers(block.get(key));
-        let neutral = numbers.iter().any(|number| neutral.parse() == Ok(*number));
-        if block.has(key) && !neutral {
-            record.note(format!("`{key}` is not read"));
+        if block.has(key) && (neutral.is_empty() || numbers(block.get(key)) != numbers(neutral)) {
+            record.note(format!("`{}` is not read", key.strip_prefix("inputs:").unwrap_or(key)));
         }
     }
-    record
+    Ok(record)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+
+    /// The text of a parent is read once, however many lights it has.
+    #[test]
+    fn transforms_are_read_once_a_node() {
+        let system = System {
+            kinds: ["spot", "", "", ""],
+            axis: DVec3::Z,
+            keys: "",
+            others: "",
+            never: "",
+            off: "",
+            outside: "",
+        };
+        let light = || Block { kind: "spot", parents: vec![1], ..Block::default() };
+        let blocks: Vec<_> =
+            [Block::default(), Block::default()].into_iter().chain((0..100).map(|_| light())).collect();
+        let calls = Cell::new(0);
+        let local = |_: &Block| {
+            calls.set(calls.get() + 1);
+            Ok(DAffine3::IDENTITY)
+        };
+        let found = lights(&system, &blocks, local, |_, _| Ok(())).unwrap();
+        assert_eq!((found.records.len(), calls.get()), (100, 101));
+    }
 }

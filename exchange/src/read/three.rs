@@ -12,9 +12,9 @@ use crate::record::{Kind, Record, linear};
 use crate::refusal::Refusal;
 
 objects! {
-    File: metadata Metadata, object Object;
+    File: metadata Metadata, object Object, animations Vec<IgnoredAny>;
     Metadata: r#type String;
-    Object: uuid String, r#type String, name String, visible bool, matrix [f64; 16], children Vec<Object>,
+    Object: uuid String, r#type String, name String, visible bool, layers f64, matrix [f64; 16], children Vec<Object>,
         color f64, intensity f64, distance f64, decay f64, angle f64, penumbra f64, target String, map IgnoredAny;
 }
 
@@ -27,16 +27,19 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         return Err(Refusal::new("metadata.type", word(&kind), expected));
     };
     let (mut found, mut lights, mut positions) = (Found::default(), Vec::new(), HashMap::new());
-    // Not deeper than the JSON.
-    let mut stack = vec![(slice::from_ref(&**root).iter(), DAffine3::IDENTITY)];
-    while let Some((siblings, parent)) = stack.last_mut() {
+    // Not deeper than the JSON. What is below an invisible object is not drawn either.
+    let mut stack = vec![(slice::from_ref(&**root).iter(), DAffine3::IDENTITY, true)];
+    let mut hidden = 0;
+    while let Some((siblings, parent, is_shown)) = stack.last_mut() {
         let Some(object) = siblings.next() else {
             stack.pop();
             continue;
         };
         let world = *parent * matrix(&object.matrix);
+        let is_shown = *is_shown && object.visible.as_deref() != Some(&false);
         positions.entry(object.uuid.as_ref()).or_insert(world.translation);
         match word(&object.r#type) {
+            "SpotLight" | "PointLight" | "DirectionalLight" if !is_shown => hidden += 1,
             "SpotLight" => lights.push((object, Kind::Spot, world)),
             "PointLight" => lights.push((object, Kind::Point, world)),
             "DirectionalLight" => lights.push((object, Kind::Directional, world)),
@@ -45,8 +48,10 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
             }
             _ => {}
         }
-        stack.push((list(&object.children).iter(), world));
+        stack.push((list(&object.children).iter(), world, is_shown));
     }
+    found.hide(hidden);
+    found.rest(!list(&file.animations).is_empty());
     for (light, kind, world) in lights {
         let place = format!("object {}", word(&light.uuid));
         let mut record = Record::new(word(&light.name), kind, &place);
@@ -55,7 +60,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         record.axis = target.unwrap_or(&DVec3::ZERO) - world.translation;
         let notes = [
             (kind != Kind::Point && target.is_none(), "its target is not in the file, and so at the origin"),
-            (light.visible.as_deref() == Some(&false), "it is invisible in the file"),
+            (light.layers.as_deref().is_some_and(|own| *own != 1.0), "`layers` is not read"),
             (light.map.is_some(), "its projected texture is left out"),
         ];
         let color = light.color.as_ref().map(|color| index("color", **color, 1 << 24)).transpose();

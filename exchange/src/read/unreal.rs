@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::{DAffine3, DQuat, DVec3, EulerRot};
 
 use super::Found;
-use super::scene::{Block, OUTSIDE, System, add, attribute, color, lights};
+use super::scene::{Block, Lines, OUTSIDE, System, add, attribute, color, lights, unmatched, unquoted};
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
@@ -13,7 +13,8 @@ const SYSTEM: System = System {
     axis: DVec3::X,
     keys: "InnerConeAngle OuterConeAngle Intensity IntensityUnits AttenuationRadius bUseInverseSquaredFalloff \
            LightFalloffExponent",
-    others: "bUseTemperature=0 IESTexture= LightFunctionMaterial=",
+    others: "bUseTemperature=0 IESTexture= LightFunctionMaterial= LightingChannels= MaxDrawDistance=0",
+    never: "",
     off: "bHidden=True bVisible=False bAffectsWorld=False",
     outside: "",
 };
@@ -24,21 +25,23 @@ const OTHERS: &str = "RectLightComponent SkyLightComponent";
 pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     let (mut blocks, mut indices) = (vec![Block::default()], HashMap::new());
     let (mut open, mut actor) = (Vec::new(), 0);
-    for (line, text) in (1..).zip(text.lines().map(str::trim)) {
+    for line in Lines::new(text, false) {
+        let (line, text) = line?;
         if text.starts_with("Begin ") {
             // Components are twice in their actor: with their class, and with their values.
-            let kind = attribute(text, "Class").rsplit('.').next().unwrap_or("");
+            let kind = unquoted(attribute(text, "Class")).rsplit('.').next().unwrap_or("");
             let above = if text.starts_with("Begin Object") { actor } else { 0 };
             let (name, next) = (attribute(text, "Name"), blocks.len());
-            let index = *indices.get(&(above, name)).filter(|_| kind.is_empty()).unwrap_or(&next);
+            let key = (above, unquoted(name));
+            let index = *indices.get(&key).filter(|_| kind.is_empty()).unwrap_or(&next);
             if index == next {
-                indices.insert((above, name), next);
+                indices.insert(key, next);
                 add(&mut blocks, Block { kind, name, line, parents: vec![above], ..Block::default() })?;
             }
             actor = if text.starts_with("Begin Actor") { index } else { actor };
             open.push(index);
         } else if text.starts_with("End ") {
-            open.pop();
+            open.pop().ok_or_else(|| unmatched(line))?;
             actor = if text == "End Actor" { 0 } else { actor };
         } else if let (Some((key, value)), Some(&index)) = (text.split_once('='), open.last()) {
             // What is attached to a hidden component may be visible.
@@ -50,10 +53,15 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     if blocks.len() == 1 {
         return Err(Refusal::new("file", "without `Begin Object`", "text that the editor of Unreal copies"));
     }
+    if let Some(&begun) = open.last() {
+        return Err(unmatched(blocks[begun].line));
+    }
+    blocks.iter_mut().for_each(|block| block.values.sort());
     for index in 1..blocks.len() {
         let actor = blocks[index].parents[0];
         let root = blocks[actor].get("RootComponent");
-        let names = [blocks[actor].get("ActorLabel"), blocks[actor].name, blocks[index].name];
+        let label = blocks[actor].values.get("ActorLabel").unwrap_or("");
+        let names = [label, blocks[actor].name, blocks[index].name];
         let block = &mut blocks[index];
         block.name = names.into_iter().find(|name| !name.is_empty()).unwrap_or("");
         // `Class'"Component"'`, or without the class. Components of other actors have their name, too.

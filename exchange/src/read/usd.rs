@@ -3,17 +3,21 @@
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::Found;
-use super::scene::{Block, Scan, System, add, among, lights, numbers, rotation};
+use super::scene::{
+    Block, Scan, System, USD, add, among, is_text, lights, numbers, rotation, texts, unquoted,
+};
 use crate::record::Kind;
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
     kinds: ["DiskLight", "SphereLight", "DistantLight", OTHERS],
     axis: DVec3::NEG_Z,
-    keys: "intensity exposure color radius angle normalize treatAsPoint shaping:focus shaping:cone:angle \
-           shaping:cone:softness",
-    others: "diffuse=1 specular=1 enableColorTemperature=0 shaping:focusTint=0 shaping:ies:file=",
-    off: "active=false visibility=invisible specifier=class specifier=over",
+    keys: "inputs:intensity inputs:exposure inputs:color inputs:radius inputs:angle inputs:normalize treatAsPoint \
+           inputs:shaping:focus inputs:shaping:cone:angle inputs:shaping:cone:softness",
+    others: "inputs:diffuse=1 inputs:specular=1 inputs:enableColorTemperature=0 inputs:shaping:focusTint=0,0,0 \
+             inputs:shaping:ies:file= collection:lightLink:includes= collection:lightLink:excludes=",
+    never: "",
+    off: "active=false visibility=invisible",
     outside: "references payload inherits specializes subLayers variantSet",
 };
 const OTHERS: &str = "RectLight CylinderLight DomeLight DomeLight_1 GeometryLight PortalLight MeshLightAPI";
@@ -21,40 +25,59 @@ const OTHERS: &str = "RectLight CylinderLight DomeLight DomeLight_1 GeometryLigh
 /// Returns the lights, with the names of UsdLux without `inputs:` as keys.
 ///
 /// A `SphereLight` with a cone of less than 180 degrees is a spotlight, as is a `DiskLight`, which has
-/// the key `disk` = 1.
+/// the key `disk` = 1. Of a value that changes over time the default is read, and without one the first
+/// sample.
 pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     if !text.starts_with("#usda") {
         return Err(Refusal::new("file", "not #usda", "text: `usdcat -o file.usda` and the file write it"));
     }
-    let (mut scan, mut blocks, mut open, mut name) = (Scan::new(text), vec![Block::default()], vec![0], "");
+    let (mut scan, mut blocks, mut open) = (Scan::new(text, &USD), vec![Block::default()], vec![0]);
+    // Whether the metadata are those of a prim, which has not yet begun, and not those of an attribute.
+    let (mut name, mut is_heading) = ("", false);
     while let Some(token) = scan.next() {
         let above = *open.last().ok_or_else(|| scan.unmatched())?;
         match token {
             "def" | "over" | "class" => {
                 let (line, mut kind, mut name) = (scan.line(), "", scan.next());
-                while let Some(word) = name.filter(|word| !word.starts_with('"')) {
+                while let Some(word) = name.filter(|word| !is_text(word)) {
                     (kind, name) = (word, scan.next());
                 }
-                let name = name.unwrap_or("").trim_matches('"');
-                let mut block = Block { kind, name, line, parents: vec![above], ..Block::default() };
-                block.values.insert("specifier", token);
-                open.push(add(&mut blocks, block)?);
+                let (name, off, parents) = (unquoted(name.unwrap_or("")), token != "def", vec![above]);
+                open.push(add(&mut blocks, Block { kind, name, line, parents, off, ..Block::default() })?);
+                is_heading = true;
             }
             // The metadata of a prim has values, too.
-            "=" => drop(blocks[above].values.insert(name, scan.value())),
+            "=" => blocks[above].values.insert(name, scan.value()),
+            "(" if above != 0 && !is_heading => drop(scan.group(1)),
+            "{" => is_heading = false,
             "}" => drop(open.pop()),
-            word if !word.starts_with('"') => name = word.strip_prefix("inputs:").unwrap_or(word),
+            word if !is_text(word) => name = word,
             _ => {}
         }
     }
     if open.len() != 1 {
         return Err(scan.unmatched());
     }
+    scan.whole()?;
+    let mut animated = None;
     for block in &mut blocks {
-        if block.get("xformOpOrder").contains("!resetXformStack!") {
+        for name in block.values.names().collect::<Vec<_>>() {
+            let is_read =
+                |key: &&str| among(SYSTEM.keys, key) || key.starts_with("xformOp:") || *key == "visibility";
+            let Some(key) = name.strip_suffix(".timeSamples").filter(is_read) else { continue };
+            animated = Some(key.strip_prefix("inputs:").unwrap_or(key));
+            if !block.has(key) {
+                // `{ time: value, ... }`
+                let mut samples = Scan::new(block.get(name), &USD);
+                samples.find(|token| token.ends_with(':'));
+                block.values.insert(key, samples.value());
+            }
+        }
+        block.values.sort();
+        if texts(block.get("xformOpOrder")).any(|op| op == "!resetXformStack!") {
             block.parents.clear();
         }
-        if block.get("apiSchemas").contains("\"MeshLightAPI\"") {
+        if texts(block.get("apiSchemas")).any(|schema| schema == "MeshLightAPI") {
             block.kind = "MeshLightAPI";
         }
     }
@@ -62,40 +85,53 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         if block.kind == "DiskLight" {
             record.number("disk", 1.0);
         }
-        if block.get("apiSchemas").contains("\"ShapingAPI\"") && !record.has("shaping:cone:angle") {
+        let is_shaped = texts(block.get("apiSchemas")).any(|schema| schema == "ShapingAPI");
+        if is_shaped && !record.has("shaping:cone:angle") {
             record.number("shaping:cone:angle", 90.0);
         }
         let cone = record.clone().get("shaping:cone:angle", 180.0)?;
         if record.kind == Kind::Point && cone < 180.0 {
             record.kind = Kind::Spot;
         }
-        // Time samples and connections are values of a name with a suffix.
-        let varying = block.values.keys().filter_map(|key| key.split_once('.'));
-        for (key, _) in varying.filter(|(key, _)| among(SYSTEM.keys, key)) {
-            record.note(format!("`{key}` changes or is connected: its default is read"));
-            if !record.has(key) {
-                return Err(block.refused(key, "a default value"));
+        for key in
+            SYSTEM.keys.split(' ').filter(|key| block.values.names().any(|name| is_connection(name, key)))
+        {
+            let own = key.strip_prefix("inputs:").unwrap_or(key);
+            record.note(format!("`{own}` is connected: its default is read"));
+            if !record.has(own) {
+                return Err(block.refused(own, "a default value"));
             }
+        }
+        let bare = SYSTEM.keys.split(' ').filter_map(|key| key.strip_prefix("inputs:"));
+        for key in bare.filter(|key| block.has(key)) {
+            record.note(format!("`{key}` without `inputs:` is left out, as by USD from 21.02 on"));
         }
         Ok(())
     })?;
+    found.notes.extend(animated.map(|key| {
+        format!("values change over time, such as `{key}`: the default of each is read, or the first sample")
+    }));
     for key in ["metersPerUnit", "upAxis"].into_iter().filter(|key| blocks[0].has(key)) {
         found.notes.push(format!("positions are those of the stage, with {key} = {}", blocks[0].get(key)));
     }
     Ok(found)
 }
 
+fn is_connection(name: &str, key: &str) -> bool {
+    name.strip_prefix(key).is_some_and(|rest| rest.starts_with('.') && rest != ".timeSamples")
+}
+
 /// Returns the transform of a prim.
 fn local(block: &Block) -> Result<DAffine3, Refusal> {
     let order = block.get("xformOpOrder");
     let arc = |key: &&str| among("references payload inherits specializes", key);
-    if block.kind == "PointInstancer" || order.is_empty() && block.values.keys().any(arc) {
+    if block.kind == "PointInstancer" || order.is_empty() && block.values.names().any(|name| arc(&name)) {
         return Err(
             block.refused("xformOpOrder", "a transform in this file, not in a reference or instancer")
         );
     }
     let mut local = DAffine3::IDENTITY;
-    for op in order.split('"').skip(1).step_by(2).filter(|op| *op != "!resetXformStack!") {
+    for op in texts(order).filter(|op| *op != "!resetXformStack!") {
         let name = op.strip_prefix("!invert!").unwrap_or(op);
         let (kind, angles) = (name.split(':').nth(1).unwrap_or(""), numbers(block.get(name)));
         let refused = || block.refused(name, "the numbers of a known transform");

@@ -35,7 +35,7 @@ pub fn ies(lamp: &Lamp) -> Result<String, Refusal> {
     }
     let end = curve.end();
     if end * f64::from(STEPS) < 32.0 {
-        return Err(Refusal::new("outer angle", 2.0 * end, "at least 0.0064 degrees in ies"));
+        return Err(Refusal::new("outer angle", (2.0 * end) as f32, "at least 0.0064 degrees in ies"));
     }
     Ok(text(&lamp.name, &curve))
 }
