@@ -16,11 +16,13 @@
 //! `Length::from_bits(1 << (16 - 5))`. Coordinates past the range of a fixed-point format wrap.
 
 mod gradient;
+mod normals;
 mod pool;
 mod sprite;
 
 pub use self::{
     gradient::{Gradient, Shape},
+    normals::{normals_from_directx, normals_from_opengl},
     pool::Pool,
     sprite::Sprite,
 };

@@ -156,13 +156,16 @@ pub trait Scalar:
     }
     /// Returns the normal along a vector of three signed bytes, as vertex formats store it.
     ///
-    /// The bytes need not be those of a unit vector, so 127 or 128 may mean 1. Three zeros give
+    /// The bytes are signed: a normal map from an image has unsigned ones, which
+    /// [`normals_from_opengl`](crate::draw::normals_from_opengl) converts. They need not be those of a
+    /// unit vector, so 127 or 128 may mean 1. Three zeros give
     /// zero, which receives no light. The errors are those of [`normalize`](Self::normalize).
     fn normal_from_bytes(bytes: [i8; 3]) -> Vec3<Self> {
         normal_along(Self::unit_of_bytes(bytes))
     }
-    /// Returns the normal along a vector of three signed bytes whose length is about 127, as normal maps
-    /// have it, with a tenth of the instructions of [`normal_from_bytes`](Self::normal_from_bytes).
+    /// Returns the normal along a vector of three signed bytes whose length is about 127, as
+    /// [`normals_from_opengl`](crate::draw::normals_from_opengl) returns it from a normal map, with a
+    /// tenth of the instructions of [`normal_from_bytes`](Self::normal_from_bytes).
     ///
     /// One step of Newton's iteration scales the vector: `n (3 - |n|^2) / 2` with `n` in units of 127. For the
     /// nearest bytes to any unit vector, the error of a component is at most 1.3e-4 (exhaustive). Longer and

@@ -83,6 +83,8 @@ static void arrays(uint32_t count) {
     int8_t *normals = bytes + 3 * (MANY - count);
     luminaire_spot_add(OR_NULL(sums + count - 1), any_spot(), OR_NULL(some + count - 1));
     luminaire_normal_from_unit_bytes(OR_NULL(normal), OR_NULL(bytes));
+    luminaire_normals_from_opengl(OR_NULL(normals), (const uint8_t *)normals, count);
+    luminaire_normals_from_directx(OR_NULL(normals), (const uint8_t *)normals, count);
     luminaire_vertices_add(OR_NULL(sums), OR_NULL(spots + FEW - count % 5), count % 5, OR_NULL(some), count);
     luminaire_row_add(OR_NULL(sums), OR_NULL(&row), any_spot(), count);
     luminaire_row_add_facing(OR_NULL(sums), OR_NULL(&row), any_spot(), OR_NULL(normals), count);

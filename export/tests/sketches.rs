@@ -52,20 +52,20 @@ fn key() -> SpotLight<Soft> {
     key.with_intensity(9.0).expect("a light")
 }
 
-/// The normals of the sprite's ball.
+/// The normal map of the sprite's ball, as an image editor stores it.
 fn ball() -> String {
     const SIZE: i32 = 16;
     let mut text = format!(
-        "/* The normals of a ball: for each pixel the parts to the right, up and towards us, in 127ths. An image\n\
-         \x20* editor writes such a map as bytes from 0 to 255: subtract 128. */\n\
+        "/* The normal map of a ball: red, green and blue of each pixel, as an image editor stores it. Green points\n\
+         \x20* up, as in OpenGL, and black is outside the ball. */\n\
          #define BALL_SIZE {SIZE}\n\
-         static const int8_t ball[BALL_SIZE][3 * BALL_SIZE] LUMINAIRE_TABLE = {{\n"
+         static const uint8_t ball[BALL_SIZE][3 * BALL_SIZE] LUMINAIRE_TABLE = {{\n"
     );
     for y in 0..SIZE {
         let row = (0..SIZE).flat_map(|x| {
             let [x, y] = [2 * x + 1 - SIZE, SIZE - 1 - 2 * y].map(|c| f64::from(c) / f64::from(SIZE));
             let rest = 1.0 - x * x - y * y;
-            [x, y, rest.max(0.0).sqrt()].map(|c| if rest > 0.0 { (127.0 * c).round() } else { 0.0 })
+            [x, y, rest.max(0.0).sqrt()].map(|c| if rest > 0.0 { 128.0 + (127.0 * c).round() } else { 0.0 })
         });
         text += &format!("    {{ {} }},\n", row.map(|c| c.to_string()).collect::<Vec<_>>().join(", "));
     }
@@ -208,6 +208,11 @@ fn the_light_of_the_sprite_comes_from_the_left_and_then_from_the_right() {
         .collect();
     // The frame after the fifth is the first again.
     assert!(matches!(sides[..], [] | [Greater, Greater, _, Less, Less, Greater]), "{sides:?}");
+    // The light is above the ball, of which the map's green says what faces up.
+    for frame in found.get(1..).unwrap_or_default().chunks(16) {
+        let [upper, lower] = [&frame[..8], &frame[8..]].map(|half| bright(half, 0..32));
+        assert!(upper > 2 * lower, "{frame:#?}");
+    }
 }
 
 #[test]

@@ -70,6 +70,8 @@ static void put_many(const place *at) {
 
 void answer(const place *at) {
     luminaire_rgb light = luminaire_spot_light(at->spots, at->point, at->normal);
+    const uint8_t map[6] = { (uint8_t)at->bytes[0], (uint8_t)at->bytes[1], (uint8_t)at->bytes[2] };
+    int8_t signed_bytes[12];
     int16_t normal[6];
     put_number(luminaire_spot_irradiance(at->spots, at->point, at->normal));
     put(&light, 3);
@@ -78,6 +80,9 @@ void answer(const place *at) {
     luminaire_normal_from_bytes(normal, at->bytes);
     luminaire_normal_from_unit_bytes(&normal[3], at->bytes);
     put(normal, 3);
+    luminaire_normals_from_opengl(signed_bytes, map, 2);
+    luminaire_normals_from_directx(&signed_bytes[6], map, 2);
+    put(signed_bytes, 3);
     put_changes(at);
     put_many(at);
 }
@@ -96,6 +101,8 @@ int nothing(void) {
     luminaire_vertices_add(0, &dark, 1, 0, 1);
     luminaire_row_add(lights, 0, &dark, 1);
     luminaire_row_add_facing(0, 0, 0, 0, 1);
+    luminaire_normals_from_opengl(0, 0, 1);
+    luminaire_normals_from_directx(normals, 0, 1);
     return luminaire_spot_irradiance(0, point, normal) || light.red || light.green || light.blue
         || luminaire_spot_falloff(0, point) || luminaire_spot_can_reach(0, point, 1)
         || luminaire_spot_aim(0, point) || luminaire_spot_aim_along(0, point);

@@ -12,6 +12,7 @@ use std::path::Path;
 
 use fastrand::Rng;
 use luminaire::codegen::{FixedRamp, Gain16};
+use luminaire::draw::{normals_from_directx, normals_from_opengl};
 use luminaire::falloff::{CompiledCubic, Cubic};
 use luminaire::light::{CompiledCone, CompiledSpotLight, Row};
 use luminaire::number::{Light16, Weight16};
@@ -228,6 +229,16 @@ fn expected(place: &Place) -> Vec<Answer> {
         spot.can_reach(point, Length::from_bits(place.radius)).into(),
     ]);
     one.extend(of_scalars([a, b, c, d]).into_iter().chain([of_scalars([e, f, 0, 0])[0]]));
+    // With a black pixel beside it, which has no normal.
+    let map = [[x as u8, y as u8, z as u8], [0; 3]];
+    let signed = [normals_from_opengl(&map), normals_from_directx(&map)];
+    one.extend(
+        signed
+            .as_flattened()
+            .as_flattened()
+            .chunks(4)
+            .map(|bytes| u32::from_ne_bytes([0, 1, 2, 3].map(|i| bytes[i] as u8))),
+    );
     let mut answers = vec![Answer::Words(one)];
     let mut changed = |succeeded: Option<bool>, light: Light| {
         answers.extend(succeeded.map(|is_done| Answer::Words(vec![is_done.into()])));

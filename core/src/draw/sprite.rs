@@ -13,15 +13,19 @@ const NONE: [i8; 3] = [0; 3];
 
 /// A sprite: a picture of normals, lit by any number of lights of one colour.
 ///
-/// A normal of three bytes has the length 127, within its rounding:
-/// [`normal_from_unit_bytes`](crate::Scalar::normal_from_unit_bytes) converts it. z points to the viewer, and
-/// a zero normal is transparent: its pixel keeps its value. A material is a [`Ramp`], which knows the
-/// colour of the lights.
+/// A normal has three signed bytes of length 127, within their rounding:
+/// [`normal_from_unit_bytes`](crate::Scalar::normal_from_unit_bytes) converts it. x points to the
+/// right, **y down** and z to the viewer. The maps of image editors have bytes from 0 to 255 and a
+/// green that points up or down: [`normals_from_opengl`](super::normals_from_opengl) and
+/// [`normals_from_directx`](super::normals_from_directx) convert them. A zero normal is transparent:
+/// its pixel keeps its value. A material is a [`Ramp`], which knows the colour of the lights.
 ///
 /// ```
-/// use luminaire::{Fx16, Length, PointLight, Rgb, display::{Ramp, Rgb565}, draw::Sprite};
-/// // A ridge: its left half faces left. The corner has no pixel.
-/// let normals = [[0; 3], [-90, 0, 90], [90, 0, 90], [90, 0, 90]].repeat(2);
+/// use luminaire::{Fx16, Length, PointLight, Rgb, display::{Ramp, Rgb565}, draw::{Sprite, normals_from_opengl}};
+/// // A ridge, as an editor stores it: its left half faces left. The black corner has no pixel.
+/// const MAP: [[u8; 3]; 4] = [[0; 3], [38, 128, 218], [218, 128, 218], [218, 128, 218]];
+/// const RIDGE: [[i8; 3]; 4] = normals_from_opengl(&MAP);
+/// let normals = RIDGE.repeat(2);
 /// let brass: Ramp<Rgb565> = Ramp::new(Rgb::new(0.0, 0.0, 0.0), Rgb::new(0.8, 0.6, 0.2))?;
 /// let ramps = [brass];
 /// let sprite = Sprite::new(4, &normals, &ramps, Length::from_bits(1 << (16 - 5)))?.at(100, 60);

@@ -941,7 +941,7 @@ static inline void luminaire_vertices_add(
     }
 }
 
-/* Sets the normal along a vector of signed bytes of a length of about 127, as normal maps have it. */
+/* Sets the normal along a vector of signed bytes of a length of about 127. */
 static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int8_t bytes[3]) {
     if (!normal || !bytes) { return; }
     int32_t x = bytes[0], y = bytes[1], z = bytes[2];
@@ -949,6 +949,25 @@ static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int
     uint32_t lack = luminaire_less(48387, (uint32_t)(x * x + y * y + z * z));
     int32_t factor = (int32_t)((lack * UINT32_C(33548)) >> 15);
     for (int i = 0; i < 3; ++i) { normal[i] = (int16_t)((bytes[i] * factor + 128) >> 8); }
+}
+
+/* Sets the signed bytes of a normal map in DirectX's convention, Y-: bright green where the surface faces down. */
+static inline void luminaire_normals_from_directx(int8_t *normals, const uint8_t *map, uint32_t count) {
+    for (; normals && map && count; --count, normals += 3, map += 3) {
+        int32_t zero = map[0] | map[1] | map[2] ? 128 : 0;
+        for (int i = 0; i < 3; ++i) { normals[i] = (int8_t)(map[i] - zero); }
+    }
+}
+
+/* Sets the signed bytes of a normal map in OpenGL's convention, Y+: bright green where the surface faces up. A map has
+ * red, green and blue of each pixel, as an image. A normal is to the right, down, as rows of a screen, and to the viewer,
+ * in units of 1/127: each a byte minus 128, and green negated. Black gives a zero normal, which gets no light. The
+ * normals may replace the map. Where y points up, use the function for DirectX instead, and the other way round. */
+static inline void luminaire_normals_from_opengl(int8_t *normals, const uint8_t *map, uint32_t count) {
+    luminaire_normals_from_directx(normals, map, count);
+    for (; normals && map && count; --count, normals += 3) {
+        normals[1] = (int8_t)(normals[1] > -128 ? -normals[1] : 127);
+    }
 }
 
 static inline void luminaire_row_point(int32_t point[3], const luminaire_row *row, uint32_t i) {
@@ -994,7 +1013,8 @@ LUMINAIRE_RARE uint32_t luminaire_row_skipped(
 }
 
 /* Adds the light of a spotlight to each pixel of a row, with its normal along three signed bytes of a length of
- * about 127: a sprite with a normal map. Without bytes it is the row's normal. */
+ * about 127: a sprite with a normal map, of which luminaire_normals_from_opengl makes them. Without bytes it is the
+ * row's normal. */
 static inline void luminaire_row_add_facing(
     luminaire_rgb *lights, const luminaire_row *row, const luminaire_spot *spot, const int8_t *normals, uint32_t count
 ) {

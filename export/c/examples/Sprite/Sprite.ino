@@ -3,7 +3,7 @@
  */
 #include <luminaire_display.h> // includes luminaire.h
 
-#include "ball.h" // the normal map: three signed bytes per pixel, to the right, up and towards us
+#include "ball.h" // the normal map: red, green and blue of each pixel
 
 const int32_t METRE = 65536;             // coordinates have steps of 1/65536
 const uint32_t DEGREE = 65536;           // and so have degrees
@@ -23,9 +23,10 @@ void setup() {
 }
 
 void loop() {
-    // The light is at x = -2, -1, 0, 1 and 2 metres, and aims at the middle of the ball.
+    // The light is at x = -2, -1, 0, 1 and 2 metres above the ball, and aims at its middle. y points
+    // down, as the rows are printed.
     static int frame = 0;
-    const int32_t position[3] = { (frame - 2) * METRE, METRE, 2 * METRE };
+    const int32_t position[3] = { (frame - 2) * METRE, -METRE, 2 * METRE };
     const int32_t middle[3] = { 0, 0, 0 };
     luminaire_spot_move(&spot, position);
     luminaire_spot_aim(&spot, middle);
@@ -36,12 +37,15 @@ void loop() {
     row.step[0] = PIXEL;
     for (int y = 0; y < BALL_SIZE; ++y) {
         // The map stays in flash, which an AVR reads by instructions of its own: copy a row to RAM.
+        uint8_t map[3 * BALL_SIZE];
         int8_t normals[3 * BALL_SIZE];
         for (int i = 0; i < 3 * BALL_SIZE; ++i) {
-            normals[i] = (int8_t)LUMINAIRE_READ_8(&ball[y][i]);
+            map[i] = LUMINAIRE_READ_8(&ball[y][i]);
         }
+        // Its green points up, as in OpenGL; for a map of DirectX there is another function.
+        luminaire_normals_from_opengl(normals, map, BALL_SIZE);
         luminaire_rgb lights[BALL_SIZE] = {}; // dark, until lights are added
-        row.first[1] = METRE / 2 - y * PIXEL;
+        row.first[1] = y * PIXEL - METRE / 2;
         luminaire_row_add_facing(lights, &row, &spot, normals, BALL_SIZE);
         for (int x = 0; x < BALL_SIZE; ++x) {
             const char shade = " -+#"[luminaire_pixel_dithered(LUMINAIRE_GRAY2, lights[x], x, y)];
