@@ -29,7 +29,7 @@ pub(crate) const CONFIGURATIONS: [(&str, &str); 3] = [
 ];
 
 /// Functions without a wrapper, by path or as `Trait::function`, each with the reason.
-const EXEMPT: [(&str, &str); 12] = [
+const EXEMPT: [(&str, &str); 13] = [
     ("Attenuation::with", "passes the attenuation to code of the caller"),
     ("Attenuation::describe", "tells the attenuation to code of the caller"),
     ("<luminaire::attenuation::AnyAttenuation>::built", "builds it from numbers of code of the caller"),
@@ -38,6 +38,10 @@ const EXEMPT: [(&str, &str); 12] = [
     ("luminaire::falloff::constant_falloffs", "passes each falloff to code of the caller"),
     ("luminaire::attenuation::attenuations", "passes each attenuation to code of the caller"),
     ("luminaire::specular::lobes", "passes each lobe to code of the caller"),
+    (
+        "luminaire::codegen::written_by",
+        "called while constants are compiled, where a panic is a compiler's error",
+    ),
     ("Debug::fmt", "text for people: the formatter of the standard library can panic"),
     ("Display::fmt", "text for people: the formatter of the standard library can panic"),
     ("Named::write_name", "source text, which build scripts write on the host"),
