@@ -150,7 +150,7 @@ fn outputs_stand_before_inputs() {
         let is_output = |parameter: &&str| parameter.contains(['*', '[']) && !parameter.contains("const ");
         let outputs = parameters.iter().take_while(|parameter| is_output(parameter)).count();
         written += outputs;
-        if parameters.iter().skip(outputs).any(|parameter| is_output(parameter)) {
+        if parameters.iter().skip(outputs).any(is_output) {
             wrong.push(format!("{name}({})", parameters.join(", ")));
         }
     }
