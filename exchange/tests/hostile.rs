@@ -162,7 +162,7 @@ fn bombs_are_refused_in_bounded_memory() {
     }
 }
 
-/// Inputs of about so many bytes in which one thing is there for each of many others, or the text of a value is
+/// Inputs of about `bytes` bytes in which one thing is there for each of many others, or the text of a value is
 /// far smaller than what it becomes.
 fn products(bytes: usize) -> Vec<(System, &'static str, String)> {
     use System::{Babylon, Gltf, Godot, Ies, Luminaire, Ofl, Pbrt, Three, Unity, Unreal, Usd, X3d};

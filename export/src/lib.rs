@@ -83,6 +83,7 @@
 mod error;
 mod fixed;
 mod head;
+mod item;
 pub mod json;
 mod language;
 mod name;
@@ -98,6 +99,7 @@ use luminaire::{Fx16, Fx32};
 
 pub use crate::error::{ExportError, printable, printable_json};
 pub use crate::fixed::C_HEADERS;
+use crate::item::Item;
 pub use crate::language::Language;
 pub use crate::name::{check_text, identifier, names};
 use crate::shader::Syntax;
@@ -129,7 +131,7 @@ pub fn export_all<'a>(
 ) -> (String, Vec<(usize, ExportError)>) {
     let (mut items, mut refused) = (Vec::new(), Vec::new());
     for (number, (name, light)) in lights.into_iter().enumerate() {
-        match Item::new(light, name, language) {
+        match item(light, name, language) {
             Ok(item) => items.push(item),
             Err(error) => refused.push((number, error)),
         }
@@ -152,28 +154,15 @@ pub fn export_all<'a>(
     (text, refused)
 }
 
-/// A light of a source.
-struct Item<'a> {
-    name: &'a str,
-    light: AnyLight,
-    /// Its text, without what all lights of a program share.
-    text: String,
-}
-
-impl<'a> Item<'a> {
-    fn new(light: AnyLight, name: &'a str, language: Language) -> Result<Self, ExportError> {
-        name::check_identifier(name, language)?;
-        let text = text(&light, name, language).map_err(|error| {
-            let other = language.wider().iter().find(|other| text(&light, name, **other).is_ok());
-            let remedy = other.map_or_else(String::new, |other| format!("; {other} takes it"));
-            ExportError { expected: format!("{} in {language}{remedy}", error.expected), ..error }
-        })?;
-        Ok(Self { name, light, text })
-    }
-
-    fn named(&self) -> json::NamedLight {
-        json::NamedLight { name: self.name.to_owned(), light: self.light, surfaces: None, about: None }
-    }
+/// The light with its text, which is checked.
+fn item(light: AnyLight, name: &str, language: Language) -> Result<Item<'_>, ExportError> {
+    name::check_identifier(name, language)?;
+    let text = text(&light, name, language).map_err(|error| {
+        let other = language.wider().iter().find(|other| text(&light, name, **other).is_ok());
+        let remedy = other.map_or_else(String::new, |other| format!("; {other} takes it"));
+        ExportError { expected: format!("{} in {language}{remedy}", error.expected), ..error }
+    })?;
+    Ok(Item { name, light, text })
 }
 
 fn text(light: &AnyLight, name: &str, language: Language) -> Result<String, ExportError> {

@@ -6,8 +6,8 @@ use luminaire::falloff::{AnyFalloff, Falloff, Formula, Step};
 use luminaire::projector::Projection;
 use luminaire::{Angle, Cone, Fx16, Rgb, Vec3};
 
-use crate::Item;
 use crate::error::ExportError;
+use crate::item::Item;
 use crate::json::kind;
 use crate::script::{attenuation, color, cone, degrees, own_head};
 

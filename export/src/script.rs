@@ -6,9 +6,9 @@ use luminaire::dynamic::AnyLight;
 use luminaire::falloff::AnyFalloff;
 use luminaire::{Angle, Cone, Fx16, Rgb};
 
-use crate::Item;
 use crate::error::ExportError;
 use crate::head::head;
+use crate::item::Item;
 use crate::rust::falloff_source;
 
 /// The parts of a script that depend on the kind of a light.

@@ -81,7 +81,7 @@ impl<'a> Scan<'a> {
         self.group(0)
     }
 
-    /// Returns what follows up to the end of so many brackets that are open.
+    /// Returns what follows up to the end of `depth` brackets that are open.
     pub(crate) fn group(&mut self, mut depth: usize) -> &'a str {
         let start = self.rest;
         loop {

@@ -15,7 +15,7 @@ const OPTIONS: &str = "-std=gnu99 -Os -mmcu=atmega1284p -DF_CPU=16000000UL";
 /// Runs a program that ends by a sleep without interrupts. Returns the lines of its UART; `None` without
 /// the emulator.
 pub(crate) fn emulate(processor: &str, program: &Path) -> Option<Vec<String>> {
-    // Before `timeout` is called, which is another program on Windows.
+    // Before `timeout` is called, which on Windows names a different program.
     if Command::new("simavr").arg("--help").output().is_err() {
         return is_missing("simavr");
     }

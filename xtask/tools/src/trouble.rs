@@ -13,7 +13,7 @@ struct Trouble {
     /// Its number on Windows, whose words depend on the language.
     windows: &'static str,
     remedy: &'static str,
-    /// Whether the remedy is another folder than the one of everything that is built.
+    /// Whether the remedy is to build in a different folder.
     is_of_target: bool,
 }
 
