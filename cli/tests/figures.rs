@@ -1,6 +1,7 @@
-//! Every price and every error in the README, the front page of the documentation, the guide and the
-//! head of the demo's page is one on record.
+//! Every price and every error in the README, the crates' documentation, the guide and the head of the
+//! demo's page is one on record, or one that a test asserts.
 
+use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -10,11 +11,15 @@ use serde_json::Value;
 const README: &str = "README.md";
 const FRONT: &str = "core/src/lib.rs";
 const GUIDE: &str = "core/guide";
+/// The crates whose documentation is read.
+const CRATES: [&str; 7] = ["cli", "core", "exchange", "export", "native", "render", "wasm-demo"];
 const PAGE: &str = "wasm-demo/web/index.html";
 
 /// A paragraph or a row of a table with one of these words has prices or errors.
 const UNITS: [&str; 8] =
     ["instructions", "instr.", "linear code", "cycles", " kB", " ms", " ns", "/255 of full scale"];
+/// In the crates' documentation these, too, stand beside figures.
+const ERRORS: [&str; 5] = ["error", "errs", "differ", " bytes", " steps"];
 
 fn text(path: impl AsRef<Path>) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
@@ -44,6 +49,14 @@ fn rounded_up(value: f64) -> String {
     } else {
         format!("{value:.*}", (-unit.log10()).round().max(0.0) as usize)
     }
+}
+
+/// A bound of an operation in a format, as it stands in `tests/bounds.csv`.
+fn bound(operation: &str, format: &str) -> String {
+    let bounds = text("tests/bounds.csv");
+    let row = format!("operation,{operation},{format},");
+    let found = bounds.lines().find_map(|line| line.strip_prefix(&row));
+    found.unwrap_or_else(|| panic!("tests/bounds.csv has no row {row}")).to_owned()
 }
 
 /// Instructions of a lit point in C on a Cortex-M0 by the software floats of Arm: measured once, elsewhere.
@@ -180,6 +193,28 @@ impl Records {
     }
 }
 
+/// Errors of the stages of a format, by their row of `tests/bounds.csv`. `{}` is the bound.
+const STAGES: [(&str, &str, &str, &str); 18] = [
+    ("core/src/number/float.rs", "f32", "ray direction of the stated", "| {} times 1.12e-7 radians, offset"),
+    ("core/src/number/float.rs", "f32", "ray direction its length", "its length {} |"),
+    ("core/src/number/float.rs", "f32", "ray versine of the outer", "| {} of the outer versine |"),
+    ("core/src/number/float.rs", "f32", "ray cosine", "| cosine {} steps |"),
+    ("core/src/number/float.rs", "f32", "ray light relative", "| {}, relative |"),
+    ("core/src/number/fx16.rs", "fx16", "ray direction of the stated", "| {} times 1.55e-5 radians;"),
+    ("core/src/number/fx16.rs", "fx16", "ray direction its length", "its length {} |"),
+    ("core/src/number/fx16.rs", "fx16", "ray versine of the outer", "| {} of the outer versine |"),
+    ("core/src/number/fx16.rs", "fx16", "ray cosine", "| {} steps of 2^-14 |"),
+    ("core/src/number/fx16.rs", "fx16", "times", "cosine times falloff, 14 | {} steps |"),
+    ("core/src/number/fx16.rs", "fx16", "gain times relative", "| {}, relative, for a product |"),
+    ("core/src/number/fx16.rs", "fx16", "ray light relative", "over `\\|v\\|^2`, 14 | {}, relative |"),
+    ("core/src/number/fx32.rs", "fx32", "ray direction of the stated", "| {} times 2.65e-9 radians;"),
+    ("core/src/number/fx32.rs", "fx32", "ray direction its length", "its length {} |"),
+    ("core/src/number/fx32.rs", "fx32", "ray versine of the outer", "| {} of the outer versine |"),
+    ("core/src/number/fx32.rs", "fx32", "ray cosine", "| {} steps of 2^-30 |"),
+    ("core/src/number/fx32.rs", "fx32", "gain times relative", "| {}, relative, for a product |"),
+    ("core/src/number/fx32.rs", "fx32", "ray light relative", "over `\\|W\\|^2`, 30 | {}, relative |"),
+];
+
 /// What was set and not measured, in paragraphs with figures.
 const SETTINGS: [(&str, &str); 8] = [
     (README, "from 16 times full scale at a distance of 1."),
@@ -265,20 +300,55 @@ fn texts() -> Vec<(String, String)> {
     let (_, head) = page.split_once("<header").expect("a head");
     let (head, _) = head.split_once("</header>").expect("its end");
     texts.push((PAGE.to_owned(), head.to_owned()));
+    texts.extend(below(GUIDE, "md"));
+    texts.into_iter().map(|(file, text)| (file, outside_of_code(&text))).collect()
+}
+
+/// The files of a folder and its folders that have this extension, with their texts.
+fn below(folder: &str, extension: &str) -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut folders = vec![PathBuf::from(GUIDE)];
+    let (mut files, mut folders) = (Vec::new(), vec![PathBuf::from(folder)]);
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(root.join(&folder)).expect("a folder") {
             let path = folder.join(entry.expect("a file").file_name());
             if root.join(&path).is_dir() {
                 folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "md") {
-                texts.push((path.display().to_string(), text(&path)));
+            } else if path.extension().is_some_and(|found| found == extension) {
+                files.push((path.display().to_string(), text(&path)));
             }
         }
     }
-    let outside = |text: &str| text.split("```").step_by(2).collect::<String>();
-    texts.into_iter().map(|(file, text)| (file, outside(&text))).collect()
+    files
+}
+
+fn outside_of_code(text: &str) -> String {
+    text.split("```").step_by(2).collect()
+}
+
+/// The documentation in a source file, and its code.
+fn parted(source: &str) -> (String, String) {
+    let (mut documentation, mut code) = (String::new(), String::new());
+    for line in source.lines().map(str::trim_start) {
+        if let Some(text) = line.strip_prefix("//!").or_else(|| line.strip_prefix("///")) {
+            documentation += text.trim_start();
+        } else {
+            code += line.split("//").next().unwrap_or_default();
+        }
+        documentation.push('\n');
+        code.push('\n');
+    }
+    (outside_of_code(&documentation), code)
+}
+
+/// The values of the numbers in code and in tables of numbers.
+fn literals(code: &str) -> impl Iterator<Item = u64> {
+    let words = code.split(|c: char| !(c.is_ascii_alphanumeric() || "_.-".contains(c)));
+    let ends = words.flat_map(|word| word.split("..")).flat_map(|word| match word.contains("e-") {
+        true => vec![word],
+        false => word.split('-').collect(),
+    });
+    let numbers = ends.map(|word| word.trim_end_matches(['.', '_']).replace('_', ""));
+    numbers.filter_map(|number| number.parse::<f64>().ok()).map(f64::to_bits)
 }
 
 /// The paragraphs, points of lists and rows of tables, each on one line.
@@ -329,6 +399,60 @@ fn texts_have_the_figures_on_record_and_no_others() {
     }
     let missing = stated.iter().zip(found).filter(|(_, found)| !found);
     wrong.extend(missing.map(|((file, words), _)| format!("{file}: expected `{words}`")));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Every figure in a table or beside an error in the crates' documentation is a number of the code in its
+/// folder, of a test or of `tests/bounds.csv`: it changes with what is asserted.
+#[test]
+fn documentation_has_the_figures_of_code_and_tests_and_no_others() {
+    let folders = CRATES.map(|name| format!("{name}/src"));
+    let sources: Vec<_> = folders.iter().flat_map(|folder| below(folder, "rs")).collect();
+    let bounds = text("tests/bounds.csv");
+    let is_one = |row: &&str| row.starts_with("operation,") || row.starts_with("set-up,");
+    let mut asserted: HashSet<_> = bounds.lines().filter(is_one).flat_map(literals).collect();
+    for (_, source) in below("tests", "rs") {
+        asserted.extend(literals(&parted(&source).1));
+    }
+    let mut computed = BTreeMap::<_, HashSet<_>>::new();
+    for (file, source) in &sources {
+        for folder in Path::new(file).ancestors().skip(1) {
+            computed.entry(folder).or_default().extend(literals(&parted(source).1));
+        }
+    }
+    let stages =
+        STAGES.map(|(file, format, operation, words)| (file, words.replace("{}", &bound(operation, format))));
+    let mut wrong: Vec<_> = Vec::new();
+    for (file, words) in &stages {
+        if !parted(&text(file)).0.contains(words) {
+            wrong.push(format!("{file}: expected `{words}`"));
+        }
+    }
+    for (file, source) in sources.iter().filter(|(file, _)| file != FRONT) {
+        let computed = &computed[Path::new(file).parent().expect("a folder")];
+        let mut heading = None;
+        for paragraph in paragraphs(&parted(source).0) {
+            // A table has figures if its first row says so.
+            let subject = match paragraph.starts_with('|') {
+                true => heading.get_or_insert_with(|| paragraph.clone()),
+                false => {
+                    heading = None;
+                    &paragraph
+                }
+            };
+            if UNITS.iter().chain(&ERRORS).any(|word| subject.contains(word)) {
+                let value = |number: &str| number.replace(',', "").parse::<f64>().map(f64::to_bits);
+                let mut found = numbers(&paragraph);
+                found.retain(|number| number.len() != 4 || !number.starts_with(['1', '2'])); // years of the literature
+                found.retain(|number| {
+                    value(number).is_ok_and(|value| !asserted.contains(&value) && !computed.contains(&value))
+                });
+                if !found.is_empty() {
+                    wrong.push(format!("{file}: {found:?} in no code or test, in `{paragraph}`"));
+                }
+            }
+        }
+    }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

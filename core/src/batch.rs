@@ -102,7 +102,7 @@ fn in_blocks<S: Scalar>(count: usize) -> usize {
 /// Returns the blocks of a range of indices of three columns.
 ///
 /// Every item is `Some`; the loops that use this iterator skip `None`. If this function removed
-/// `None` by a `filter_map`, the loops would take 14 % more instructions, because the compiler
+/// `None` by a `filter_map`, the loops would take more instructions, because the compiler
 /// would no longer turn the zipped columns into a loop over one index (callgrind, `irradiance_each`
 /// and `add_each` of a soft spotlight in f32, x86-64).
 fn blocks<T>(columns: Vec3<&[T]>, range: Range<usize>) -> impl Iterator<Item = Option<Vec3<&[T; BLOCK]>>> {

@@ -30,32 +30,45 @@
 //!
 //! # What is exact, and what is not
 //!
-//! Imports are exact except for two cases, and for the very short distances and very large
-//! intensities that each type documents. A Godot light whose exponent is an integer differs by up
-//! to 0.0001 on the axis. An attenuation by a power of the distance with an exponent other than 0,
-//! 1 and 2 is approximated: by `1 / (a0 + a1 d)` for exponents below 1, and by
-//! `1 / (a1 d + a2 d^2)` above. From a sixteenth of the range to the range, where a light is used,
-//! an exponent below 2 gives 0.89 to 1.12 times the light of the original. Without a range this
-//! holds from distance 1 to 16. The table shows the maximum [`Difference`] over the lights of each
-//! system, printed by `cargo test --test suite import:: -- --nocapture --test-threads 1`:
+//! A light with a [`Difference`] of zero has the other system's formulas, at every angle and at the
+//! distances that the difference compares. These are the lights with another difference:
 //!
-//! | system | intensity over the angle | position of an infinite slope, half angles | distance |
-//! |---|---|---|---|
-//! | OpenGL, exponents 0 to 128 and between | 0 | 3.0e-8 | 0 |
-//! | Direct3D, falloffs 0 to 127.5 | 0 | 3.0e-8 | 0 |
-//! | glTF, umbra and penumbra | 0 | 0 | 0 |
-//! | three.js, decays 0 to 16 | 0 | 0 | 1.0 |
-//! | Godot, angle attenuations 1/127.5 to 128, decays 0 to 16 | 1.0e-4 | 0 | 1.0 |
+//! | light | its difference |
+//! |---|---|
+//! | Godot, with an angle attenuation of `1/n` | `angle`: `0.0001^n`, on the axis |
+//! | OpenGL, with an exponent in (0, 1) and a cutoff of 90 degrees | `place`: `2^-25` |
+//! | Direct3D, with a falloff in (0, 1) | `place`: `2^-25` |
+//! | Godot, with an attenuation by over `2^64` at the nearest distance compared | `distance`: what is over it |
 //!
-//! | decay | 0.1 | 0.5 | 0.9 | 1.1 | 1.5 | 1.9 | 2.2 | 3 | 8 |
-//! |---|---|---|---|---|---|---|---|---|---|
-//! | Godot, to a range of 8 | 0.039 | 0.11 | 0.039 | 0.039 | 0.11 | 0.039 | 0.34 | 0.88 | 1.0 |
+//! ```
+//! use luminaire::{Vec3, import::{Direct3d, Difference, Godot, OpenGl, Three}};
+//! let [from, down] = [Vec3::new(0.0, 4.0, 0.0), Vec3::new(0.0, -1.0, 0.0)];
 //!
-//! With a decay over 2 the original light decreases faster than `1 / d^2`, the steepest attenuation
-//! of the kernel: the import is `1 / d^2`, equal to the original at distance 1. Check the difference
-//! before you use such a light. A falloff with an exponent below 1 has an infinite derivative with
-//! respect to the angle at its edge. At that edge, a format bounds the error of the position, not of
-//! the intensity.
+//! // A decay of any exponent is exact, with a range and without one.
+//! for decay in [0.0, 0.1, 0.5, 1.0, 1.1, 1.5, 2.0, 2.2, 3.0, 8.0, 16.0] {
+//!     let godot = Godot { spot_attenuation: decay, spot_angle_attenuation: 0.7, ..Default::default() };
+//!     let three = Three { decay, ..Default::default() };
+//!     let exact = [godot.import(from, down)?, three.import(from, down)?];
+//!     assert!(exact.iter().all(|light| light.difference == Difference::default()));
+//! }
+//! let root = Godot { spot_angle_attenuation: 0.5, ..Default::default() }.import(from, down)?.difference;
+//! assert!(root.angle >= 1e-8 && root.angle < 1.1e-8 && root.distance == 0.0);
+//! let wide = OpenGl { spot_cutoff: 90.0, spot_exponent: 0.5, ..Default::default() };
+//! let bulging = Direct3d { theta: 0.2, phi: 0.5, falloff: 0.5, attenuation0: 1.0, attenuation1: 0.0,
+//!     attenuation2: 0.0, range: 1e18, intensity: 1.0 };
+//! for difference in [wide.import(from, down)?.difference, bulging.import(from, down)?.difference] {
+//!     assert_eq!((difference.angle, difference.place), (0.0, 0.5_f32.powi(25)));
+//! }
+//! let blinding = Godot { spot_attenuation: 16.0, spot_range: 0.01, ..Default::default() };
+//! assert!(blinding.import(from, down)?.difference.distance > 0.99);
+//! # Ok::<(), luminaire::Error>(())
+//! ```
+//!
+//! Nearer than the distances compared, some originals stop growing and their imports do not, or the other
+//! way round: the type of each system says where. A falloff with an exponent below 1 has an infinite derivative with respect to
+//! the angle at its edge: there a format bounds the error of the position, not of the intensity.
+//! `cargo test --test suite import:: -- --nocapture --test-threads 1` compares every import with its
+//! system's complete formula, and prints the largest difference of each system.
 //!
 //! Divisions by zero in the original are not imported: an inner angle equal to the outer angle
 //! gives a step. For equal angles, glTF's reference code divides by 0.001 instead;

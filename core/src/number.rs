@@ -122,8 +122,8 @@ pub trait Scalar:
     /// The largest magnitude of a coordinate of a light's position. The constant does not limit the
     /// coordinates of points.
     ///
-    /// A compiled light can be moved farther. Of a light beyond 24,319 in `Fx16`, and beyond 32,639
-    /// in `Fx32`, the points and spheres within 256 units of the opposite end of the range of
+    /// A compiled light can be moved farther. Of a light beyond `32,767 - 2^13 - 256` in `Fx16`, and
+    /// beyond `32,767 - 128` in `Fx32`, the points and spheres within 256 units of the opposite end of the range of
     /// [`Length`](Self::Length) may count as near: differences of such coordinates wrap.
     const FARTHEST: f32;
 
@@ -149,7 +149,7 @@ pub trait Scalar:
     /// example, is shorter than 1.
     ///
     /// The result is zero, and so receives no light, if the vector is zero, and in `f32` if its
-    /// squared length is not a normal number. The error of a component is at most 3.06e-5 (0.501 ULP)
+    /// squared length is not a normal number. The error of a component is at most 0.501 steps of 2^-14
     /// in [`Fx16`], 2.5e-8 in [`Fx32`] and 2.7e-7 in `f32` (derived). No fixed-point format divides.
     fn normalize(normal: Vec3<Self>) -> Vec3<Self> {
         normal_along(Self::normal_unit(normal))

@@ -10,6 +10,8 @@ use crate::{
     },
 };
 
+const _: () = assert!(LEAST_RATIO == 1.1604 && MOST_RATIO == 5.437, "as is documented");
+
 impl Cone<FittedFalloff> {
     /// Creates the cone with this beam angle (50 %) and this field angle (10 %).
     ///

@@ -23,6 +23,7 @@ static FIVE: Lights = lights(31);
 static SIX: Lights = lights(63);
 static FIVE_STARTS: Starts = starts(&FIVE);
 static SIX_STARTS: Starts = starts(&SIX);
+const _: () = assert!(2 * (size_of::<Lights>() + size_of::<Starts>()) == 1_552, "as is documented");
 
 const fn lights(last: usize) -> Lights {
     let (mut lights, mut code) = ([[u32::MAX, 0]; 65], 0);

@@ -21,7 +21,7 @@ use crate::{
 ///
 /// The distance is "redmean" (T. Riemersma, *Colour metric*, CompuPhase): the root of
 /// `(2 + r/256) R^2 + 4 G^2 + (2 + (255 - r)/256) B^2` with the differences `R`, `G`, `B` of sRGB
-/// codes and the mean `r` of the two reds. It takes integers only; black and white are 765 apart.
+/// codes and the mean `r` of the two reds. It takes integers only; black and white are three times 255 apart.
 /// Of equally near colours, the first counts.
 ///
 /// The colour of a cell need not be the nearest to every colour in the cell. If the nearest is `d`

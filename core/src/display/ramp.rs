@@ -40,6 +40,7 @@ pub struct Ramp<P> {
 pub type Rgb565Ramp = Ramp<Rgb565>;
 
 const LEVELS: usize = 640;
+const _: () = assert!(size_of::<Rgb565Ramp>() == 2_560, "as its documentation states");
 
 impl<P: Pixel> Ramp<P> {
     /// The number of levels.

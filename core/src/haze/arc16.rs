@@ -180,7 +180,7 @@ fn times(a: i64, b: i32) -> i64 {
     ((a >> 16) * b + (((a & 0xffff) * b) >> 16)) >> 14
 }
 
-/// Returns the square root of a positive number of at most 58 bits, with a relative error of at most
+/// Returns the square root of a positive number below 2^58, with a relative error of at most
 /// 1e-4.
 fn sqrt(n: u64) -> u32 {
     let up = n.leading_zeros() & !1;

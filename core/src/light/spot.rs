@@ -226,9 +226,9 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// Both lights have the falloff of this light. Each cone between the two keeps the accuracy of
     /// the format: if one of them needs the fine evaluation of `Fx16`, all have it. Two lights
     /// of one intensity that are compiled singly zoom, too. In `Fx16` the error bound of a cone
-    /// between them may then be 14 % larger than that of the two (searched). In `Fx32` the angles of a
-    /// cone between move by up to three units of a chord, 2.0e-9 radians, beside the 2.65e-9 radians of a
-    /// direction: next to the narrowest cone of the format the bound is 0.88 linear codes, not 0.5.
+    /// between them may then be larger than that of either. In `Fx32` the angles of a cone between move by
+    /// up to three units of a chord, beside the rounding of a direction: next to the narrowest cone of the
+    /// format the bound exceeds half a linear code.
     ///
     /// The lights of [`compile_quick`](Self::compile_quick) need no such function.
     ///

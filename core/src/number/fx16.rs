@@ -9,7 +9,7 @@
 //! | offset | [`Offset::between`] | `way`, of 17 bits; `v`, of 15 | truncated, see direction |
 //! | early-outs | [`facing`], [`is_outside`] | a sign; a comparison of squares | a margin: no lit point is rejected |
 //! | root | [`root::inverse_sqrt_16`] | `2^30 / \|v\|`, of 15 or 16 bits | 9.0e-5, relative |
-//! | direction | [`Offset::ray`] | unit vector, 30 | 1.36e-5 radians; its length 1.9e-4 |
+//! | direction | [`Offset::ray`] | unit vector, 30 | 1.1 times 1.55e-5 radians; its length 1.9e-4 |
 //! | versine | [`versine`] | `\|l - s\|^2 / 2`, 29 and two for each step of the ramp's zoom | 2.9e-4 of the outer versine |
 //! | ramp | [`FixedRamp::rise`] | `t`, 15 | 4e-5 |
 //! | falloff | [`Fraction16`]: [`times_to_value`](Fraction::times_to_value) is the soft edge | intensity, 14 | soft, hard and linear 0.5 steps, smooth 1.3 |
@@ -92,7 +92,7 @@ impl Offset16 {
 
     /// Returns an offset of more than 24 bits, halved to fit 32 bits.
     ///
-    /// A light's coordinate is within 32,511 unless the light was moved farther, see
+    /// A light's coordinate is within `32,767 - 256` unless the light was moved farther, see
     /// [`Scalar::FARTHEST`](crate::Scalar::FARTHEST). So a difference that wraps still has more than
     /// 24 bits, and the size test of `between` detects the wrap.
     #[inline(always)] // `away.fx16` on Cortex-M0: +9 instructions without.
@@ -239,7 +239,7 @@ pub struct Ray16 {
 /// Rounding bias added to a direction for the truncated bits of the offset, which average half a
 /// unit.
 ///
-/// The ideal bias is half the reciprocal length, so between 2,365 and 8,192. Of the constants in
+/// The ideal bias is half the reciprocal length, so between `2^12 / sqrt(3)` and 2^13. Of the constants in
 /// this range, 6,144 had the smallest error (measured).
 pub(super) const CUT_OFF: i32 = 6_144;
 

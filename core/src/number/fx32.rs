@@ -2,8 +2,8 @@
 //!
 //! Scalars, lengths and directions have 32 bits. From a point to the light at the point, nearly all
 //! products are the upper halves of products of two 32-bit numbers. A processor without an
-//! instruction for an upper half computes it from products of 16-bit numbers, in 18 instructions on a
-//! Cortex-M0, where a product of 64 bits takes 39. The other operations, such as those on colours,
+//! instruction for an upper half computes it from products of 16-bit numbers, on a Cortex-M0 in less than half
+//! of the instructions of a product of 64 bits. The other operations, such as those on colours,
 //! have products of 64 bits. In the formulas `W` is the offset from the light to the point, scaled
 //! until its largest component has 31 bits, and `|W|` is its length.
 //!
@@ -11,13 +11,13 @@
 //! |---|---|---|---|
 //! | offset | [`Offset::between`] | `W`, of 31 bits | none, but for one bit beyond 32,768 units |
 //! | early-outs | [`Offset::facing`], [`is_outside`] | of 15 bits of `W`: a sign; a comparison of squares | a margin: no lit point is rejected |
-//! | root | [`root::quick_inverse_sqrt_16`] | estimate of `2^46 / \|W\|`, of 15 or 16 bits | 3.5e-4, relative, of 15 bits of `W` |
-//! | direction | [`FineRay::new`], [`normalised`] | unit vector, 30: the product with the estimate, and one step of Newton | a component 1 step; its length 2.4e-8 |
-//! | versine | [`versine`] | `\|l - s\|^2 / 2`, 29 and two for each step of the ramp's zoom | 3.0e-8 of the outer versine |
+//! | root | [`root::quick_inverse_sqrt_16`] | estimate of `2^46 / \|W\|`, of 15 or 16 bits | 2.85e-4, relative, of 15 bits of `W` |
+//! | direction | [`FineRay::new`], [`normalised`] | unit vector, 30: the product with the estimate, and one step of Newton | 1.1 times 2.65e-9 radians; its length 2.1e-8 |
+//! | versine | [`versine`] | `\|l - s\|^2 / 2`, 29 and two for each step of the ramp's zoom | 3e-8 of the outer versine |
 //! | ramp | [`FixedRamp::rise_finely`] | `t`, 31 | 1.7e-7 after a zoom, set-up included |
 //! | falloff | [`Fine`]: [`times`](Fine::times) is the soft edge | intensity, 31 | a product 2^-30 |
 //! | cosine | [`Ray::cosine`] | Lambert's cosine, 31 | 43 steps of 2^-30 |
-//! | attenuation | [`Gain32`] | a mantissa of 28 bits and a shift | 4.0e-9, relative, for a product |
+//! | attenuation | [`Gain32`] | a mantissa of 28 bits and a shift | 4e-9, relative, for a product |
 //! | light | [`Ray::light`] | share times gain over `\|W\|^2`, 30 | 6.2e-8, relative |
 //!
 //! The errors are those that `fx32/tests.rs`, `root.rs`, `ramp.rs` and, over all stages,
@@ -173,7 +173,7 @@ fn sum_of_squares(vector: Vec3<i32>, shift: u32) -> u32 {
     squares.x + squares.y + squares.z
 }
 
-/// Normalises a vector with 30 fraction bits whose length is within 3.5e-4 of 1.
+/// Normalises a vector with 30 fraction bits whose length is within 2.85e-4 of 1.
 ///
 /// The result has the direction of `nearly`, but for the rounding of each component down by less than
 /// one unit of 2^-30, and a length with an error of at most 2.4e-8. Also returns the relative excess
@@ -204,7 +204,7 @@ impl FineRay {
     /// Normalises an offset whose largest component has 31 bits, and had `bits` bits before
     /// scaling.
     ///
-    /// `estimate` is `2^46 / |W|` with a relative error of at most 3.5e-4. The product with the
+    /// `estimate` is `2^46 / |W|` with a relative error of at most 2.85e-4. The product with the
     /// estimate and the correction of the length are both rounded down, with opposite signs: so each
     /// component is within one unit of 2^-30 of its exact value times the length of the direction.
     /// The length has an error of at most 2.4e-8.

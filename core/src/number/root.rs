@@ -401,6 +401,15 @@ mod tests {
         }
     }
 
+    /// Exhaustive: the guess is constant over 2^9 numbers, of which the first and the last have the largest errors.
+    #[test]
+    fn a_guess_keeps_its_stated_error() {
+        let error = |n: u32| (f64::from(guess(n)) * f64::from(n).sqrt() / 2_147_483_648.0 - 1.0).abs();
+        let errors = (1 << 21..=u32::MAX >> 9).map(|n: u32| error(n << 9).max(error((n << 9) + 511)));
+        let worst = errors.fold(0.0, f64::max);
+        assert!((5.5e-5..=6.0e-5).contains(&worst), "worst relative error {worst:e}");
+    }
+
     #[test]
     fn sixteen_bits_keep_their_stated_error() {
         let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 251 };

@@ -100,7 +100,7 @@ numbers! {
     /// A component of a position in both fixed-point formats, from -32,768 to 32,768 units in steps
     /// of 2^-16.
     Length(I16F16, i32);
-    /// Irradiance in the format [`Fx16`], from 0 to 262,144 in steps of 2^-14; 1 is full scale.
+    /// Irradiance in the format [`Fx16`], from 0 to 2^18 in steps of 2^-14; 1 is full scale.
     Light16(U18F14, u32);
     /// Irradiance in the format [`Fx32`], from 0 to 2^34 in steps of 2^-30; 1 is full scale.
     Light32(U34F30, u64);

@@ -20,7 +20,7 @@ macro_rules! change {
             /// Returns the same light at a part of its intensity, from 0 (dark) to 1 (unchanged).
             ///
             /// A part outside this range is clamped, and NaN is dark. The relative error is at most
-            /// 4.6e-5 in `Fx16` and 7.5e-9 in `Fx32` (derived).
+            /// 3 * 2^-16 in `Fx16` and 2^-27 in `Fx32` (derived).
             #[must_use]
             pub fn dimmed(self, part: S) -> Self {
                 Self { intensity: self.intensity.times_scalar(part), ..self }

@@ -14,8 +14,8 @@ const STEPS_PER_METRE: f32 = 65_536.0;
 /// Cosine of 0.1 degrees. Between triangles that meet at a smaller angle there is no visible edge.
 const FLAT: f32 = 0.999_998_5;
 
-/// Cosine of 2.6 degrees. If two triangles have normals that differ by more at both ends of their
-/// edge, the shading has a step there.
+/// The least cosine between normals of a smooth surface. If two triangles have normals that differ by more at
+/// both ends of their edge, the shading has a step there.
 const SMOOTH: f32 = 0.999;
 
 /// The edges of a mesh that can be visible as edges, and the planes of its triangles.

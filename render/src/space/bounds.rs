@@ -34,7 +34,7 @@ impl Bounds {
     ///
     /// `way` is a vector from or to the sphere's centre. The radius is increased by at least 1/5000
     /// of the length of `way`, and by 0.1 mm. This increase is more than the errors of the formats:
-    /// at most 1.6e-5 for a direction and 8e-6 metres for a position.
+    /// less than 2^-15 for a direction, and half a step, 2^-17, for a position.
     pub(crate) fn padded(&self, way: Vec3) -> f32 {
         self.radius + 2e-4 * (way.abs().element_sum() + self.center.abs().element_sum()) + 1e-4
     }

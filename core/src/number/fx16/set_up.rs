@@ -56,13 +56,13 @@ fn fine_squared(error: f32, intensity: f32, growth: f32) -> f32 {
     /// Factor below 1, because the error of a small share is smaller than the bound.
     ///
     /// Light within full scale at a large gain has a small share. With this factor a search
-    /// finds errors of up to 0.43 linear codes.
+    /// finds errors below half a linear code.
     const BRIGHT: f32 = 0.5556;
     /// Factor above 1, for moving points and for the error of the cosine.
     ///
     /// The error of a moving point jumps where the evaluation changes from coarse to fine. With
-    /// this factor a search finds errors of up to 0.48 linear codes against the trend of a
-    /// moving point's light; with a factor of 1, up to 0.56 linear codes.
+    /// this factor a search finds errors below half a linear code against the trend of a
+    /// moving point's light; without it, errors above.
     const MOVING: f32 = 1.04;
     let error = error / HALF_A_CODE;
     let squared = BRIGHT * (MOVING * error).max(COSINE) * intensity;
@@ -170,8 +170,8 @@ impl Arithmetic for Fx16 {
     /// - The falloff's argument `t` and each product of a power are rounded to 15 fraction bits.
     ///   The ramp computes with 16 bits.
     ///
-    /// The terms do not have their maxima at the same point: the largest error that a search finds
-    /// is 0.84 of the sum of the terms. The bound is 0.9 of this sum.
+    /// The terms do not have their maxima at the same point: searches find errors below the
+    /// bound, which is 0.9 of the sum of the terms.
     fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
         const LENGTH: f32 = 2.3e-4;
         const MET: f32 = 0.9;

@@ -15,8 +15,8 @@
 //! nearest to the axis, also relative to the edge of the cone: the line enters the cone at -1 and
 //! leaves it at 1.
 //!
-//! The lines are as near to each other as the gobo needs, and a ray takes about 45 instructions on
-//! x86-64; 16 samples take about 800. NUMERICS.md has the errors.
+//! The lines are as near to each other as the gobo needs, and a ray takes a small part of the
+//! instructions of samples along it. NUMERICS.md has the errors.
 
 mod lines;
 mod pattern;
