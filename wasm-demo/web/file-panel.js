@@ -1,10 +1,9 @@
 // A light of a file: its curve, its photometry, and its parameters in other tools.
-import { LightFile, initSync } from "./pkg/files.js";
 import { copyTextOf } from "./clipboard.js";
 import { BOX, height, levels } from "./curve.js";
 import { element as find, fetchText } from "./elements.js";
-import { refusalOf } from "./failure.js";
-import { compile } from "./module.js";
+import { words } from "./failure.js";
+import { FileThread } from "./file-thread.js";
 import { counted, degrees } from "./numbers.js";
 import { label, line, shape } from "./shapes.js";
 
@@ -22,27 +21,28 @@ const element = (id) => find(`file-${id}`);
 const select = (id) => find(`file-${id}`, HTMLSelectElement);
 
 /**
- * Loads the panel into its place. Returns what shows a file, and returns in words what it has or throws a refusal.
+ * Loads the panel into its place. Returns what shows a file, and returns in words what it has or throws a refusal. Of two files at
+ * the same time, only the last one has an answer.
  * @param {HTMLElement} place
  * @param {OnStage} stage
  */
 export async function openPanel(place, { throwOf, put }) {
-  const [module, text] = await Promise.all([compile(new URL("pkg/files_bg.wasm", import.meta.url)), fetchText("file.html")]);
-  initSync({ module });
-  place.innerHTML = text;
-  /** @type {LightFile} */
-  let file;
+  place.innerHTML = await fetchText("file.html");
+  const reader = new FileThread();
   /** @type {FileLight[]} */
   let lights = [];
   const light = () => lights[select("light").selectedIndex];
 
-  const showParameters = () => {
-    /** @type {string[]} */
-    let [text, ...told] = [""];
-    const refusal = refusalOf(() => ([text, ...told] = file.parameters(select("light").selectedIndex, select("tool").value)));
-    element("parameters").textContent = text || refusal;
-    element("parameters-told").textContent = told.join("\n");
-    element("copied").textContent = "";
+  const showParameters = async () => {
+    // Not those of another tool while the search takes its time.
+    for (const name of ["parameters", "parameters-told", "copied"]) element(name).textContent = "";
+    try {
+      const [text, ...told] = await reader.ask({ light: select("light").selectedIndex, tool: select("tool").value });
+      element("parameters").textContent = text;
+      element("parameters-told").textContent = told.join("\n");
+    } catch (refusal) {
+      element("parameters").textContent = words(refusal);
+    }
   };
   const show = () => {
     const { name, fit, settings, difference, photometry, notes } = light();
@@ -62,9 +62,8 @@ export async function openPanel(place, { throwOf, put }) {
   element("put").addEventListener("click", () => (element("put-told").textContent = put(light())));
   element("copy").addEventListener("click", () => copyTextOf(element("parameters"), element("copied")));
 
-  return (/** @type {string} */ name, /** @type {Uint8Array} */ bytes) => {
-    file = new LightFile(name, bytes, throwOf());
-    const { lights: found, notes } = JSON.parse(file.told());
+  return async (/** @type {string} */ name, /** @type {Uint8Array<ArrayBuffer>} */ bytes) => {
+    const { lights: found, notes } = await reader.ask({ name, bytes, reach: throwOf() });
     lights = found;
     element("notes").textContent = notes.join("\n");
     select("light").replaceChildren(...lights.map(({ name }, i) => new Option(`${i + 1} ${name}`, String(i))));

@@ -8,23 +8,35 @@ import { reveal } from "./tabs.js";
 /** @param {import("./file-panel.js").OnStage} stage */
 export function takeFiles(stage) {
   const [place, told, input] = [element("file"), element("file-told"), element("file-input", HTMLInputElement)];
-  /** @type {Awaited<ReturnType<typeof import("./file-panel.js").openPanel>> | undefined} */
-  let show;
+  /** @type {ReturnType<typeof import("./file-panel.js").openPanel> | undefined} */
+  let panel;
+  /** @type {File | undefined} */
+  let newest;
+
+  /** Loads the panel for the first file, and again after a failure. */
+  async function opened() {
+    const { openPanel } = await load("file-panel.js");
+    const opening = (panel ??= openPanel(place, stage));
+    opening.catch(() => (panel = undefined));
+    return opening;
+  }
 
   /** @param {File | undefined} file */
   async function open(file) {
     if (!file) return;
+    newest = file;
     if (element("stage-page").hidden) location.hash = "stage";
     reveal(told);
     [told.textContent, told.className] = [`Reading ${file.name}.`, "note"];
     try {
       if (file.size > 2 ** 26) throw `size = ${file.size}: expected at most ${2 ** 26} bytes`;
       await built("files", (text) => (told.textContent = text));
-      const [bytes, { openPanel }] = await Promise.all([file.arrayBuffer(), load("file-panel.js")]);
-      show ??= await openPanel(place, stage);
-      told.textContent = show?.(file.name, new Uint8Array(bytes)) ?? "";
+      const [bytes, show] = await Promise.all([file.arrayBuffer(), opened()]);
+      if (file !== newest) return;
+      told.textContent = await show(file.name, new Uint8Array(bytes));
       place.hidden = false;
     } catch (error) {
+      if (file !== newest) return;
       [told.textContent, told.className] = [`${file.name}: ${words(error)}`, "error"];
       place.hidden = true;
     }

@@ -9,13 +9,14 @@ const ONE = "#stage?scene=bare-spot&play=none";
 quick("a measured light is shown, its parameters are copied, and it lights the stage", async () => {
   const script = `Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => void (window.copied = text) } })`;
   await open(ONE, { script });
-  assert.deepEqual(requests.filter((name) => /file-panel|files/.test(name)), [], "files that are loaded before a file is dropped");
+  assert.deepEqual(requests.filter((name) => /file-(panel|thread|worker)|files/.test(name)), [], "files that are loaded before a file is dropped");
   await give("spot.ies");
   assert.deepEqual([await words("file-told"), await words("file-fit")], ["spot.ies: 1 light.", "Spot 12: table"]);
   assert.match(await words("file-difference"), /^Within 0\.\d+ of 255 codes .* found 0\.40 at 0\.16°\.$/);
   assert.match(await words("file-photometry"), /^Peak 2,000 cd, 140 lm, beam 10\.79°, field 29\.76°, [\d.]+ lx at [\d.]+ m$/);
   assert.deepEqual([await count("#file .dot"), await count("#file .trace"), await count("#file .drop")], [4, 1, 2]);
   await enter("file-tool", "godot");
+  await until(() => document.getElementById("file-parameters").textContent.startsWith("# system: godot"));
   assert.match(await words("file-parameters-told"), /^Within [\d.]+ of 255 codes over the angle/);
   await press("file-copy");
   await until(() => document.getElementById("file-copied").textContent === "Copied.");
@@ -43,6 +44,24 @@ quick("a broken file gives the message of its reader, and the page works", async
   }
   await give("spot.ies");
   assert.ok(await shows("file"));
+});
+
+quick("of two files that are dropped at once the last is shown, although the first one takes longer", async () => {
+  await open(ONE);
+  await give("spot.ies");
+  const pairs = Array.from({ length: 60_000 }, (_, i) => `${i / 1000} 1`);
+  const curve = (kind) => pairs.map((pair) => pair.split(" ")[kind]).join("\n");
+  const long = `IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 60000 1 1 2 0 0 0\n1 1 1\n${curve(0)}\n0\n${curve(1)}`;
+  await ask((long) => {
+    for (const [name, text] of [["long.ies", long], ["empty.ies", ""]]) {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], name));
+      document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    }
+  }, long);
+  await until(() => document.getElementById("file-told").textContent.startsWith("empty.ies: "));
+  await give("three.gltf");
+  assert.match(await words("file-told"), /^three\.gltf: \d+ lights\.$/);
 });
 
 quick("lights of a scene are chosen, and the page reads its own JSON", async () => {

@@ -1,0 +1,33 @@
+// Reads files of other tools off the page's thread, which a large file would hold up.
+import { words } from "./failure.js";
+import { compile } from "./module.js";
+import { LightFile, initSync } from "./pkg/files.js";
+
+const ready = compile(new URL("pkg/files_bg.wasm", import.meta.url)).then((module) => initSync({ module }));
+
+/** @type {LightFile | undefined} */
+let file;
+/** What has panicked: the message precedes its trap, and is more specific. */
+let panic = "";
+addEventListener("luminaire-panic", (event) => (panic = /** @type {CustomEvent} */ (event).detail));
+
+onmessage = async ({ data: { number, question } }) => {
+  try {
+    await ready;
+    postMessage({ number, answer: answerTo(question) });
+  } catch (refusal) {
+    // The module refuses with a string.
+    postMessage(typeof refusal === "string" ? { number, refusal } : { number, failure: panic || words(refusal) });
+  }
+};
+
+/** @param {import("./file-thread.js").Question} question about a new file, or about the last one */
+function answerTo(question) {
+  if ("bytes" in question) {
+    file?.free();
+    file = undefined;
+    file = new LightFile(question.name, question.bytes, question.reach);
+    return JSON.parse(file.told());
+  }
+  return file?.parameters(question.light, question.tool);
+}
