@@ -165,7 +165,7 @@ fn bombs_are_refused_in_bounded_memory() {
 /// Inputs of about `bytes` bytes in which one thing is there for each of many others, or the text of a value is
 /// far smaller than what it becomes.
 fn products(bytes: usize) -> Vec<(System, &'static str, String)> {
-    use System::{Babylon, Gltf, Godot, Ies, Luminaire, Ofl, Pbrt, Three, Unity, Unreal, Usd, X3d};
+    use System::{Babylon, Eulumdat, Gltf, Godot, Ies, Luminaire, Ofl, Pbrt, Three, Unity, Unreal, Usd, X3d};
     let many = |unit: &str| unit.repeat(bytes / unit.len());
     // Half of the bytes, and a quarter of them.
     let (half, long) = (|unit: &str| unit.repeat(bytes / 2 / unit.len()), "n".repeat(bytes / 2));
@@ -296,6 +296,13 @@ fn products(bytes: usize) -> Vec<(System, &'static str, String)> {
             Ies,
             "angles",
             format!("IES\nTILT=NONE\n1 -1 1 {count} 1 1 2 0 0 0\n1 1 0\n{angles}\n0\n{}", values("100")),
+        ),
+        (
+            Eulumdat,
+            "angles",
+            // A plane with many angles, relative to a lamp of 1000 lm.
+            format!("a\n\n1\n1\n0\n{count}\n0\n\nb\nc\n{}1\n0\n1\n1\n\n1000\n", "\n".repeat(13))
+                + &format!("{}0\n{angles}\n{}", "\n".repeat(13), values("100")).replace(' ', "\n"),
         ),
     ]
 }
