@@ -19,13 +19,12 @@ const BUDGET: u64 = 1920;
 /// The program of that spotlight.
 const SPOT: &str = "lit";
 
-/// Adds the promises that need a linker or other processors than the host's: no panic, nothing for what is
-/// not used, the budget of bytes, and the same bits. What panics does so on every processor.
+/// Adds the promises that need a linker or other processors than the host's: no panic, and the same bits. What
+/// panics does so on every processor.
 pub fn smallest_board(suite: &mut Suite) {
     suite.remarked("effects: no function panics and none allocates on cortex-m0", |progress| {
         Ok(vec![no_panic(CONFIGURATIONS[0], &BOARDS[0], &[FX16], progress)?])
     });
-    linked(suite);
     conform::steps(suite, false);
 }
 

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
+use std::sync::{Mutex, PoisonError};
 
 use anyhow::{Context, Result, ensure};
 use serde_json::{Value, json};
@@ -20,8 +21,8 @@ use tools::{command, install, project, tool};
 
 use crate::expected;
 
-/// The files of the page's tests in `wasm-demo/tests/browser`: one for each kind of promise.
-const TESTS: [&str; 8] = ["access", "failure", "files", "lights", "page", "stage", "views", "workers"];
+/// The files of the page's tests in `wasm-demo/tests/browser`: one for each kind of promise, the longest first.
+const TESTS: [&str; 8] = ["stage", "lights", "page", "failure", "workers", "access", "files", "views"];
 
 /// The test of every engine but the first.
 const ENGINES: &str = "engines";
@@ -78,11 +79,17 @@ pub(crate) fn visit(suite: &mut Suite, full: bool) {
         suite.require("browser: the demo is built", |progress| site::build(build, progress));
     }
     let served = suite.require("browser: the demo is served", |progress| Served::new(build, progress));
-    for (engine, file) in steps {
-        suite.count(&engine.step(file), |progress| {
-            test(engine, file, full, served.as_ref().context(NOT_SERVED)?, progress)
-        });
-    }
+    // Two at a time, because a page waits most of the time: for pictures, and for what a visitor does.
+    let (served, steps) = (&served, &Mutex::new(steps.into_iter()));
+    let next = || steps.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let visit = |suite: &mut Suite| {
+        while let Some((engine, file)) = next() {
+            suite.count(&engine.step(file), |progress| {
+                test(engine, file, full, served.as_ref().context(NOT_SERVED)?, progress)
+            });
+        }
+    };
+    suite.side_by_side([Box::new(visit), Box::new(visit)]);
     suite.step(CHECK, |progress| {
         let address = served.as_ref().context(NOT_SERVED)?.demo.address();
         progress.say("Checked", check(&address, None, progress)?);

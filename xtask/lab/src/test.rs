@@ -93,10 +93,11 @@ fn host(suite: &mut Suite, full: bool) {
             cargo_test(&[&["--package", "luminaire", "--lib"], *features].concat(), false, progress)
         });
     }
-    // Only this step tests the conversions to other crates, and their examples.
+    // Only this step tests the conversions to other crates, and their examples. The other tests have run.
     let (name, features) = ALL;
+    let tests: &[&str] = if full { &[] } else { &["interop"] };
     suite.count(&format!("host: luminaire with {name}"), |progress| {
-        cargo_test(&[&["--package", "luminaire"], features].concat(), false, progress)
+        cargo_test(&[&["--package", "luminaire"], features, tests].concat(), false, progress)
     });
     if full {
         suite.count(
