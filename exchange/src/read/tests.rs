@@ -282,14 +282,24 @@ fn counts_are_accepted_up_to_their_limits() {
         |count: usize| format!("{{\"lights\":[{}{{\"type\":0}}]}}", "{\"type\":0},".repeat(count - 1));
     let objects = |count: usize| format!("{{\"lights\":[],\"a\":[{}{{}}]}}", "{},".repeat(count - 4));
     let modes = |count: usize| lens.to_owned() + &"{},".repeat(count - 1) + "{}]}";
+    let sized = |bytes: usize| lens.to_owned() + &" ".repeat(bytes - lens.len() - 4) + "{}]}";
     for (name, at, over, expected) in [
         ("a.gltf", chain(513), chain(514), "parents = no end"),
         ("a.json", modes(1_000), modes(1_001), "at most 1000"),
+        ("a.json", sized(2 << 20), sized((2 << 20) + 1), "at most 2 MiB"),
         ("a.babylon", babylon(10_000), babylon(10_001), "lights = more"),
-        ("a.babylon", objects(250_000), objects(250_001), "objects and arrays = 250001"),
+        ("a.babylon", objects(250_000), objects(250_001), "objects and arrays ="),
         ("a.wrl", blocks(1 << 18), blocks((1 << 18) + 1), "nodes = more"),
-        ("a.x3d", x3d(format!("<A{}/>", attributes(256))), x3d(format!("<A{}/>", attributes(257))), "= 257"),
-        ("a.x3d", x3d("<A/>".repeat(199_997)), x3d("<A/>".repeat(199_998)), "= 200001"),
+        (
+            "a.x3d",
+            x3d(format!("<A{}/>", attributes(256))),
+            x3d(format!("<A{}/>", attributes(257))),
+            "of one tag =",
+        ),
+        ("a.x3d", x3d("<A/>".repeat(199_997)), x3d("<A/>".repeat(199_998)), "tags and attributes ="),
+        ("a.x3d", x3d("<A xmlns='b'/>".repeat(64)), x3d("<A xmlns='b'/>".repeat(65)), "namespaces ="),
+        ("a.x3d", x3d("<![CDATA[a]]>".repeat(64)), x3d("<![CDATA[a]]>".repeat(65)), "sections ="),
+        ("a.x3d", x3d("a".repeat((16 << 20) - 24)), x3d("a".repeat((16 << 20) - 23)), "bytes of XML ="),
         ("a.wrl", scaled("1.00004"), scaled("1.0001"), "its nodes scale"),
     ] {
         let found = [at, over].map(|text| match name {
