@@ -173,7 +173,7 @@ pub fn write(lights: &[NamedLight]) -> Result<String, ExportError> {
 /// Returns lights as a document, with what was refused.
 ///
 /// # Errors
-/// As those of [`write`].
+/// As those of [`write()`].
 pub fn write_with(lights: &[NamedLight], refused: Option<Value>) -> Result<String, ExportError> {
     let lights = Some(lights.iter().map(described).collect());
     let document = Document { format: Some(FORMAT.to_owned()), lights, refused };
