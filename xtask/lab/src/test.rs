@@ -59,11 +59,16 @@ pub(crate) fn run_full(FullOptions { test, again }: FullOptions) -> Result<ExitC
 }
 
 fn all(mut suite: Suite, full: bool) -> ExitCode {
-    // Three groups for two processors, because linking the demo's modules keeps only one busy.
+    // More groups than two processors, because linking keeps only one busy, and groups wait for each other's builds.
     suite.side_by_side([
         Box::new(|suite| host(suite, full)),
         Box::new(|suite| boards(suite, full)),
         Box::new(|suite| page(suite, full)),
+        Box::new(|suite| {
+            if full {
+                elsewhere(suite)
+            }
+        }),
     ]);
     // After the other steps, because they would slow the page down.
     browsers::visit(&mut suite, full);
@@ -99,22 +104,21 @@ fn host(suite: &mut Suite, full: bool) {
     suite.count(&format!("host: luminaire with {name}"), |progress| {
         cargo_test(&[&["--package", "luminaire"], features, tests].concat(), false, progress)
     });
-    if full {
-        suite.count(
-            "export: C compiles for small processors, and has the bits of the kernel",
-            by_all_compilers,
-        );
-        prove::step(suite);
-        eva::step(suite);
-        bare_metal(suite);
-        contributing::run(suite);
-        dependencies(suite);
-        fuzz(suite);
-        msrv::run(suite);
-        portable::run(suite);
-        semver::run(suite);
-        readers::run(suite);
-    }
+}
+
+/// Adds the steps of copies of the tree, and those of other programs and compilers.
+fn elsewhere(suite: &mut Suite) {
+    contributing::run(suite);
+    portable::run(suite);
+    readers::run(suite);
+    suite.count("export: C compiles for small processors, and has the bits of the kernel", by_all_compilers);
+    prove::step(suite);
+    eva::step(suite);
+    bare_metal(suite);
+    dependencies(suite);
+    fuzz(suite);
+    msrv::run(suite);
+    semver::run(suite);
 }
 
 /// Adds the steps that run on emulated boards, or build something for one, and those of what is packed.
