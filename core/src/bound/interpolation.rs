@@ -95,7 +95,7 @@ mod tests {
         let (mut bounds, mut none) = (0, 0);
         for falloff in falloffs {
             // The cone of two equal angles jumps at its edge.
-            for [inner, outer] in [[0.0, 40.0], [20.0, 40.0], [40.0, 40.0], [0.0, 1e-3], [0.0, 180.0]] {
+            for [inner, outer] in [[0.0, 40.0], [20.0, 40.0], [40.0, 40.0], [0.0, 1e-3], [0.0, 179.0]] {
                 let cone = Cone::from_outer(falloff, Angle::degrees(outer)).unwrap();
                 let cone = cone.with_inner(Angle::degrees(inner)).unwrap();
                 let light = SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone).unwrap();

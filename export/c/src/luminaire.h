@@ -953,9 +953,10 @@ static inline void luminaire_normal_from_unit_bytes(int16_t normal[3], const int
 
 /* Sets the signed bytes of a normal map in DirectX's convention, Y-: bright green where the surface faces down. */
 static inline void luminaire_normals_from_directx(int8_t *normals, const uint8_t *map, uint32_t count) {
-    for (; normals && map && count; --count, normals += 3, map += 3) {
-        int32_t zero = map[0] | map[1] | map[2] ? 128 : 0;
-        for (int i = 0; i < 3; ++i) { normals[i] = (int8_t)(map[i] - zero); }
+    for (uint32_t i = 0; normals && map && i < count; ++i) {
+        const uint8_t *from = &map[3 * i];
+        int32_t zero = from[0] | from[1] | from[2] ? 128 : 0;
+        for (uint32_t k = 0; k < 3; ++k) { normals[3 * i + k] = (int8_t)(from[k] - zero); }
     }
 }
 
@@ -965,8 +966,9 @@ static inline void luminaire_normals_from_directx(int8_t *normals, const uint8_t
  * normals may replace the map. Where y points up, use the function for DirectX instead, and the other way round. */
 static inline void luminaire_normals_from_opengl(int8_t *normals, const uint8_t *map, uint32_t count) {
     luminaire_normals_from_directx(normals, map, count);
-    for (; normals && map && count; --count, normals += 3) {
-        normals[1] = (int8_t)(normals[1] > -128 ? -normals[1] : 127);
+    for (uint32_t i = 0; normals && map && i < count; ++i) {
+        int8_t *green = &normals[3 * i + 1];
+        *green = (int8_t)(*green > -128 ? -*green : 127);
     }
 }
 
