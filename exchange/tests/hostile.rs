@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::time::Instant;
 
 use fastrand::Rng;
 use luminaire_exchange::{System, read};
@@ -308,11 +309,17 @@ fn products(bytes: usize) -> Vec<(System, &'static str, String)> {
 }
 
 /// Twice the file is twice the work, not four times, and a megabyte takes no more memory than a scene.
+/// `LUMINAIRE_FULL=1 cargo test -p luminaire-exchange --test hostile work -- --nocapture` prints the times.
 #[test]
 fn work_is_bounded_by_the_input() {
     let bytes = if is_full() { 1 << 19 } else { 1 << 14 };
     for ((system, what, one), (.., two)) in products(bytes).into_iter().zip(products(2 * bytes)) {
-        let [one, two] = [&one, &two].map(|text| survives(what, text.as_bytes(), system));
+        let [one, two] = [&one, &two].map(|text| {
+            let start = Instant::now();
+            let work = survives(what, text.as_bytes(), system);
+            println!("{system} {what}: {:.2?} for {} bytes", start.elapsed(), text.len());
+            work
+        });
         assert!(two <= 3 * one.max(1 << 16), "{system} {what}: {one} of the heap, of twice the file {two}");
     }
     let becomes_large = |what: &str| ["about", "lights", "colours", "nodes"].contains(&what);
