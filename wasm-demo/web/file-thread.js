@@ -15,14 +15,16 @@ export class FileThread {
 
   /**
    * Answers a question, or rejects with a refusal, which is a string, or with an error. A later question replaces it: the promise is
-   * then never settled. A file that is being read for a question that is replaced is not read to its end.
+   * then never settled. A file that another one replaces is not read to its end; while a file is read, a question about the one
+   * before it has no answer.
    * @param {Question} question
    * @returns {Promise<any>}
    */
   ask(question) {
+    const isFile = "bytes" in question;
+    if (this.#isReading && !isFile) return new Promise(() => {});
     if (this.#isReading) this.#end();
     const worker = (this.#worker ??= this.#start());
-    const isFile = "bytes" in question;
     this.#isReading = isFile;
     this.#number += 1;
     worker.postMessage({ number: this.#number, question }, isFile ? [question.bytes.buffer] : []);

@@ -29,5 +29,6 @@ function answerTo(question) {
     file = new LightFile(question.name, question.bytes, question.reach);
     return JSON.parse(file.told());
   }
-  return file?.parameters(question.light, question.tool);
+  if (!file) throw "file = none: expected a file that has been read. Open it again.";
+  return file.parameters(question.light, question.tool);
 }

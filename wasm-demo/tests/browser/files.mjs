@@ -46,19 +46,22 @@ quick("a broken file gives the message of its reader, and the page works", async
   assert.ok(await shows("file"));
 });
 
+/** A photometric file that takes a while. */
+function longFile() {
+  const places = Array.from({ length: 60_000 }, (_, i) => i / 1000);
+  return `IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 60000 1 1 2 0 0 0\n1 1 1\n${places.join("\n")}\n0\n${places.map(() => 1).join("\n")}`;
+}
+
 quick("of two files that are dropped at once the last is shown, although the first one takes longer", async () => {
   await open(ONE);
   await give("spot.ies");
-  const pairs = Array.from({ length: 60_000 }, (_, i) => `${i / 1000} 1`);
-  const curve = (kind) => pairs.map((pair) => pair.split(" ")[kind]).join("\n");
-  const long = `IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 60000 1 1 2 0 0 0\n1 1 1\n${curve(0)}\n0\n${curve(1)}`;
   await ask((long) => {
     for (const [name, text] of [["long.ies", long], ["empty.ies", ""]]) {
       const dataTransfer = new DataTransfer();
       dataTransfer.items.add(new File([text], name));
       document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
     }
-  }, long);
+  }, longFile());
   await until(() => document.getElementById("file-told").textContent.startsWith("empty.ies: "));
   await give("three.gltf");
   assert.match(await words("file-told"), /^three\.gltf: \d+ lights\.$/);
@@ -82,4 +85,19 @@ quick("lights of a scene are chosen, and the page reads its own JSON", async () 
   await give("light.json", text);
   await change("the light before", () => press("file-put"));
   assert.deepEqual([after[2], await state()], ["#ff8000", after]);
+});
+
+quick("a file is read to its end although the tool for the file before it is changed", async () => {
+  await open(ONE);
+  const told = await ask(async (long) => {
+    const { FileThread } = await import(new URL("file-thread.js", location.href).href);
+    const thread = new FileThread();
+    const file = () => thread.ask({ name: "long.ies", bytes: new TextEncoder().encode(long), reach: 6 });
+    const none = await thread.ask({ light: 0, tool: "godot" }).catch((refusal) => refusal);
+    const read = file();
+    thread.ask({ light: 0, tool: "godot" });
+    const { lights } = await read;
+    return [none, lights.length, (await thread.ask({ light: 0, tool: "godot" }))[0].split("\n")[0]];
+  }, longFile());
+  assert.deepEqual(told, ["file = none: expected a file that has been read. Open it again.", 1, "# system: godot"]);
 });
