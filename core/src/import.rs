@@ -65,8 +65,9 @@
 //! ```
 //!
 //! Nearer than the distances compared, some originals stop growing and their imports do not, or the other
-//! way round: the type of each system says where. A falloff with an exponent below 1 has an infinite derivative with respect to
-//! the angle at its edge: there a format bounds the error of the position, not of the intensity.
+//! way round: the type of each system says where. A falloff with an exponent below 1 has an infinite
+//! derivative with respect to the angle at its edge: there a format bounds the error of the position, not
+//! of the intensity.
 //! `cargo test --test suite import:: -- --nocapture --test-threads 1` compares every import with its
 //! system's complete formula, and prints the largest difference of each system.
 //!

@@ -1,7 +1,6 @@
 //! Numbers from text and as text.
 //!
-//! The standard library's parser brings a table that hardly compresses, and would be a large part of the
-//! module's transfer.
+//! The standard library's parser brings a table that hardly compresses, and that these few numbers do not need.
 
 /// Reads a decimal number as [`f32`]'s `Display` writes it: no exponent, no infinity. A text of at
 /// most 9 digits gives the nearest number, as the tests search; `None` if the text is no number or

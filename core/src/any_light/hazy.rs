@@ -20,7 +20,7 @@ impl CompiledAnyLight<f32> {
 }
 
 /// Evaluates an expression with the concrete types of the falloffs that most beams have, and with the
-/// enums for all others. A loop for each falloff of the list would be most of a WebAssembly module.
+/// enums for all others. A loop for each falloff of the list would fill a module with loops that few beams use.
 macro_rules! with_frequent_falloff {
     ($cone:expr, $falloff:ident, $curve:ident => $answer:expr) => {
         with_frequent_falloff!(@ $cone, $falloff, $curve, $answer, Soft, Hard, Quadratic, Cubic)
