@@ -197,7 +197,7 @@ export async function type(id, text) {
 
 /** Waits until a view has loaded and shows what it is about. */
 export async function isOpen(view) {
-  const shown = { stage: "#lights li", compare: "#ledger-title", museum: "#exhibit-title:not(:empty)", class: "#class-title:not(:empty)", chip: "#chip canvas", use: "#use-code:not(:empty)" };
+  const shown = { stage: "#lights li", compare: "#name-0:not(:empty)", museum: "#exhibit-title:not(:empty)", class: "#class-title:not(:empty)", chip: "#chip canvas", use: "#use-code:not(:empty)" };
   await until((selector) => [...document.querySelectorAll(selector)].some((found) => found.checkVisibility()), shown[view]);
   await settle();
 }
