@@ -18,7 +18,7 @@ use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::Parser;
-use luminaire_export::{printable, printable_json};
+use luminaire_export::printable;
 use luminaire_pick::{Light, Refusal, Request, Scene};
 use serde_json::{Value, to_value};
 
@@ -70,8 +70,9 @@ fn refuse(reason: &dyn std::fmt::Display) -> ExitCode {
     ExitCode::FAILURE
 }
 
+/// Returns an answer or a refusal as JSON. Names in answers are plain words; a refusal escapes what it is made of.
 fn json(value: &Value) -> String {
-    printable_json(&format!("{value:#}\n"))
+    format!("{value:#}\n")
 }
 
 /// Returns the answer as text or JSON, and whether no light was refused.

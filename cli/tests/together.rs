@@ -194,10 +194,10 @@ fn options_have_their_effect_or_say_that_they_have_none() {
     assert!(text.contains("# color: 1.0,0.5,0.0\n") && errors.is_empty(), "{text}{errors}");
 }
 
-/// Text of a file has no line, no escape and no element of its own in what is written.
+/// Text of a file, and its name, have no line, no escape and no element of their own in what is written.
 #[test]
 fn text_of_a_file_stays_text() {
-    let folder = folder("hostile");
+    let folder = folder("hostile\u{9b}\u{202e}");
     let [json, pbrt] = ["lights.json", "lights.pbrt"].map(|name| folder.join(name));
     let (chart, light) = (folder.join("chart.svg"), r#""cone":{"outer_degrees":40}"#);
     let name = r"a]]>b<\u001b[2J\u009b\u202e\nspot_angle=99";
@@ -205,7 +205,8 @@ fn text_of_a_file_stays_text() {
         .expect("a file");
     let parameter = "LightSource \"spot\" \"float we\u{1b}\u{9b}\u{202e}\nspot_angle=99\n\" [1]\n";
     fs::write(&pbrt, parameter).expect("a file");
-    let mut commands = Vec::new();
+    fs::write(folder.join("README.md"), "no light").expect("a file");
+    let mut commands = vec![format!("import {}", folder.display())];
     for file in [&json, &pbrt] {
         let file = file.to_str().expect("a path");
         let pick = "pick --chip cortex-m0 --display rgb565 --scene";

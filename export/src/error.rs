@@ -47,7 +47,7 @@ pub fn printable(text: &str) -> String {
 }
 
 /// Returns JSON with the same characters escaped as JSON has them. Line ends stay.
-pub fn printable_json(json: &str) -> String {
+pub(crate) fn printable_json(json: &str) -> String {
     let mut text = String::with_capacity(json.len());
     for c in json.chars() {
         if c == '\n' || is_printed(c) {

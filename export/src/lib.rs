@@ -97,7 +97,7 @@ pub mod words;
 use luminaire::dynamic::AnyLight;
 use luminaire::{Fx16, Fx32};
 
-pub use crate::error::{ExportError, printable, printable_json};
+pub use crate::error::{ExportError, printable};
 pub use crate::fixed::C_HEADERS;
 use crate::item::Item;
 pub use crate::language::Language;
