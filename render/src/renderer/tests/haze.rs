@@ -119,29 +119,38 @@ fn exact(fixture: &Fixture, haze: &Haze, eye: DVec3, way: DVec3, nearness: f64) 
         let at = |i: i32| from + (to - from) * f64::from(i) / 8.0;
         (0..8).map(|i| panel(at(i), at(i + 1))).sum::<f64>()
     };
-    let sum: f64 = places.windows(2).map(|ends| part(ends[0], ends[1])).sum();
+    let parts = places.windows(2).filter(|ends| ends[0] < ends[1]);
+    let sum: f64 = parts.map(|ends| part(ends[0], ends[1])).sum();
     Some(sum * f64::from(spot.intensity()) * f64::from(haze.density()) / (4.0 * height))
 }
 
-/// Returns the light of a pixel in f64, of the beams that are seen by their formula.
-fn exact_pixel(renderer: &Renderer<f32>, fixtures: &[Fixture], (x, y): (usize, usize)) -> Option<[f64; 3]> {
+/// Returns the light of a pixel in f64, of the beams that are seen by their formula; `None` at the
+/// silhouette of a body.
+fn exact_pixel(renderer: &Renderer<f32>, open: &[&Fixture], (x, y): (usize, usize)) -> Option<[f64; 3]> {
     let (view, haze) = (renderer.view.as_ref()?, renderer.haze?);
-    let rig = Rig::<f32>::new(RenderPlan::new(), fixtures, renderer.haze).unwrap();
     let nearness = f64::from(renderer.fragments.block(y, x / LANES)[x % LANES]);
     let mut sum = [0.0; 3];
-    for (light, fixture) in fixtures.iter().enumerate() {
-        let (_, _, beam) = rig.fixture(light)?.in_air(&renderer.shadows, view.eye())?;
-        if matches!(beam.seen, Seen::Open(_)) {
-            let light = exact(fixture, &haze, view.eye().as_dvec3(), view.rays(y, x).0, nearness)?;
-            let Rgb { red, green, blue } = fixture.light().color();
-            sum = [
-                sum[0] + light * f64::from(red),
-                sum[1] + light * f64::from(green),
-                sum[2] + light * f64::from(blue),
-            ];
-        }
+    for fixture in open {
+        let light = exact(fixture, &haze, view.eye().as_dvec3(), view.rays(y, x).0, nearness)?;
+        let Rgb { red, green, blue } = fixture.light().color();
+        sum = [
+            sum[0] + light * f64::from(red),
+            sum[1] + light * f64::from(green),
+            sum[2] + light * f64::from(blue),
+        ];
     }
     Some(sum)
+}
+
+/// Returns the fixtures whose beams are seen by their formula.
+fn open<'a>(renderer: &Renderer<f32>, fixtures: &'a [Fixture]) -> Vec<&'a Fixture> {
+    let rig = Rig::<f32>::new(RenderPlan::new(), fixtures, renderer.haze).unwrap();
+    let Some(view) = &renderer.view else { return Vec::new() };
+    let is_open = |light: usize| {
+        let (_, _, beam) = rig.fixture(light)?.in_air(&renderer.shadows, view.eye())?;
+        matches!(beam.seen, Seen::Open(_)).then_some(&fixtures[light])
+    };
+    (0..fixtures.len()).filter_map(is_open).collect()
 }
 
 /// Returns the largest error in linear codes of beams by their formula, and the numbers of their rays per
@@ -151,6 +160,7 @@ fn error(renderer: &mut Renderer<f32>, fixtures: &[Fixture]) -> (f64, [f32; 2]) 
     let pixels = (renderer.width * renderer.height) as f32;
     let [(culled, _), (each, _)] = air(renderer, fixtures, false);
     let [(found, few_rays), (kernel, each_rays)] = air(renderer, fixtures, true);
+    let open = open(renderer, fixtures);
     let mut worst = 0.0_f64;
     for (x, y) in (0..renderer.width * renderer.height).map(|i| (i % renderer.width, i / renderer.width)) {
         let block = y * renderer.geometry.columns + x / LANES;
@@ -166,7 +176,7 @@ fn error(renderer: &mut Renderer<f32>, fixtures: &[Fixture]) -> (f64, [f32; 2]) 
         };
         let error = off(kernel);
         let is_doubted = error > DOUBTED;
-        let exact = is_doubted.then(|| exact_pixel(renderer, fixtures, (x, y)).map_or(0.0, off));
+        let exact = is_doubted.then(|| exact_pixel(renderer, &open, (x, y)).map_or(0.0, off));
         worst = worst.max(exact.unwrap_or(error));
     }
     (worst, [few_rays, each_rays].map(|rays| rays as f32 / pixels))
