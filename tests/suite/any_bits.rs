@@ -5,7 +5,7 @@ use fastrand::Rng;
 use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FixedRamp, FloatRamp, Gain16, Gain32};
 use luminaire::number::{Light16, Light32, Quick, Weight16, Weight32};
 use luminaire::{
-    Angle, Cone, Fx16, Fx32, Rgb,
+    Angle, Cone, Fx16, Fx32, Length, Rgb, Scalar, SpotLight, Vec3,
     attenuation::{AnyAttenuation, CompiledAnyAttenuation, GltfRange},
     display::{CompiledExposure, compress_keep_hue},
     falloff::{AnyFalloff, CompiledAnyFalloff, Cubic, Falloff, Hard, IntegerPower, Quadratic, Soft},
@@ -193,6 +193,23 @@ fn assert_distances<S: Raw>(rng: &mut Rng) {
         let point =
             CompiledPointLight::<S, AnyAttenuation>::from_parts(position, distance, intensity, near, colors);
         assert_lights(rng, point);
+    }
+}
+
+/// A row looks at the last of its points first, and takes those between it and the first as being between.
+#[test]
+fn a_point_out_of_order_is_evaluated() {
+    let cone = Cone::soft(Angle::degrees(40.0)).expect("a sound cone");
+    let light = SpotLight::new([0.0, 2.0, 0.0], [0.0, -1.0, 0.0], cone).expect("a sound light");
+    let light = light.compile_quick::<Fx16>().expect("a light that the format holds");
+    let normal = Fx16::normal([0.6, 0.8, 0.0]);
+    let [zero, x] = [0.0, 0.1].map(Fx16::length);
+    for stray in [i32::MIN, i32::MAX] {
+        let place = |i: usize| if i == 20 { Length::from_bits(stray) } else { x };
+        let mut arrived = [Light16::default(); 40];
+        Row::along_x(normal, [zero; 2], place).fill(&light, 0, &mut arrived);
+        let alone = light.irradiance(Vec3::new(x, zero, zero), normal);
+        assert!((0..40).all(|i| i == 20 || arrived[i] == alone), "{arrived:?}");
     }
 }
 

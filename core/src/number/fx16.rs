@@ -148,10 +148,11 @@ impl Offset16 {
 /// Returns the inner product `n.v` of a normal and `v`, with 14 fraction bits; negative if the
 /// surface faces the light.
 ///
-/// The product wraps for normals longer than 1.15, which is defined behaviour.
+/// The product wraps for normals longer than 1.15, and for a row whose points are in no order: defined
+/// behaviour.
 #[inline(always)] // `lit-step` on Cortex-M0: +9 instructions without.
 fn facing(v: Vec3<i32>, normal: Vec3<Fx16>) -> i32 {
-    let products = normal.zip(v, |n, v| i32::from(n.to_bits()) * v);
+    let products = normal.zip(v, |n, v| i32::from(n.to_bits()).wrapping_mul(v));
     products.x.wrapping_add(products.y).wrapping_add(products.z)
 }
 

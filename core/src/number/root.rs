@@ -110,10 +110,11 @@ pub(super) fn wide(a: i32, b: i32) -> i64 {
     i64::from(a) * i64::from(b)
 }
 
-/// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32 bits.
+/// Returns `|v|^2`. The sum of the squares of three numbers with 15 bits and a sign fits 32 bits; those of
+/// larger ones wrap.
 #[inline]
 pub(super) fn squared_length(v: Vec3<i32>) -> u32 {
-    let squares = v.map(|c| (c * c) as u32);
+    let squares = v.map(|c| c.wrapping_mul(c) as u32);
     squares.x.wrapping_add(squares.y).wrapping_add(squares.z)
 }
 
