@@ -90,7 +90,8 @@ const WEIGHT: [f32; 2] = [0.499_894_1, 0.391_381_7];
 /// Largest versine of a narrow cone, of a half angle of 26 degrees: `m` is at most half of it.
 const NARROW: f32 = 0.1;
 
-/// Arc below which its middle stands for all of it: the difference of primitives would cancel.
+/// Arc in `s` below which the integral is the mean intensity times the arc's angle: a difference of primitives
+/// would cancel, as would that of the arc's ends.
 const SHORT: f32 = 1.0 / 128.0;
 
 #[inline(always)]
@@ -175,18 +176,6 @@ impl<const RULE: u8> Line<RULE> {
         let g2 = G2[0] + y * (G2[1] + y * (G2[2] + y * (G2[3] + y * G2[4])));
         let g1 = (1.0 / 3.0) * cosine + (4.0 / 3.0) * (y * g2);
         s * (cosine + 2.0 * (y * g1))
-    }
-
-    /// Returns the mean intensity of a short arc, in which a steep power may fall by a factor of 10.
-    #[inline(always)]
-    fn mean(self, from: f32, to: f32) -> f32 {
-        let (middle, reach) = (0.5 * (to + from), 0.387_298_33 * (to - from));
-        let mean = self.intensity(middle);
-        if RULE < POWER {
-            return mean;
-        }
-        let pair = self.intensity(middle - reach) + self.intensity(middle + reach);
-        (4.0 / 9.0) * mean + (5.0 / 18.0) * pair
     }
 
     /// Returns what a pair of nodes adds.
@@ -299,24 +288,26 @@ impl Open {
             let end = if dot > 0.0 { to } else { turn * f32::INFINITY };
             let to = within(end, 1.0);
 
-            let line = Line::<RULE> { curve, top, m };
+            let line = |m: f32| Line::<RULE> { curve, top, m };
             let result = if INSIDE {
                 let start = -along / sqrt((radius + height * ahead) * peak);
                 let start = if ahead > 0.0 { start } else { along * f32::NEG_INFINITY };
                 let from = within(start, 1.0);
                 // Past the direction opposite the axis there is one edge of the cone.
                 let is_around = (start > 0.0) & (end < 0.0) & ((start >= 1.0) | (end <= -1.0));
-                let is_short = (end - start < SHORT) & !is_around;
-                let arc = to - from;
-                let share = if arc < end - start { arc / (end - start) } else { 1.0 };
-                let short = line.mean(from, to) * share * (height / (length + far));
+                let arc = end - start;
+                let is_short = (arc < SHORT) & !is_around;
                 let to = if is_around & (from < 1.0) { 1.0 } else { to };
                 let from = if is_around & (from >= 1.0) { -1.0 } else { from };
-                if is_short { short / sqrt(m) } else { line.integral(from, to) }
+                // In a short arc `s` stands for the angle, as if the cone were narrow: then a primitive is `s`.
+                let line = line(if is_short { 0.0 } else { m });
+                let integral = line.integral(from, to);
+                let mean = if arc > 0.0 { integral / arc } else { line.intensity(to) };
+                if is_short { mean * (height / (length + far)) / sqrt(m) } else { integral }
             } else if RULE == PLAIN {
-                line.narrow(to)
+                line(m).narrow(to)
             } else {
-                line.integral(-1.0, to)
+                line(m).integral(-1.0, to)
             };
             let scale = gain * (2.0 * sqrt(m * whole)) * (radius * per_both);
             let is_lit = (INSIDE | (way.x > 0.0)) & (peak > 0.0) & (result > 0.0);

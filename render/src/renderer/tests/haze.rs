@@ -15,10 +15,10 @@ use crate::{
 use core::{f32::consts::TAU, f64::consts::TAU as TAU64};
 use glam::DVec3;
 use luminaire::{
-    Angle, Cone, SpotLight, Vec3,
+    Angle, Cone, HalfAngle, SpotLight, Vec3,
     attenuation::AnyAttenuation,
     dynamic::AnyLight,
-    falloff::{AnyFalloff, Falloff as _, IntegerPower, InvertedIntegerPower},
+    falloff::{AnyFalloff, Cubic, Falloff as _, IntegerPower, InvertedIntegerPower},
     haze::Haze,
     projector::Gobo,
 };
@@ -324,5 +324,23 @@ fn haze_keeps_its_bound_in_a_search() {
         }
     }
     println!("{seeds} climbs of {} cases: {worst:.3} linear codes", starts + steps);
+    assert!(worst <= BOUND, "{worst} linear codes");
+}
+
+/// An arc much shorter than the beam is wide that still crosses a thin rim: the eye is in the cone, and some
+/// rays pass close to the light.
+#[test]
+fn a_short_arc_through_a_thin_rim_keeps_the_bound() {
+    let camera = Camera::new(Vec3::new(-0.2499, 2.6533, -0.8819), 0.4931673, 1.3406106, -0.04656, 0.9307208);
+    let falloff = AnyFalloff::from(Cubic::with_slopes(2.872, 2.872).unwrap());
+    let cone = Cone::from_outer(falloff, HalfAngle::degrees(54.056)).unwrap();
+    let cone = cone.with_inner(HalfAngle::degrees(51.896)).unwrap();
+    let position = Vec3::new(1.0262799, 2.4779537, 2.808998);
+    let spot = SpotLight::new(position, Vec3::new(-0.7915, 0.42658, -0.43766), cone).unwrap();
+    let fixtures = [Fixture::from(AnyLight::from(spot.with_intensity(999.99).unwrap()))];
+    let scene = hazy(Haze::new(0.05).and_then(|haze| haze.with_source_radius(0.007_164_541)).unwrap());
+    let mut renderer = Renderer::<f32>::new(126, 29).unwrap();
+    renderer.draw_geometry(&scene, &camera);
+    let (worst, _) = error(&mut renderer, &fixtures);
     assert!(worst <= BOUND, "{worst} linear codes");
 }
