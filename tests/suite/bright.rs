@@ -202,7 +202,7 @@ fn fx32_keeps_its_intensities() {
 
 #[test]
 fn f32_keeps_its_intensities() {
-    assert_up_to::<f32>(10.0, 300.0);
+    assert_up_to::<f32>(10.0, 100.0);
 }
 
 /// The end of a window dims light whose share without the window is exact enough. The light shown

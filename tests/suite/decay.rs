@@ -13,7 +13,8 @@ use support::{
 
 /// Bounds of the relative error of the light at a facing surface, as a constant and as a multiple of
 /// the exponent. The constant has the rounding of products, the multiple that of the distance and of
-/// the logarithm.
+/// the logarithm. Those of `Fx32` are sums of the errors of its stages: light 6.2e-8, cosine 4.1e-8 and
+/// exponential 1e-9; length 2.1e-8 and logarithm 1.4e-9.
 struct Bounds {
     constant: f64,
     times_exponent: f64,
@@ -54,7 +55,7 @@ fn worst<S: Format>(bounds: &Bounds, step: f64, brightest: f64) -> f64 {
 fn a_decay_keeps_its_bounds() {
     let parts = [
         worst::<f32>(&Bounds { constant: 3e-7, times_exponent: 1.5e-7 }, 0.0, 1e6),
-        worst::<Fx32>(&Bounds { constant: 4e-8, times_exponent: 2e-8 }, 0.5_f64.powi(30), 1e6),
+        worst::<Fx32>(&Bounds { constant: 1.04e-7, times_exponent: 2.3e-8 }, 0.5_f64.powi(30), 1e6),
         worst::<Fx16>(&Bounds { constant: 5e-4, times_exponent: 5e-5 }, 0.5_f64.powi(14), 1e5),
     ];
     assert!(

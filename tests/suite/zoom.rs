@@ -125,11 +125,16 @@ fn quick_error<S: Format + Quick>((zoom, point): Input) -> f64 {
     (found - expected * back.dot(S::exact_normal(normal))).abs()
 }
 
-/// The bound of the error of a light whose cone is the one between.
+/// The bound of the error of a light whose cone is the one between. The format may refuse that cone where it
+/// accepts the two: then the bound is 1.2 times that of the worse of the two.
 fn quick_bound<S: Format + Quick>((zoom, _): Input) -> f64 {
     let [from, to] = zoom.cones(Soft).expect("it has an error");
-    let between = light(from.zoomed(&to, zoom.part)).with_attenuation(NoAttenuation);
-    between.quick_error_bound::<S>(0.3..=16.0).expect("held").light.into()
+    let bound = |cone| {
+        let light = light(cone).with_attenuation(NoAttenuation);
+        Some(f64::from(light.quick_error_bound::<S>(0.3..=16.0).ok()?.light))
+    };
+    let ends = || [from, to].into_iter().filter_map(bound).fold(0.0, f64::max);
+    bound(from.zoomed(&to, zoom.part)).unwrap_or_else(|| 1.2 * ends())
 }
 
 /// A point as the format stores it, and the exact falloff there; `None` where the falloff jumps.
