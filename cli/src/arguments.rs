@@ -120,10 +120,7 @@ pub(crate) struct Export {
     /// behind it [default: their own]
     #[arg(long)]
     pub(crate) name: Option<String>,
-    /// soft, hard, linear, smooth, step, quadratic=A, cubic=A,D, power=N, inverted-power=N,
-    /// real-power=P, inverted-real-power=P or
-    /// table=SAMPLES from 65535 on the axis, evenly spaced over the versine [default: soft]
-    #[arg(long, value_parser = words::falloff, conflicts_with_all = ELSEWHERE)]
+    #[arg(long, value_parser = words::falloff, conflicts_with_all = ELSEWHERE, help = words::falloffs())]
     pub(crate) falloff: Option<AnyFalloff>,
     #[command(flatten)]
     pub(crate) spot: Spot,
@@ -132,8 +129,7 @@ pub(crate) struct Export {
     /// A full angle in degrees that ends the light before its falloff does
     #[arg(long, conflicts_with_all = ELSEWHERE)]
     pub(crate) cutoff: Option<f32>,
-    /// none, inverse-square, polynomial=A,B,C, decay=EXPONENT,CAP or smooth-range [default: inverse-square]
-    #[arg(long, conflicts_with_all = ELSEWHERE)]
+    #[arg(long, conflicts_with_all = ELSEWHERE, help = words::laws())]
     pub(crate) attenuation: Option<Law>,
     /// The distance at which the light ends
     #[arg(long, conflicts_with_all = ELSEWHERE)]

@@ -41,6 +41,16 @@ pub(crate) fn falloff(text: &str) -> Result<AnyFalloff, String> {
     words::falloff(name, &numbers).map_err(|error| error.to_string())
 }
 
+/// The falloffs, as the help tells them.
+pub(crate) fn falloffs() -> String {
+    format!("One of {} [default: soft]", words::falloff_words())
+}
+
+/// The laws of the attenuation, as the help tells them.
+pub(crate) fn laws() -> String {
+    format!("One of {} [default: inverse-square]", words::law_words())
+}
+
 /// What a light is written as.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Target {

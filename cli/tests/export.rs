@@ -64,7 +64,7 @@ fn export_refusals_name_the_parameter() {
         ("--to glsl --outer 40 --field 20", "error: outer angle = 40: expected no beam or field angle"),
         ("--to glsl --beam 20 --field 30 --falloff soft", "error: falloff = given: expected no falloff"),
         ("--to glsl --falloff bowl", "expected one of soft, hard"),
-        ("--to glsl --falloff quadratic", "quadratic = 0 numbers: expected the numbers of"),
+        ("--to glsl --falloff quadratic", "quadratic = 0 numbers: expected the edge slope"),
         ("--to glsl --falloff table=70000,0", "sample = 70000: expected a whole number from 0 to 65535"),
         ("--to glsl --falloff table=9,-5", "sample = -5: expected"),
         ("--to glsl --falloff table=9,nan", "sample = NaN: expected"),
@@ -73,7 +73,7 @@ fn export_refusals_name_the_parameter() {
         ("--to glsl --falloff power=-3", "exponent = -3: expected"),
         ("--to glsl --falloff inverted-power=5e9", "exponent = 5000000000: expected"),
         ("--to glsl --falloff quadratic=9", "edge slope = 9: expected a finite number from 0 to 2"),
-        ("--to glsl --falloff soft=1", "soft = 1 numbers: expected no numbers"),
+        ("--to glsl --falloff soft=1", "soft = 1 number: expected no numbers"),
         ("--to glsl --attenuation smooth-range", "error: range = none: expected a distance"),
         (
             "--to glsl --attenuation none --range 3 --window gltf",

@@ -8,8 +8,8 @@ use crate::models::{attenuations, falloffs};
 /// further brackets, the attenuations, and the rest. The names are the keys of the cost list.
 macro_rules! effects {
     (@falloffs [$($before:tt)*] $after:tt $rest:tt
-     $(#[doc = $doc:literal] $falloff:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
-       $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
+     $(#[doc = $doc:literal] $falloff:ident($type:ty) = $name:literal, $truth:expr
+       $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
         attenuations! { effects; @attenuations [$($before)* $(#[doc = $doc] $falloff = $name,)*] $after $rest }
     };
     (@attenuations [$($before:tt)*] [$($after:tt)*] [$($rest:tt)*]

@@ -55,6 +55,8 @@ pub enum Parameter {
     CoefficientSum,
     /// The exponent of a power.
     Exponent,
+    /// The `u` up to which an inverted power has full intensity.
+    Floor,
     /// A measured intensity.
     Sample,
     /// The number of samples, transmissions or depths.
@@ -189,6 +191,7 @@ impl fmt::Display for Parameter {
             Self::MiddleSlope => "middle slope",
             Self::CoefficientSum => "sum of coefficients",
             Self::Exponent => "exponent",
+            Self::Floor => "floor",
             Self::Sample => "sample",
             Self::SampleCount => "number of samples",
             Self::Position => "position",

@@ -52,7 +52,9 @@ pub use self::{
 };
 #[cfg(feature = "arithmetic")]
 pub use self::{
-    any::{FalloffVisitor, ListedFalloff, WithFalloff, constant_falloffs, falloffs, with_falloff},
+    any::{
+        FalloffRow, FalloffVisitor, ListedFalloff, WithFalloff, constant_falloffs, falloffs, with_falloff,
+    },
     curve::Curve,
 };
 #[cfg(not(feature = "arithmetic"))]

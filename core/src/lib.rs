@@ -207,6 +207,7 @@ pub mod import;
 pub mod interop;
 pub mod light;
 mod material;
+mod model;
 #[cfg(feature = "arithmetic")]
 pub mod models;
 #[cfg(not(feature = "arithmetic"))]

@@ -9,51 +9,43 @@
 
 /// Calls a macro with the given arguments, followed by the list of all run-time falloffs.
 ///
-/// A row is `doc variant(type) = name, sample, truth;`. `doc` is one sentence; `variant` is the
-/// variant in [`AnyFalloff`](crate::falloff::AnyFalloff) and [`Effect`](crate::dynamic::Effect);
-/// `name` is the name in records; `sample` is one value as a `Result`; `truth` is the function of
-/// this value in f64, with as few operations as possible. Two parts of a row are optional:
+/// A row is `doc variant(type) = name, truth;`. `doc` is one sentence; `variant` is the variant in
+/// [`AnyFalloff`](crate::falloff::AnyFalloff) and [`Effect`](crate::dynamic::Effect); `type` is a
+/// [`Model`](crate::model::Model), whose numbers tell its sample; `name` is the name in records; `truth` is the
+/// function of the sample in f64, with as few operations as possible.
 ///
-/// - `any |n| ...` draws a random falloff from numbers `n()` in [0, 1); invalid combinations return
-///   an error. In a row without `any`, the sample is used.
-/// - `constant type = name, value, truth` replaces the run-time type in programs that know the
-///   falloff at compile time.
+/// In rows that end with `constant type = name, value, truth`, this type replaces the run-time type in programs
+/// that know the falloff at compile time.
 macro_rules! falloffs {
     ($consumer:ident $(; $($arguments:tt)*)?) => {
         $consumer! {
             $($($arguments)*)?
             /// The soft edge, `t^2`.
-            Soft(Soft) = "soft", Ok(Soft), |t| t * t;
+            Soft(Soft) = "soft", |t| t * t;
             /// The hard edge, `1 - u^2`.
-            Hard(Hard) = "hard", Ok(Hard), |t| t * (2.0 - t);
+            Hard(Hard) = "hard", |t| t * (2.0 - t);
             /// The straight ramp, `t`.
-            Linear(Linear) = "linear", Ok(Linear), |t| t;
+            Linear(Linear) = "linear", |t| t;
             /// Smoothstep, `t^2 (3 - 2t)`.
-            Smooth(Smooth) = "smooth", Ok(Smooth), |t| t * t * (3.0 - 2.0 * t);
+            Smooth(Smooth) = "smooth", |t| t * t * (3.0 - 2.0 * t);
             /// A step: all or nothing.
-            Step(Step) = "step", Ok(Step), |t| if t > 0.0 { 1.0 } else { 0.0 };
+            Step(Step) = "step", |t| if t > 0.0 { 1.0 } else { 0.0 };
             /// A quadratic between soft and hard: for most pairs of a beam angle and a field angle.
-            Quadratic(Quadratic) = "quadratic", Quadratic::new(0.5), |t| t * (0.5 + 0.5 * t),
-                any |n| Quadratic::new(2.0 * n());
+            Quadratic(Quadratic) = "quadratic", |t| t * (0.5 + 0.5 * t);
             /// A monotone cubic: for the pairs of angles that no quadratic has.
-            Cubic(Cubic) = "cubic", Cubic::with_slopes(1.25, 3.5), |t| t * (1.25 + t * (2.75 * t - 3.0)),
-                any |n| Cubic::with_slopes(4.0 * n(), 4.0 * n());
+            Cubic(Cubic) = "cubic", |t| t * (1.25 + t * (2.75 * t - 3.0));
             /// An integer power: a concentrated beam.
-            Power(IntegerPower) = "power", IntegerPower::new(15), |t| power(t, 15.0),
-                any |n| IntegerPower::new(exponent(n()) as u32),
+            Power(IntegerPower) = "power", |t| power(t, 15.0),
                 constant Power<4> = "power-4", Power, |t| squared(squared(t));
             /// An inverted integer power: a flat middle and a steep edge.
-            InvertedPower(InvertedIntegerPower) = "inverted-power", InvertedIntegerPower::new(4), |t| 1.0 - squared(squared(1.0 - t)),
-                any |n| InvertedIntegerPower::new(exponent(n()) as u32),
+            InvertedPower(InvertedIntegerPower) = "inverted-power", |t| 1.0 - squared(squared(1.0 - t)),
                 constant InvertedPower<4> = "inverted-power-4", InvertedPower, |t| 1.0 - squared(squared(1.0 - t));
             /// A power of a non-integer exponent.
-            RealPower(RealPower) = "real-power", RealPower::new(2.25), |t| power(t, 2.25),
-                any |n| RealPower::new(exponent(2.0 * n() - 1.0));
+            RealPower(RealPower) = "real-power", |t| power(t, 2.25);
             /// An inverted power of a non-integer exponent: the cones of Godot.
-            InvertedRealPower(InvertedRealPower) = "inverted-real-power", InvertedRealPower::new(2.5), |t| 1.0 - power(1.0 - t, 2.5),
-                any |n| InvertedRealPower::new(exponent(2.0 * n() - 1.0));
+            InvertedRealPower(InvertedRealPower) = "inverted-real-power", |t| 1.0 - power(1.0 - t, 2.5);
             /// Samples with straight lines between them: a light that was measured.
-            Table(Table<'static>) = "table", Ok(Table::of(&SAMPLES)), |t| interpolated(t);
+            Table(Table<'static>) = "table", |t| interpolated(t);
         }
     };
 }
@@ -127,6 +119,9 @@ macro_rules! attenuations {
     };
 }
 
+#[cfg(feature = "arithmetic")]
+pub use crate::model::{Accepts, Model, Number};
+
 pub(crate) use {attenuations, falloffs};
 
 /// What the lists know of a model.
@@ -191,13 +186,6 @@ pub fn interpolated(t: f64) -> f64 {
     let index = (place as usize).min(segments - 1);
     let [from, to] = [SAMPLES[index], SAMPLES[index + 1]].map(f64::from);
     (from + (to - from) * (place - index as f64)) / 65_535.0
-}
-
-/// Returns the exponent `1024^number`. For numbers evenly distributed in [0, 1), the logarithms of
-/// the exponents are evenly distributed.
-#[cfg(feature = "arithmetic")]
-pub fn exponent(number: f32) -> f32 {
-    libm::powf(1_024.0, number)
 }
 
 /// The parameters that the row of an attenuation is built from.

@@ -10,7 +10,7 @@ use luminaire::falloff::{AnyFalloff, Knot, Table};
 use luminaire::{Angle, Cone, DirectionalLight, PointLight, SpotLight};
 use luminaire_exchange::System;
 use luminaire_export::json::{NamedLight, read, write};
-use serde_json::Value;
+use luminaire_export::words;
 
 const PAGE: &str = include_str!("../../docs/LIGHTS.md");
 
@@ -25,29 +25,53 @@ fn page_lists_every_system() {
 
 const SCHEMA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/lights.schema.json");
 
-/// With `LUMINAIRE_BLESS`, adds to the schema the models of a document that it has no name of.
-fn bless(document: &str) {
-    if std::env::var_os("LUMINAIRE_BLESS").is_none() {
-        return;
-    }
-    let document: Value = serde_json::from_str(document).expect("JSON");
-    let mut schema = fs::read_to_string(SCHEMA).expect("a schema");
-    for light in document["lights"].as_array().expect("lights") {
-        for (model, first) in
-            [(&light["cone"]["falloff"]["name"], "soft"), (&light["attenuation"]["law"], "constant")]
-        {
-            let (name, list) = (model.to_string(), format!("\"enum\": [\"{first}\""));
-            let names = schema.split_once(&list).and_then(|(_, rest)| rest.split(']').next());
-            if model.is_string() && name != format!("{first:?}") && !names.expect("a list").contains(&name) {
-                schema = schema.replace(&list, &format!("{list}, {name}"));
-            }
+/// Returns the schema's text with the lists of models as the kernel has them: the names of falloffs and of laws, and
+/// the numbers of the laws.
+fn with_all_models(schema: &str) -> String {
+    let replaced = |text: &str, before: &str, after: &str, list: String| {
+        let (head, rest) = text.split_once(before).expect("the head of a list");
+        let (_, tail) = rest.split_once(after).expect("the end of a list");
+        format!("{head}{before}{list}{after}{tail}")
+    };
+    let quoted =
+        |names: Vec<String>| names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+    let falloffs = quoted(words::falloff_names().map(str::to_owned).collect());
+    let schema = replaced(schema, "\"name\": { \"enum\": [", "] }", falloffs);
+    let schema = replaced(&schema, "\"law\": { \"enum\": [", "] }", quoted(words::law_names()));
+    let mut numbers: Vec<(String, usize)> = Vec::new();
+    for own in words::law_names().iter().filter_map(|law| words::parameters(law)).flatten() {
+        if !numbers.contains(&own) {
+            numbers.push(own);
         }
     }
-    fs::write(SCHEMA, schema).expect("written");
+    let member = |(name, count): &(String, usize)| {
+        let list = format!(
+            "\"array\", \"items\": {{ \"type\": \"number\" }}, \"minItems\": {count}, \"maxItems\": {count}"
+        );
+        let kind = if *count == 1 { "\"number\"".to_owned() } else { list };
+        format!("        {name:?}: {{ \"type\": {kind} }},\n")
+    };
+    let numbers: String = numbers.iter().map(member).collect();
+    let law =
+        schema.lines().find(|line| line.trim_start().starts_with("\"law\"")).expect("a line").to_owned()
+            + "\n";
+    replaced(&schema, &law, "        \"window\"", numbers)
+}
+
+/// The schema has the falloffs and the laws of the kernel. With `LUMINAIRE_BLESS=1` it is written so.
+#[test]
+fn schema_has_every_model() {
+    let schema = fs::read_to_string(SCHEMA).expect("a schema");
+    let all = with_all_models(&schema);
+    if std::env::var_os("LUMINAIRE_BLESS").is_some() {
+        fs::write(SCHEMA, all).expect("written");
+    } else {
+        assert_eq!(schema, all);
+    }
 }
 
 /// Every falloff and every attenuation is read with the bits that were written, in documents of the schema;
-/// so is what the page writes by hand. `LUMINAIRE_BLESS=1` adds a new model to the schema.
+/// so is what the page writes by hand.
 #[test]
 fn document_is_read_back_and_keeps_to_the_schema() {
     let mut rng = Rng::with_seed(3);
@@ -81,9 +105,11 @@ fn document_is_read_back_and_keeps_to_the_schema() {
     };
     let lights: Vec<_> = lights.iter().map(named).collect();
     let text = write(&lights).expect("a document");
-    bless(&text);
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
-    let schema = compiler.compile(SCHEMA, &mut schemas).expect("a schema");
+    let own = with_all_models(&fs::read_to_string(SCHEMA).expect("a schema"));
+    let own = serde_json::from_str(&own).expect("JSON");
+    compiler.add_resource("lights.schema.json", own).expect("a schema");
+    let schema = compiler.compile("lights.schema.json", &mut schemas).expect("a schema");
     let check = |text: &str| {
         let value = serde_json::from_str(text).expect("JSON");
         schemas.validate(&value, schema).map_err(|error| error.to_string())

@@ -270,30 +270,21 @@ fn degrees(cone: &Cone<AnyFalloff>) -> [f32; 5] {
 fn profile(falloff: AnyFalloff) -> Profile {
     let (name, parameters) = words::described(&falloff);
     // Those of a table are whole numbers, of which f32 has not all.
-    let is_table = matches!(falloff, AnyFalloff::Table(_));
-    let number = |number: f64| if is_table { number } else { shortest(number as f32) };
+    let number = |number: f64| if number.fract() == 0.0 { number } else { shortest(number as f32) };
     let parameters: Vec<_> = parameters.into_iter().map(number).collect();
     let parameters = Some(parameters).filter(|parameters| !parameters.is_empty());
     let mut profile = Profile { name: Some(name.to_owned()), parameters, ..Profile::default() };
-    let formula = match falloff.formula() {
-        Formula::Step => "step",
-        Formula::Polynomial(coefficients) => {
-            profile.coefficients = Some(coefficients);
-            "polynomial"
-        }
-        Formula::Power(exponent) => {
-            profile.exponent = Some(exponent);
-            "power"
-        }
+    let formula = falloff.formula();
+    match formula {
+        Formula::Polynomial(coefficients) => profile.coefficients = Some(coefficients),
+        Formula::Power(exponent) => profile.exponent = Some(exponent),
         Formula::InvertedPower(exponent, floor) => {
             (profile.exponent, profile.floor) = (Some(exponent), Some(floor));
-            "inverted-power"
         }
-        Formula::Samples(_) => "samples",
-        Formula::Knots(_) => "knots",
-        _ => "named",
-    };
-    profile.formula = Some(formula.to_owned());
+        // The name and the parameters tell the others.
+        _ => {}
+    }
+    profile.formula = Some(formula.name().to_owned());
     profile
 }
 

@@ -3,17 +3,10 @@
 use std::ops::RangeInclusive;
 
 use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
-use luminaire::falloff::{
-    AnyFalloff, Cubic, Falloff, Formula, IntegerPower, InvertedIntegerPower, InvertedRealPower, Knot,
-    Quadratic, RealPower, Table,
-};
-use luminaire::models::Parameters;
+use luminaire::falloff::{AnyFalloff, Falloff, FalloffRow, Formula, Knot, Table};
+use luminaire::models::{Number, Parameters};
 
 use crate::error::ExportError;
-
-/// The falloffs with numbers of which a wrong count was given.
-const NUMBERED: [&str; 7] =
-    ["quadratic", "cubic", "power", "inverted-power", "real-power", "inverted-real-power", "knots"];
 
 /// Returns the falloff of a name in the list of models, with its parameters.
 ///
@@ -23,72 +16,101 @@ const NUMBERED: [&str; 7] =
 /// # Errors
 /// A name that is not in the list, or parameters that the falloff does not accept.
 pub fn falloff(name: &str, numbers: &[f64]) -> Result<AnyFalloff, ExportError> {
-    let exponent = |number| whole("exponent", number, 1..=1_024);
-    let [first, second] = [0, 1].map(|i| numbers.get(i).copied().unwrap_or_default() as f32);
-    Ok(match (name, numbers.len()) {
-        ("quadratic", 1) => Quadratic::new(first)?.into(),
-        ("cubic", 2) => Cubic::with_slopes(first, second)?.into(),
-        ("power", 1) => IntegerPower::new(exponent(numbers[0])?)?.into(),
-        ("inverted-power", 1) => InvertedIntegerPower::new(exponent(numbers[0])?)?.into(),
-        ("real-power", 1) => RealPower::new(first)?.into(),
-        ("inverted-real-power", 1) => InvertedRealPower::new(first)?.into(),
-        ("inverted-real-power", 2) => InvertedRealPower::with_floor(first, second)?.into(),
-        ("table", _) => {
+    match name {
+        "table" => {
             let sample = |&number: &f64| whole("sample", number, 0..=65_535).map(|whole| whole as u16);
-            Table::new(Vec::leak(numbers.iter().map(sample).collect::<Result<_, _>>()?))?.into()
+            Ok(Table::new(Vec::leak(numbers.iter().map(sample).collect::<Result<_, _>>()?))?.into())
         }
-        ("knots", count) if count % 3 == 0 => {
+        KNOTS if numbers.len().is_multiple_of(3) => {
             let knot = |three: &[f64]| {
                 let [place, value] =
                     [0, 1].map(|i| whole("knot", three[i], 0..=65_535).map(|whole| whole as u16));
                 Ok(Knot::from_bits(place?, value?, three[2] as i32))
             };
-            Table::from_knots(Vec::leak(numbers.chunks(3).map(knot).collect::<Result<_, ExportError>>()?))?
-                .into()
+            let knots = numbers.chunks(3).map(knot).collect::<Result<_, ExportError>>()?;
+            Ok(Table::from_knots(Vec::leak(knots))?.into())
         }
-        (name, count) if NUMBERED.contains(&name) => {
-            let given = format_args!("{count} numbers");
-            return Err(ExportError::new(name, given, "the numbers of `luminaire export --help`"));
-        }
-        (name, count) => {
-            let names: Vec<_> = AnyFalloff::samples().map(|sample| sample.effect().name()).collect();
-            let found = AnyFalloff::samples().find(|sample| sample.effect().name() == name);
-            let falloff = found
-                .ok_or_else(|| ExportError::new("falloff", name, format!("one of {}", names.join(", "))))?;
-            if count > 0 {
-                return Err(ExportError::new(name, format_args!("{count} numbers"), "no numbers"));
+        KNOTS => Err(ExportError::new(name, count_of(numbers.len()), "three numbers for each knot")),
+        _ => {
+            let row = AnyFalloff::LIST.iter().find(|row| row.name == name).ok_or_else(|| {
+                let names: Vec<_> = falloff_names().collect();
+                ExportError::new("falloff", name, format!("one of {}", names.join(", ")))
+            })?;
+            let least = row.numbers.iter().filter(|number| number.default.is_none()).count();
+            if !(least..=row.numbers.len()).contains(&numbers.len()) {
+                return Err(ExportError::new(name, count_of(numbers.len()), told(row)));
             }
-            falloff
+            let numbers: Vec<_> = numbers.iter().map(|&number| number as f32).collect();
+            Ok(row.of(&numbers)?)
         }
-    })
+    }
+}
+
+/// The name of a table with knots.
+const KNOTS: &str = "knots";
+
+fn count_of(count: usize) -> String {
+    if count == 1 { "1 number".to_owned() } else { format!("{count} numbers") }
+}
+
+/// Tells the numbers of a falloff.
+fn told(row: &FalloffRow) -> String {
+    let told = |number: &Number| {
+        let optional = if number.default.is_some() { "optionally " } else { "" };
+        format!("{optional}the {}", number.name.replace('_', " "))
+    };
+    let told: Vec<_> = row.numbers.iter().map(told).collect();
+    if told.is_empty() { "no numbers".to_owned() } else { told.join(", ") }
+}
+
+/// Returns the names of the falloffs that [`falloff`] takes.
+pub fn falloff_names() -> impl Iterator<Item = &'static str> {
+    AnyFalloff::LIST.iter().map(|row| row.name).chain([KNOTS])
+}
+
+/// Returns the falloffs as words of a command, each with the names of its numbers.
+pub fn falloff_words() -> String {
+    let word = |row: &FalloffRow| {
+        let mut word = row.name.to_owned();
+        for (place, number) in row.numbers.iter().enumerate() {
+            let before = if place == 0 { "=" } else { "," };
+            let name = number.name.to_uppercase().replace('_', "-");
+            word += &if number.default.is_some() {
+                format!("[{before}{name}]")
+            } else {
+                format!("{before}{name}")
+            };
+        }
+        if row.name == "table" {
+            word + "=SAMPLES from 65535 on the axis, evenly spaced over the versine"
+        } else {
+            word
+        }
+    };
+    AnyFalloff::LIST.iter().map(word).collect::<Vec<_>>().join(", ")
 }
 
 /// Returns the name and the parameters by which [`falloff`] makes the same falloff.
 pub fn described(falloff: &AnyFalloff) -> (&'static str, Vec<f64>) {
-    let name = falloff.effect().name();
-    let numbers = match falloff {
-        AnyFalloff::Quadratic(quadratic) => vec![quadratic.edge_slope().into()],
-        AnyFalloff::Cubic(cubic) => vec![cubic.edge_slope().into(), cubic.middle_slope().into()],
-        AnyFalloff::Power(power) => vec![power.exponent().into()],
-        AnyFalloff::InvertedPower(power) => vec![power.exponent().into()],
-        AnyFalloff::RealPower(power) => vec![power.exponent().into()],
-        AnyFalloff::InvertedRealPower(power) if power.floor() == 0.0 => vec![power.exponent().into()],
-        AnyFalloff::InvertedRealPower(power) => vec![power.exponent().into(), power.floor().into()],
-        AnyFalloff::Table(_) => match falloff.formula() {
-            Formula::Samples(samples) => samples.iter().map(|&sample| sample.into()).collect(),
-            Formula::Knots(knots) => {
-                let bits = knots.iter().map(|knot| knot.to_bits());
-                return (
-                    "knots",
-                    bits.flat_map(|(place, value, slope)| [place.into(), value.into(), slope.into()])
-                        .collect(),
-                );
+    let row = falloff.row();
+    match falloff.formula() {
+        Formula::Samples(samples) => (row.name, samples.iter().map(|&sample| sample.into()).collect()),
+        Formula::Knots(knots) => {
+            let bits = knots.iter().map(|knot| knot.to_bits());
+            let numbers = bits.flat_map(|(place, value, slope)| [place.into(), value.into(), slope.into()]);
+            (KNOTS, numbers.collect())
+        }
+        _ => {
+            let mut numbers: Vec<f64> = falloff.numbers().map(f64::from).collect();
+            while row.numbers[..numbers.len()]
+                .last()
+                .is_some_and(|last| last.default.map(f64::from) == numbers.last().copied())
+            {
+                numbers.pop();
             }
-            _ => Vec::new(),
-        },
-        _ => Vec::new(),
-    };
-    (name, numbers)
+            (row.name, numbers)
+        }
+    }
 }
 
 /// Returns a whole number of a range. A cast alone would round and saturate.
@@ -159,6 +181,37 @@ fn rows() -> Vec<Row> {
     (0..AnyAttenuation::COUNT).map(row).collect()
 }
 
+/// Returns the names of the laws that [`attenuation`] takes, and those that people use for them.
+pub fn law_names() -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for row in rows() {
+        if !names.contains(&row.law) {
+            names.extend(NAMES.iter().filter(|(name, _)| *name == row.law).map(|(_, own)| (*own).to_owned()));
+            names.push(row.law);
+        }
+    }
+    names
+}
+
+/// Returns the laws as words of a command, each with the names of its numbers.
+pub fn law_words() -> String {
+    let mut words: Vec<String> = Vec::new();
+    for row in rows() {
+        let name = NAMES.iter().find(|(name, _)| *name == row.law).map_or(&*row.law, |(_, own)| own);
+        let number = |(name, count): &(String, usize)| {
+            let name = name.to_uppercase();
+            let names = (1..=*count).map(|number| format!("{name}-{number}"));
+            if *count == 1 { name } else { names.collect::<Vec<_>>().join(",") }
+        };
+        let numbers: Vec<_> = row.parameters.iter().map(number).collect();
+        let word = if numbers.is_empty() { name.to_owned() } else { format!("{name}={}", numbers.join(",")) };
+        if !words.contains(&word) {
+            words.push(word);
+        }
+    }
+    words.join(", ")
+}
+
 /// Returns the names of a law's parameters and how many numbers each has; `None` for an unknown law.
 pub fn parameters(law: &str) -> Option<Vec<(String, usize)>> {
     let law = canonical(law);
@@ -209,4 +262,57 @@ pub fn attenuation(
         return Err(ExportError::new("range", "none", format!("a distance, because {law} ends there")));
     }
     Ok(AnyAttenuation::built(*index, &mut Given { numbers: numbers.iter(), range })?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Falloffs of a row: the ends of each number, its sample and its default, and numbers between.
+    fn falloffs(row: &FalloffRow) -> Vec<AnyFalloff> {
+        let mut rng = fastrand::Rng::with_seed(60);
+        let mut number = |number: &Number| match rng.u8(..5) {
+            0 => number.limits[0],
+            1 => number.limits[1],
+            2 => number.sample,
+            3 => number.default.unwrap_or(number.sample),
+            _ => number.drawn(rng.f32()),
+        };
+        let mut made = || row.of(&row.numbers.iter().map(&mut number).collect::<Vec<_>>()).ok();
+        (0..200).filter_map(|_| made()).collect()
+    }
+
+    #[test]
+    fn every_falloff_is_made_again_from_its_words() {
+        let help = falloff_words();
+        for row in AnyFalloff::LIST {
+            let all = falloffs(row);
+            assert!(all.len() > 20, "{}: {} falloffs", row.name, all.len());
+            for own in all {
+                let (name, numbers) = described(&own);
+                assert_eq!(falloff(name, &numbers).expect("its own words"), own);
+            }
+            assert!(help.contains(row.name), "{help}: expected {}", row.name);
+        }
+    }
+
+    #[test]
+    fn wrong_numbers_are_told() {
+        for (name, numbers, told) in [
+            ("soft", &[1.0][..], "soft = 1 number: expected no numbers"),
+            ("quadratic", &[], "quadratic = 0 numbers: expected the edge slope"),
+            ("cubic", &[1.0], "cubic = 1 number: expected the edge slope, the middle slope"),
+            ("power", &[1.5], "exponent = 1.5: expected a whole number from 1 to 1024"),
+            (
+                "inverted-real-power",
+                &[1.0; 3],
+                "inverted-real-power = 3 numbers: expected the exponent, optionally the floor",
+            ),
+            ("inverted-real-power", &[0.5, 1.0], "floor = 1: expected a finite number from 0 to "),
+            ("knots", &[1.0], "knots = 1 number: expected three numbers for each knot"),
+        ] {
+            let refused = falloff(name, numbers).expect_err(told).to_string();
+            assert!(refused.starts_with(told), "{refused}: expected {told}");
+        }
+    }
 }

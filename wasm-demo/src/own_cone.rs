@@ -1,11 +1,8 @@
 //! A cone as text of an address: that of a light of a file.
 
-use crate::{decimal, edge};
+use crate::decimal;
 use luminaire::Cone;
-use luminaire::falloff::{
-    AnyFalloff, Cubic, IntegerPower, InvertedIntegerPower, InvertedRealPower, Knot, Quadratic, RealPower,
-    Table,
-};
+use luminaire::falloff::{AnyFalloff, Knot, Table};
 use luminaire_export::words;
 use std::cell::RefCell;
 
@@ -37,21 +34,12 @@ pub(crate) fn read(text: &str) -> Option<Cone<AnyFalloff>> {
     let name = parts.next()?;
     let mut number = || decimal::read(parts.next()?);
     let versines = [number()?, number()?, number()?];
-    let falloff = match edge::named(name) {
-        Some(AnyFalloff::Quadratic(_)) => Quadratic::new(number()?).ok()?.into(),
-        Some(AnyFalloff::Cubic(_)) => Cubic::with_slopes(number()?, number()?).ok()?.into(),
-        Some(AnyFalloff::Power(_)) => IntegerPower::new(number()? as u32).ok()?.into(),
-        Some(AnyFalloff::InvertedPower(_)) => InvertedIntegerPower::new(number()? as u32).ok()?.into(),
-        Some(AnyFalloff::RealPower(_)) => RealPower::new(number()?).ok()?.into(),
-        Some(AnyFalloff::InvertedRealPower(_)) => {
-            InvertedRealPower::with_floor(number()?, number().unwrap_or_default()).ok()?.into()
-        }
-        Some(AnyFalloff::Table(_)) => {
+    let falloff = match name {
+        "table" => {
             let samples = parts.by_ref().map(|part| part.parse().ok()).collect::<Option<Vec<_>>>()?;
             Table::new(samples.leak()).ok()?.into()
         }
-        Some(plain) => plain,
-        None if name == "knots" => {
+        "knots" => {
             let mut knots = Vec::new();
             while let Some(place) = parts.next() {
                 let [value, slope] = [parts.next()?, parts.next()?];
@@ -59,9 +47,42 @@ pub(crate) fn read(text: &str) -> Option<Cone<AnyFalloff>> {
             }
             Table::from_knots(knots.leak()).ok()?.into()
         }
-        None => return None,
+        _ => {
+            let row = AnyFalloff::LIST.iter().find(|row| row.name == name)?;
+            let numbers = parts.by_ref().take(row.numbers.len()).map(decimal::read);
+            row.of(&numbers.collect::<Option<Vec<_>>>()?).ok()?
+        }
     };
     let cone = Cone::from_versines(falloff, versines).ok().filter(|_| parts.next().is_none())?;
     READ.with_borrow_mut(|read| read.push((text.to_owned(), cone)));
     Some(cone)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each falloff with the numbers at their ends, and with those that may be left out.
+    #[test]
+    fn every_falloff_comes_back() {
+        for row in AnyFalloff::LIST {
+            let mut count = 0;
+            for choice in 0..9 {
+                let numbers: Vec<_> = row
+                    .numbers
+                    .iter()
+                    .enumerate()
+                    .map(|(place, number)| {
+                        let ends = [number.limits[0], number.sample, number.limits[1]];
+                        ends[choice / 3_usize.pow(place as u32) % 3]
+                    })
+                    .collect();
+                let Ok(falloff) = row.of(&numbers) else { continue };
+                let cone = Cone::from_versines(falloff, [0.1, 0.5, 0.4]).unwrap();
+                assert_eq!(read(&write(&cone)), Some(cone), "{}", write(&cone));
+                count += 1;
+            }
+            assert!(count > 0, "{}", row.name);
+        }
+    }
 }

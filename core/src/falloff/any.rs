@@ -4,11 +4,12 @@
 use super::*;
 use super::{choice::choice, power::sound};
 #[cfg(feature = "arithmetic")]
-use crate::models::{Listed, draw, exponent, interpolated, listed, power, squared};
+use crate::models::{Listed, interpolated, listed, power, squared};
 use crate::{
     effect::Effect,
     error::Error,
-    models::{SAMPLES, falloffs},
+    model::{MOST_NUMBERS, Model, Number},
+    models::falloffs,
 };
 
 /// Takes a falloff and its coefficients as their own types.
@@ -35,10 +36,43 @@ pub trait FalloffVisitor {
     fn falloff<P: ListedFalloff>(&mut self);
 }
 
+/// What the list knows of a falloff.
+#[allow(unreachable_pub, reason = "public with the feature arithmetic")]
+#[derive(Clone, Copy, Debug)]
+pub struct FalloffRow {
+    /// The name in data and in words of a command.
+    pub name: &'static str,
+    /// The numbers that the falloff is made from, in their order.
+    pub numbers: &'static [Number],
+    of: fn(&[f32]) -> Result<AnyFalloff, Error>,
+}
+
+impl FalloffRow {
+    /// Creates the falloff from its numbers. Those that may be left out have their default where they are.
+    ///
+    /// # Errors
+    /// Numbers that the constructor refuses. One that is missing is NaN.
+    #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
+    pub fn of(&self, numbers: &[f32]) -> Result<AnyFalloff, Error> {
+        let mut all = [f32::NAN; MOST_NUMBERS];
+        for (place, (own, number)) in all.iter_mut().zip(self.numbers).enumerate() {
+            *own = numbers.get(place).copied().or(number.default).unwrap_or(f32::NAN);
+        }
+        (self.of)(&all)
+    }
+
+    /// Creates the falloff from one number after the other.
+    fn of_each(&self, mut value: impl FnMut(&Number) -> f32) -> Result<AnyFalloff, Error> {
+        let mut all = [f32::NAN; MOST_NUMBERS];
+        all.iter_mut().zip(self.numbers).for_each(|(own, number)| *own = value(number));
+        (self.of)(&all)
+    }
+}
+
 /// Declares the enums over all falloffs of the list in `models`, and the visits of the list.
 macro_rules! any_falloff {
-    ($(#[doc = $doc:literal] $variant:ident($type:ty) = $name:literal, $sample:expr, $truth:expr
-       $(, any $any:expr)? $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
+    ($(#[doc = $doc:literal] $variant:ident($type:ty) = $name:literal, $truth:expr
+       $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
         choice! {
             /// Any falloff, chosen at run time: for a light of [another system](crate::import) or
             /// an [`AnyLight`](crate::dynamic::AnyLight).
@@ -51,32 +85,53 @@ macro_rules! any_falloff {
         }
 
         impl AnyFalloff {
+            /// The list: a row for each falloff.
+            #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
+            pub const LIST: &'static [FalloffRow] = &[$(FalloffRow {
+                name: $name,
+                numbers: <$type as Model>::NUMBERS,
+                of: |numbers| <$type as Model>::of(numbers).map(Self::$variant),
+            },)*];
+
             /// Returns one sample value of each falloff, for galleries and tests.
             pub fn samples() -> impl Iterator<Item = Self> {
-                let samples = [$($sample.map(Self::$variant),)*];
-                samples.into_iter().filter_map(|sample: Result<Self, Error>| sample.ok())
+                Self::LIST.iter().filter_map(|row| row.of_each(|number| number.default.unwrap_or(number.sample)).ok())
             }
 
             /// The number of falloffs.
             #[cfg(feature = "arithmetic")]
-            pub const COUNT: usize = [$($name),*].len();
+            pub const COUNT: usize = Self::LIST.len();
 
             /// Builds the falloff with index `index % COUNT` from random numbers in [0, 1). For a
-            /// falloff without parameters, the result is the sample value.
+            /// falloff without numbers, the result is the sample value.
             ///
             /// # Errors
-            /// An invalid combination of parameters.
+            /// An invalid combination of numbers.
             #[cfg(feature = "arithmetic")]
             pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
-                let (index, mut rows) = (index % Self::COUNT, 0..);
+                let row = &Self::LIST[index % Self::COUNT];
+                row.of_each(|own| own.default.unwrap_or_else(|| own.drawn(number())))
+            }
+
+            /// Returns the row of the falloff.
+            #[cfg(feature = "arithmetic")]
+            pub fn row(&self) -> &'static FalloffRow {
+                let mut rows = Self::LIST.iter();
                 $(
-                    if rows.next() == Some(index) {
-                        let drawn: Option<Result<$type, Error>> = None;
-                        $(let drawn = drawn.or_else(|| Some(draw(&mut number, $any)));)?
-                        return drawn.unwrap_or_else(|| $sample).map(Self::$variant);
+                    let row = rows.next();
+                    if let (Self::$variant(_), Some(row)) = (self, row) {
+                        return row;
                     }
                 )*
-                Ok(Self::Soft(Soft))
+                &Self::LIST[0]
+            }
+
+            /// Returns the numbers that the falloff is made from.
+            #[cfg(feature = "arithmetic")]
+            pub fn numbers(&self) -> impl Iterator<Item = f32> {
+                (0..).map_while(|place| match self {
+                    $(Self::$variant(falloff) => falloff.number(place),)*
+                })
             }
 
             /// Returns the effect of the falloff.
@@ -112,7 +167,7 @@ macro_rules! any_falloff {
             }
         }
 
-        $(any_falloff! { @listed #[doc = $doc] $type = $name, $sample, $truth; }
+        $(any_falloff! { @listed #[doc = $doc] $type = $name, crate::model::sample(), $truth; }
           $(any_falloff! { @listed #[doc = $doc] $constant = $its_name, Ok($value), $its_truth; })?)*
 
         /// Visits the falloffs that can be chosen at run time.

@@ -2,16 +2,13 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{
-    Curve, Falloff, Formula,
-    polynomial::{Polynomial, clamped_bits},
-};
+use super::{Curve, Falloff, Formula, polynomial::Polynomial};
 use crate::{
     error::{Error, Expected, Parameter},
+    model::{Model as _, Number, model, plain},
     number::{Fraction, Scalar},
     search::bisect,
-    source::{Source, call, name, written_by_bits, written_by_debug},
-    stored::stored,
+    source::{Source, call, name},
     trig,
 };
 
@@ -22,22 +19,25 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Smooth;
 
-/// Any monotone cubic `t (a + t (b + t c))` with `a + b + c = 1`: three multiplies.
-///
-/// Two derivatives with respect to `t` determine the cubic: the edge slope `a` at `t = 0`, and the
-/// middle slope `d = a + 2b + 3c` at `t = 1`. The cubic is monotone for slopes in the region of F.
-/// N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17
-/// (1980). The cubic is evaluated as `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so
-/// that the value on the axis is exactly 1, however the slopes are rounded.
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Cubic {
-    /// Both slopes are multiples of 1 / [`GRID`], so that the coefficients are exact.
-    edge_slope: f32,
-    middle_slope: f32,
+model! {
+    /// Any monotone cubic `t (a + t (b + t c))` with `a + b + c = 1`: three multiplies.
+    ///
+    /// Two derivatives with respect to `t` determine the cubic: the edge slope `a` at `t = 0`, and the
+    /// middle slope `d = a + 2b + 3c` at `t = 1`. The cubic is monotone for slopes in the region of F.
+    /// N. Fritsch and R. E. Carlson, *Monotone Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17
+    /// (1980). The cubic is evaluated as `t (1 + u (g + h t))` with `g = a - 1` and `g + h = 1 - d`, so
+    /// that the value on the axis is exactly 1, however the slopes are rounded.
+    ///
+    /// Both slopes are multiples of 2^-20, so that the coefficients are exact.
+    Cubic {
+        /// Returns the edge slope: the derivative with respect to `t` at the edge.
+        edge_slope: f32 = Number::between(Parameter::EdgeSlope, 0.0, 4.0, 1.25);
+        /// Returns the middle slope: the derivative with respect to `t` at `t = 1`.
+        ///
+        /// `t = 1` is at the inner angle or, without a hotspot, on the axis.
+        middle_slope: f32 = Number::between(Parameter::MiddleSlope, 0.0, 4.0, 3.5);
+    } by Self::with_slopes(edge_slope, middle_slope)
 }
-
-stored!(Cubic { edge_slope: f32, middle_slope: f32 } by Self::with_slopes(edge_slope, middle_slope));
 
 /// Number of grid steps per unit of a slope. Coefficients are below 8, so coefficients and their
 /// sums are exact in the 24 bits of f32.
@@ -69,20 +69,14 @@ impl Cubic {
     /// An edge slope outside [0, 4], or a middle slope with which the cubic is not monotone. The
     /// error names the range of middle slopes for this edge slope.
     pub fn with_slopes(edge_slope: f32, middle_slope: f32) -> Result<Self, Error> {
-        let check = |parameter, value: f32, least: f32, most: f32| {
-            if (least..=most).contains(&value) {
-                Ok(on_grid(value))
-            } else {
-                Err(Error { parameter, value, accepted: Expected::Between(least, most) })
-            }
-        };
-        let edge_slope = check(Parameter::EdgeSlope, edge_slope, 0.0, 4.0)?;
+        let [edge, middle] = Self::NUMBERS else { return Ok(Self { edge_slope, middle_slope }) };
+        let edge_slope = on_grid(edge.checked(edge_slope)?);
         let (least, most) = middle_slopes(edge_slope);
         // The limits come from a square root. The limits are rounded to the grid, so that the
         // limits that an error names are accepted.
         let (least, most) = (on_grid(least), on_grid(most));
-        let middle_slope = check(Parameter::MiddleSlope, middle_slope, least, most)?;
-        Ok(Self { edge_slope, middle_slope })
+        let middle = Number { limits: [least, most], ..*middle };
+        Ok(Self { edge_slope, middle_slope: on_grid(middle.checked(middle_slope)?) })
     }
 
     /// Creates the cubic `t (a + t (b + t c))`. The coefficients are rounded to multiples of 2^-20
@@ -106,30 +100,6 @@ impl Cubic {
     pub fn coefficients(self) -> [f32; 3] {
         let (a, d) = (self.edge_slope, self.middle_slope);
         [a, 3.0 - 2.0 * a - d, a + d - 2.0]
-    }
-
-    /// Returns the edge slope: the derivative with respect to `t` at the edge.
-    pub fn edge_slope(self) -> f32 {
-        self.edge_slope
-    }
-
-    /// Returns the middle slope: the derivative with respect to `t` at `t = 1`.
-    ///
-    /// `t = 1` is at the inner angle or, without a hotspot, on the axis.
-    pub fn middle_slope(self) -> f32 {
-        self.middle_slope
-    }
-
-    /// Creates the cubic from the bits of its edge and middle slope, as [`codegen`](crate::codegen)
-    /// writes them. Each slope is clamped to [0, 4]; NaN becomes 0. The cubic is monotone only for
-    /// slopes that [`with_slopes`](Self::with_slopes) accepts.
-    pub const fn from_bits([edge_slope, middle_slope]: [u32; 2]) -> Self {
-        Self { edge_slope: clamped_bits(edge_slope, 4.0), middle_slope: clamped_bits(middle_slope, 4.0) }
-    }
-
-    /// Returns the bits of the edge slope and of the middle slope.
-    pub const fn to_bits(self) -> [u32; 2] {
-        [self.edge_slope.to_bits(), self.middle_slope.to_bits()]
     }
 
     /// Creates the cubic without rounding the slopes to the grid: for searches, which round their result,
@@ -216,8 +186,7 @@ impl<S: Scalar> CompiledCubic<S> {
     }
 }
 
-written_by_debug!(Smooth);
-written_by_bits!(Cubic);
+plain!(Smooth);
 
 impl<S: Scalar> Source for CompiledCubic<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {

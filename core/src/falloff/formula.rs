@@ -1,6 +1,6 @@
 //! Falloffs as data.
 
-use crate::number::Knot;
+use crate::{model::MOST_NUMBERS, number::Knot};
 
 /// The formula of a falloff as data, for reference values and generated code. The formula is a
 /// function of `t` in [0, 1], and 0 at `t = 0`.
@@ -21,8 +21,24 @@ pub enum Formula<'a> {
     Samples(&'a [u16]),
     /// Linear interpolation between knots over `1 - t`.
     Knots(&'a [Knot]),
-    /// Any other function, in f64.
-    Function(fn(f64) -> f64),
+    /// Any other function of the falloff's numbers and `t`, in f64; and these numbers.
+    Function(fn([f32; MOST_NUMBERS], f64) -> f64, [f32; MOST_NUMBERS]),
+}
+
+impl Formula<'_> {
+    /// Returns the name of the variant in data.
+    #[cfg(feature = "arithmetic")]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Step => "step",
+            Self::Polynomial(_) => "polynomial",
+            Self::Power(_) => "power",
+            Self::InvertedPower(..) => "inverted-power",
+            Self::Samples(_) => "samples",
+            Self::Knots(_) => "knots",
+            Self::Function(..) => "named",
+        }
+    }
 }
 
 #[cfg(feature = "libm")]
@@ -47,7 +63,7 @@ impl Formula<'_> {
             }
             Self::Samples(samples) => interpolated(samples, 1.0 - t),
             Self::Knots(knots) => along(knots, 1.0 - t),
-            Self::Function(exact) => exact(t),
+            Self::Function(exact, numbers) => exact(numbers, t),
         }
     }
 }

@@ -2,58 +2,36 @@
 
 use super::{Curve, Falloff, Formula};
 use crate::{
-    error::{Error, Expected, Parameter},
+    error::{Error, Parameter},
+    model::{Model as _, Number, model},
     number::{Fraction, Scalar, Share},
-    source::written_by_bits,
-    stored::stored,
     trig,
 };
 
-/// The power `t^n` with an exponent chosen at run time. The evaluation loops over the binary digits
-/// of `n`; for [`Power`](crate::falloff::Power) the compiler unrolls this loop. The results of both
-/// types are bit-identical.
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct IntegerPower {
-    exponent: u32,
+model! {
+    /// The power `t^n` with an exponent chosen at run time. The evaluation loops over the binary digits
+    /// of `n`; for [`Power`](crate::falloff::Power) the compiler unrolls this loop. The results of both
+    /// types are bit-identical.
+    #[derive(Eq)]
+    IntegerPower {
+        /// Returns the exponent.
+        exponent: u32 = Number::whole(Parameter::Exponent, 1, MOST, 15);
+    } by Self::new(exponent)
 }
 
-stored!(IntegerPower { exponent: u32 } by Self::new(exponent));
-
-/// The inverted power `1 - u^n` with an exponent chosen at run time. Results are bit-identical to
-/// [`InvertedPower`](crate::falloff::InvertedPower).
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct InvertedIntegerPower {
-    exponent: u32,
+model! {
+    /// The inverted power `1 - u^n` with an exponent chosen at run time. Results are bit-identical to
+    /// [`InvertedPower`](crate::falloff::InvertedPower).
+    #[derive(Eq)]
+    InvertedIntegerPower {
+        /// Returns the exponent.
+        exponent: u32 = Number::whole(Parameter::Exponent, 1, MOST, 4);
+    } by Self::new(exponent)
 }
-
-stored!(InvertedIntegerPower { exponent: u32 } by Self::new(exponent));
 
 /// The largest exponent, 8 times the largest exponent of OpenGL. A field angle of 15 degrees needs
 /// an exponent of 268 (Hast 2004, figure 7).
 pub(crate) const MOST: u32 = 1_024;
-
-/// Returns the exponent if it is in [least, most], or the error that names the range.
-pub(super) fn checked(exponent: u32, least: u32, most: u32) -> Result<u32, Error> {
-    if (least..=most).contains(&exponent) {
-        Ok(exponent)
-    } else {
-        let accepted = Expected::WholeBetween(least, most);
-        Err(Error { parameter: Parameter::Exponent, value: exponent as f32, accepted })
-    }
-}
-
-/// Clamps an exponent to [least, most].
-pub(super) const fn clamped(exponent: u32, least: u32, most: u32) -> u32 {
-    if exponent < least {
-        least
-    } else if exponent > most {
-        most
-    } else {
-        exponent
-    }
-}
 
 /// Returns `1 - exp(-x)` for `x` in [0, 2.4], accurate to the last place.
 ///
@@ -116,28 +94,12 @@ impl IntegerPower {
     /// # Errors
     /// An exponent outside 1 to 1,024.
     pub fn new(exponent: u32) -> Result<Self, Error> {
-        Ok(Self { exponent: checked(exponent, 1, MOST)? })
+        Ok(Self { exponent: Self::NUMBERS[0].checked_whole(exponent)? })
     }
 
     /// Creates the power with an exponent that is already validated.
     pub(crate) const fn of(exponent: u32) -> Self {
         Self { exponent }
-    }
-
-    /// Creates the power with this exponent clamped to [1, 1024], as [`codegen`](crate::codegen)
-    /// writes it.
-    pub const fn from_bits(exponent: u32) -> Self {
-        Self { exponent: clamped(exponent, 1, MOST) }
-    }
-
-    /// Returns the exponent.
-    pub const fn to_bits(self) -> u32 {
-        self.exponent
-    }
-
-    /// Returns the exponent.
-    pub fn exponent(self) -> u32 {
-        self.exponent
     }
 }
 
@@ -147,32 +109,14 @@ impl InvertedIntegerPower {
     /// # Errors
     /// An exponent outside 1 to 1,024.
     pub fn new(exponent: u32) -> Result<Self, Error> {
-        Ok(Self { exponent: checked(exponent, 1, MOST)? })
+        Ok(Self { exponent: Self::NUMBERS[0].checked_whole(exponent)? })
     }
 
     /// Creates the inverted power with an exponent that is already validated.
     pub(crate) const fn of(exponent: u32) -> Self {
         Self { exponent }
     }
-
-    /// Creates the inverted power with this exponent clamped to [1, 1024], as
-    /// [`codegen`](crate::codegen) writes it.
-    pub const fn from_bits(exponent: u32) -> Self {
-        Self { exponent: clamped(exponent, 1, MOST) }
-    }
-
-    /// Returns the exponent.
-    pub const fn to_bits(self) -> u32 {
-        self.exponent
-    }
-
-    /// Returns the exponent.
-    pub fn exponent(self) -> u32 {
-        self.exponent
-    }
 }
-
-written_by_bits!(IntegerPower InvertedIntegerPower);
 
 impl Falloff for IntegerPower {
     type Compiled<S: Scalar> = Self;

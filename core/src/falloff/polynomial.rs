@@ -46,13 +46,6 @@ impl Polynomial {
     }
 }
 
-/// Returns the float with these bits, clamped to [0, most]; 0 for NaN.
-pub(super) const fn clamped_bits(bits: u32, most: f32) -> f32 {
-    let slope = f32::from_bits(bits);
-    // `clamp` returns NaN for NaN.
-    if slope.is_nan() { 0.0 } else { slope.clamp(0.0, most) }
-}
-
 /// Returns the real roots of `a x^2 + b x + c`, without cancellation; NaN or infinity for a root
 /// that does not exist.
 fn roots(a: f32, b: f32, c: f32) -> [f32; 2] {

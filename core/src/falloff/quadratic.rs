@@ -3,15 +3,12 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{
-    Curve, Falloff, Formula,
-    polynomial::{Polynomial, clamped_bits},
-};
+use super::{Curve, Falloff, Formula, polynomial::Polynomial};
 use crate::{
-    error::{Error, Expected, Parameter},
+    error::{Error, Parameter},
+    model::{Model as _, Number, model, plain},
     number::{Fraction, Scalar, Share},
-    source::{Source, call, name, written_by_bits, written_by_debug},
-    stored::stored,
+    source::{Source, call, name},
     trig,
 };
 
@@ -37,18 +34,17 @@ pub struct Hard;
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Linear;
 
-/// The quadratic `t (a + (1 - a) t)` with edge slope `a`: two multiplies. The quadratic is soft at
-/// `a = 0`, linear at `a = 1` and hard at `a = 2`.
-///
-/// The quadratic is evaluated as `t (1 + (a - 1) u)`, so that the value on the axis is exactly 1,
-/// however `a` is rounded.
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Quadratic {
-    edge_slope: f32,
+model! {
+    /// The quadratic `t (a + (1 - a) t)` with edge slope `a`: two multiplies. The quadratic is soft at
+    /// `a = 0`, linear at `a = 1` and hard at `a = 2`.
+    ///
+    /// The quadratic is evaluated as `t (1 + (a - 1) u)`, so that the value on the axis is exactly 1,
+    /// however `a` is rounded.
+    Quadratic {
+        /// Returns the edge slope: the derivative with respect to `t` at the edge, in [0, 2].
+        edge_slope: f32 = Number::between(Parameter::EdgeSlope, 0.0, 2.0, 0.5);
+    } by Self::new(edge_slope)
 }
-
-stored!(Quadratic { edge_slope: f32 } by Self::new(edge_slope));
 
 impl Quadratic {
     /// Creates the quadratic with this edge slope: the derivative with respect to `t` at the edge.
@@ -56,23 +52,7 @@ impl Quadratic {
     /// # Errors
     /// An edge slope outside [0, 2]: the quadratic would not be monotone.
     pub fn new(edge_slope: f32) -> Result<Self, Error> {
-        if (0.0..=2.0).contains(&edge_slope) {
-            Ok(Self { edge_slope })
-        } else {
-            let accepted = Expected::Between(0.0, 2.0);
-            Err(Error { parameter: Parameter::EdgeSlope, value: edge_slope, accepted })
-        }
-    }
-
-    /// Creates the quadratic from the bits of its edge slope, as [`codegen`](crate::codegen) writes
-    /// it. The edge slope is clamped to [0, 2]; NaN becomes 0.
-    pub const fn from_bits(edge_slope: u32) -> Self {
-        Self { edge_slope: clamped_bits(edge_slope, 2.0) }
-    }
-
-    /// Returns the bits of the edge slope.
-    pub const fn to_bits(self) -> u32 {
-        self.edge_slope.to_bits()
+        Ok(Self { edge_slope: Self::NUMBERS[0].checked(edge_slope)? })
     }
 
     /// The hard falloff as a quadratic.
@@ -81,11 +61,6 @@ impl Quadratic {
     /// Creates the quadratic with the edge slope clamped to [0, 2].
     pub(crate) fn nearest(edge_slope: f32) -> Self {
         Self { edge_slope: edge_slope.clamp(0.0, 2.0) }
-    }
-
-    /// Returns the edge slope: the derivative with respect to `t` at the edge, in [0, 2].
-    pub fn edge_slope(self) -> f32 {
-        self.edge_slope
     }
 
     fn polynomial(self) -> Polynomial {
@@ -218,8 +193,7 @@ impl<S: Scalar> CompiledQuadratic<S> {
     }
 }
 
-written_by_debug!(Soft Hard Linear);
-written_by_bits!(Quadratic);
+plain!(Soft Hard Linear);
 
 impl<S: Scalar> Source for CompiledQuadratic<S> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {

@@ -3,53 +3,52 @@
 use super::{
     Curve, Falloff, Formula,
     integer::{MOST, lost_after},
-    polynomial::clamped_bits,
 };
 use crate::{
-    error::{Error, Expected, Parameter, check_up_to},
+    error::{Error, Expected, Parameter},
+    model::{Model as _, Number, model},
     number::{Fraction, RealExponent, Scalar},
     source::written_by_bits,
-    stored::stored,
     trig::{self, real_power},
 };
 
-/// The power `t^p` with a non-integer exponent `p` in (0, 1024].
-///
-/// The power is evaluated in integers, by a logarithm and an exponential from tables. For integer
-/// exponents [`IntegerPower`](super::IntegerPower) costs less.
-///
-/// For `p < 1` the derivative with respect to `t` at the edge is infinite. At this edge a format
-/// bounds the error of the position, and not of the intensity.
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct RealPower {
-    exponent: f32,
+model! {
+    /// The power `t^p` with a non-integer exponent `p` in (0, 1024].
+    ///
+    /// The power is evaluated in integers, by a logarithm and an exponential from tables. For integer
+    /// exponents [`IntegerPower`](super::IntegerPower) costs less.
+    ///
+    /// For `p < 1` the derivative with respect to `t` at the edge is infinite. At this edge a format
+    /// bounds the error of the position, and not of the intensity.
+    RealPower {
+        /// Returns the exponent.
+        exponent: f32 = exponent(2.25);
+    } by Self::new(exponent)
 }
 
-stored!(RealPower { exponent: f32 } by Self::new(exponent));
-
-/// The inverted power `1 - u^p` with a non-integer exponent `p` in (0, 1024], the mirror image of
-/// [`RealPower`]. For `p < 1` the inverted power has a sharp peak on the axis.
-///
-/// [Imports](crate::import::Godot) add a floor of `u`: `(1 - max(u, floor)^p) / (1 - floor^p)`.
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct InvertedRealPower {
-    exponent: f32,
-    floor: f32,
+model! {
+    /// The inverted power `1 - u^p` with a non-integer exponent `p` in (0, 1024], the mirror image of
+    /// [`RealPower`]. For `p < 1` the inverted power has a sharp peak on the axis.
+    ///
+    /// [Imports](crate::import::Godot) add a floor of `u`: `(1 - max(u, floor)^p) / (1 - floor^p)`.
+    InvertedRealPower {
+        /// Returns the exponent.
+        exponent: f32 = exponent(2.5);
+        /// Returns the floor: the `u` up to which the intensity is 1. The floor is 0 except for
+        /// imported lights.
+        floor: f32 = Number::between(Parameter::Floor, 0.0, 1.0, 0.0).or(0.0);
+    } by Self::with_floor(exponent, floor)
 }
 
-stored!(InvertedRealPower { exponent: f32, floor: f32 } by Self::with_floor(exponent, floor));
+/// A real exponent.
+const fn exponent(sample: f32) -> Number {
+    Number::positive(Parameter::Exponent, 1.0 / MOST as f32, MOST as f32, sample)
+}
 
 /// Width of the strip next to an infinite derivative that [`Falloff::steepness`] ignores, in outer
 /// half angles. Within this strip a format bounds the error of the position, and not of the
 /// intensity, as at a step.
 pub(crate) const STRIP: f64 = 1.0 / 510.0;
-
-fn checked(exponent: f32) -> Result<f32, Error> {
-    check_up_to(Parameter::Exponent, exponent, MOST as f32)?;
-    Ok(exponent)
-}
 
 impl RealPower {
     /// Creates the power with this exponent.
@@ -57,28 +56,12 @@ impl RealPower {
     /// # Errors
     /// An exponent outside (0, 1024].
     pub fn new(exponent: f32) -> Result<Self, Error> {
-        Ok(Self { exponent: checked(exponent)? })
+        Ok(Self { exponent: Self::NUMBERS[0].checked(exponent)? })
     }
 
     /// Creates the power with an exponent that is already validated.
     pub(crate) const fn of(exponent: f32) -> Self {
         Self { exponent }
-    }
-
-    /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes them.
-    /// The exponent is clamped to [0, 1024]; NaN becomes 0.
-    pub const fn from_bits(exponent: u32) -> Self {
-        Self { exponent: clamped_bits(exponent, MOST as f32) }
-    }
-
-    /// Returns the bits of the exponent.
-    pub const fn to_bits(self) -> u32 {
-        self.exponent.to_bits()
-    }
-
-    /// Returns the exponent.
-    pub fn exponent(self) -> f32 {
-        self.exponent
     }
 
     /// Returns `1 - x^(1/p)`, with `lost = -ln x`.
@@ -97,7 +80,7 @@ impl InvertedRealPower {
     /// # Errors
     /// An exponent outside (0, 1024].
     pub fn new(exponent: f32) -> Result<Self, Error> {
-        Ok(Self { exponent: checked(exponent)?, floor: 0.0 })
+        Ok(Self { exponent: Self::NUMBERS[0].checked(exponent)?, floor: 0.0 })
     }
 
     /// Creates the inverted power with an exponent and a floor, the `u` up to which the intensity is 1.
@@ -111,36 +94,13 @@ impl InvertedRealPower {
             return Ok(power);
         }
         let most = real_power(15.0 / 16.0, 1.0 / f64::from(exponent)) as f32;
-        Err(Error { parameter: Parameter::Versine, value: floor, accepted: Expected::Between(0.0, most) })
+        Err(Error { parameter: Parameter::Floor, value: floor, accepted: Expected::Between(0.0, most) })
     }
 
     /// Creates the inverted power with an exponent and a floor that are already validated:
     /// `floor^p <= 15/16`.
     pub(crate) const fn of(exponent: f32, floor: f32) -> Self {
         Self { exponent, floor }
-    }
-
-    /// Creates the inverted power from the bits of an exponent and a floor, as
-    /// [`codegen`](crate::codegen) writes them. The exponent and the floor are clamped to [0, 1024]
-    /// and [0, 1]; NaN becomes 0.
-    pub const fn from_bits([exponent, floor]: [u32; 2]) -> Self {
-        Self { exponent: clamped_bits(exponent, MOST as f32), floor: clamped_bits(floor, 1.0) }
-    }
-
-    /// Returns the bits of the exponent and of the floor.
-    pub const fn to_bits(self) -> [u32; 2] {
-        [self.exponent.to_bits(), self.floor.to_bits()]
-    }
-
-    /// Returns the exponent.
-    pub fn exponent(self) -> f32 {
-        self.exponent
-    }
-
-    /// Returns the floor: the `u` up to which the intensity is 1. The floor is 0 except for
-    /// imported lights.
-    pub fn floor(self) -> f32 {
-        self.floor
     }
 
     /// Returns `1 - floor^p`, by which the power with a floor is divided.
@@ -154,7 +114,7 @@ impl InvertedRealPower {
     }
 }
 
-written_by_bits!(RealPower InvertedRealPower CompiledRealPower CompiledInvertedRealPower);
+written_by_bits!(CompiledRealPower CompiledInvertedRealPower);
 
 impl CompiledRealPower {
     /// Creates the power from the bits of its exponent, as [`codegen`](crate::codegen) writes them.

@@ -2,8 +2,8 @@
 
 use super::{Curve, Falloff, Formula};
 use crate::{
+    model::plain,
     number::{Fraction, Scalar},
-    source::written_by_debug,
 };
 
 /// The step: full intensity up to the edge and 0 from the edge on, without a multiply. It models an
@@ -16,7 +16,7 @@ use crate::{
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Step;
 
-written_by_debug!(Step);
+plain!(Step);
 
 impl Falloff for Step {
     type Compiled<S: Scalar> = Self;

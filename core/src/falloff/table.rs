@@ -9,6 +9,8 @@ use super::{Curve, Falloff, Formula};
 use crate::{
     angle::Angle,
     error::{Error, Expected, Parameter},
+    model::{Model, Number},
+    models::SAMPLES,
     number::{Fraction, Knot, Scalar},
     source::Source,
     trig,
@@ -192,6 +194,20 @@ fn check_count(count: usize, least: u16) -> Result<(), Error> {
     } else {
         let accepted = Expected::WholeBetween(least.into(), 65_536);
         Err(Error { parameter: Parameter::SampleCount, value: count as f32, accepted })
+    }
+}
+
+/// A table has samples and no numbers.
+impl Model for Table<'static> {
+    const NUMBERS: &'static [Number] = &[];
+
+    fn of(_: &[f32]) -> Result<Self, Error> {
+        Ok(Self::of(&SAMPLES))
+    }
+
+    #[cfg(feature = "arithmetic")]
+    fn number(&self, _: usize) -> Option<f32> {
+        None
     }
 }
 

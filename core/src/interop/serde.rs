@@ -284,7 +284,7 @@ mod tests {
         assert!(refusal::<IntegerPower>(r#"{"exponent":0}"#).starts_with("exponent = 0: expected"));
         assert!(refusal::<Decay>(r#"{"exponent":17.0,"most":1.0}"#).starts_with("decay = 17: expected"));
         let steep = r#"{"exponent":0.5,"floor":0.9}"#;
-        assert!(refusal::<InvertedRealPower>(steep).starts_with("versine = 0.9: expected"));
+        assert!(refusal::<InvertedRealPower>(steep).starts_with("floor = 0.9: expected"));
         let range = r#"{"attenuation":null,"range":0.0}"#;
         assert!(refusal::<GltfRange>(range).starts_with("range = 0: expected a distance from 0.001"));
         assert!(refusal::<SmoothRange>(r#"{"range":9.0,"end":1}"#).starts_with("unknown field `end`"));
