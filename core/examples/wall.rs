@@ -40,7 +40,7 @@ fn scanline(lights: &[Light], row: i32, pixels: &mut [u16]) {
         let point = Vec3::new(metres(column), metres(row), Length::ZERO);
         let mut sum = Rgb::default();
         for light in lights {
-            sum = sum.plus::<Fx16>(Rgb::lit(light.irradiance(point, NORMAL), light.color()));
+            sum += Rgb::lit(light.irradiance(point, NORMAL), light.color());
         }
         *pixel = Rgb565::from_linear(clip::<Fx16>(sum)).0;
     }

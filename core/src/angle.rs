@@ -77,6 +77,38 @@ impl HalfAngle {
     }
 }
 
+/// A full angle, or a half angle as a full one.
+///
+/// The trait is sealed: its types are [`Angle`] and [`HalfAngle`]. A number alone is neither.
+#[diagnostic::on_unimplemented(
+    message = "expected an angle: `Angle::degrees(..)`, the full angle of a data sheet, or `HalfAngle::degrees(..)`",
+    label = "not an angle",
+    note = "a field angle of 15 degrees is `Angle::degrees(15.0)`, which is `HalfAngle::degrees(7.5)`"
+)]
+pub trait IntoAngle: Copy + sealed::Sealed {
+    /// Returns the full angle.
+    fn into_angle(self) -> Angle;
+}
+
+mod sealed {
+    pub trait Sealed {}
+
+    impl Sealed for super::Angle {}
+    impl Sealed for super::HalfAngle {}
+}
+
+impl IntoAngle for Angle {
+    fn into_angle(self) -> Angle {
+        self
+    }
+}
+
+impl IntoAngle for HalfAngle {
+    fn into_angle(self) -> Angle {
+        self.into()
+    }
+}
+
 impl From<HalfAngle> for Angle {
     fn from(half: HalfAngle) -> Self {
         Self { degrees: 2.0 * half.degrees }

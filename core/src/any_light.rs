@@ -15,6 +15,7 @@ use crate::{
     number::Scalar,
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint,
+        sealed::Sealed,
     },
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
@@ -237,6 +238,8 @@ impl<S: Scalar> CompiledAnyLight<S> {
 
 /// The trait's methods branch per point: slower than
 /// [`evaluate_each`](CompiledAnyLight::evaluate_each), with bit-identical results.
+impl<S: Scalar> Sealed for CompiledAnyLight<S> {}
+
 impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
     #[inline]
     fn colors(&self) -> [Rgb<S>; 2] {

@@ -146,7 +146,7 @@ fn light_block<S: Scalar>(
 /// Adds light, multiplied by a colour, to a channel.
 #[inline(always)]
 fn add<S: Scalar>(sum: &mut S::Irradiance, light: S::Irradiance, color: S) {
-    *sum = S::add_light(*sum, S::filter(light, color));
+    *sum = *sum + S::filter(light, color);
 }
 
 /// Returns the irradiance at a single point, with early-outs in fixed point and without branches in
@@ -274,7 +274,7 @@ macro_rules! slices {
             /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`.
             ///
             /// Each result is bit-identical to calls of `irradiance`, [`Rgb::lit`] and
-            /// [`Rgb::plus`]. The lengths of the slices have the same effect as in
+            /// addition. The lengths of the slices have the same effect as in
             /// [`irradiance_each`](Self::irradiance_each).
             pub fn add_each(
                 &$self,

@@ -1,5 +1,7 @@
 //! Linear RGB colours.
 
+use core::ops::{Add, AddAssign};
+
 use crate::{
     error::{Error, Parameter, check_components},
     number::Scalar,
@@ -60,11 +62,22 @@ impl<I: Copy> Rgb<I> {
     pub fn filtered<S: Scalar<Irradiance = I>>(self, color: Rgb<S>) -> Self {
         self.zip(color, S::filter)
     }
+}
 
-    /// Returns the sum of two lights.
+/// The sum of two lights; in fixed point it saturates.
+impl<T: Add<Output = T>> Add for Rgb<T> {
+    type Output = Self;
+
     #[inline]
-    pub fn plus<S: Scalar<Irradiance = I>>(self, other: Self) -> Self {
-        self.zip(other, S::add_light)
+    fn add(self, other: Self) -> Self {
+        self.zip(other, T::add)
+    }
+}
+
+impl<T: Copy + Add<Output = T>> AddAssign for Rgb<T> {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
     }
 }
 

@@ -2,14 +2,8 @@
 //!
 //! A compiled cone is a function of the versine and needs no angles.
 
-mod compiled;
-mod two_angles;
-mod zoom;
-
-pub use self::compiled::CompiledCone;
-
 use crate::{
-    angle::Angle,
+    angle::{Angle, IntoAngle},
     error::{Error, Expected, Parameter, check_between},
     falloff::{Falloff, Formula, Hard, Power, Soft, SoftOrHard},
     number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
@@ -53,14 +47,36 @@ pub struct Cone<P = SoftOrHard> {
 
 stored!([P: Falloff] Cone<P> { falloff: P, inner: f32, outer: f32, limit: f32 } by Self::from_versines(falloff, [inner, outer, limit]));
 
+impl Cone<Soft> {
+    /// Creates the cone with a soft falloff and this field angle, at which the intensity is 10 %:
+    /// see [`from_field`](Cone::from_field).
+    ///
+    /// # Errors
+    /// A field angle outside (0, 143.13] degrees.
+    pub fn soft(field: impl IntoAngle) -> Result<Self, Error> {
+        Self::from_field(Soft, field)
+    }
+}
+
+impl Cone<Hard> {
+    /// Creates the cone with a hard falloff and this field angle, at which the intensity is 10 %:
+    /// see [`from_field`](Cone::from_field).
+    ///
+    /// # Errors
+    /// A field angle outside (0, 174.11] degrees.
+    pub fn hard(field: impl IntoAngle) -> Result<Self, Error> {
+        Self::from_field(Hard, field)
+    }
+}
+
 impl<P: Falloff> Cone<P> {
     /// Creates the cone with this field angle, at which the intensity is 10 %.
     ///
     /// # Errors
     /// An angle that is not more than 0, or whose outer angle would exceed 180 degrees. The largest
     /// field angle is 143.13 degrees for a soft falloff and 174.11 for a hard one.
-    pub fn from_field(falloff: P, field: impl Into<Angle>) -> Result<Self, Error> {
-        Self::from_angle(falloff, field.into(), falloff.field_versine(), Parameter::FieldAngle)
+    pub fn from_field(falloff: P, field: impl IntoAngle) -> Result<Self, Error> {
+        Self::from_angle(falloff, field.into_angle(), falloff.field_versine(), Parameter::FieldAngle)
     }
 
     /// Creates the cone with this beam angle, at which the intensity is 50 %.
@@ -68,16 +84,16 @@ impl<P: Falloff> Cone<P> {
     /// # Errors
     /// An angle that is not more than 0, or whose outer angle would exceed 180 degrees. The largest
     /// beam angle is 90 degrees for a soft falloff and 145.93 for a hard one.
-    pub fn from_beam(falloff: P, beam: impl Into<Angle>) -> Result<Self, Error> {
-        Self::from_angle(falloff, beam.into(), falloff.beam_versine(), Parameter::BeamAngle)
+    pub fn from_beam(falloff: P, beam: impl IntoAngle) -> Result<Self, Error> {
+        Self::from_angle(falloff, beam.into_angle(), falloff.beam_versine(), Parameter::BeamAngle)
     }
 
     /// Creates the cone with this outer angle, at which the light ends.
     ///
     /// # Errors
     /// An angle outside (0, 180] degrees.
-    pub fn from_outer(falloff: P, outer: impl Into<Angle>) -> Result<Self, Error> {
-        Self::from_angle(falloff, outer.into(), 1.0, Parameter::OuterAngle)
+    pub fn from_outer(falloff: P, outer: impl IntoAngle) -> Result<Self, Error> {
+        Self::from_angle(falloff, outer.into_angle(), 1.0, Parameter::OuterAngle)
     }
 
     /// Creates the cone in which the versine of this angle is `fraction` times the outer versine.
@@ -119,8 +135,8 @@ impl<P: Falloff> Cone<P> {
     ///
     /// # Errors
     /// An angle that is negative or larger than the angle at which the falloff ends.
-    pub fn with_inner(self, inner: impl Into<Angle>) -> Result<Self, Error> {
-        let angle = inner.into();
+    pub fn with_inner(self, inner: impl IntoAngle) -> Result<Self, Error> {
+        let angle = inner.into_angle();
         let inner = angle.versine();
         if angle >= Angle::degrees(0.0) && angle <= Angle::degrees(180.0) && inner <= self.outer {
             Ok(Self { inner, ..self })
@@ -135,8 +151,8 @@ impl<P: Falloff> Cone<P> {
     ///
     /// # Errors
     /// An angle that is not more than 0, or larger than the angle at which the falloff ends.
-    pub fn with_cutoff(self, cutoff: impl Into<Angle>) -> Result<Self, Error> {
-        let angle = cutoff.into();
+    pub fn with_cutoff(self, cutoff: impl IntoAngle) -> Result<Self, Error> {
+        let angle = cutoff.into_angle();
         let limit = angle.versine();
         // A cutoff with versine 0 would leave no light.
         let range = f32::MIN_POSITIVE..=self.outer;
@@ -337,28 +353,6 @@ fn widest(versine: f32) -> f32 {
     degrees
 }
 
-impl Cone<Soft> {
-    /// Creates the cone with a soft falloff and this field angle, at which the intensity is 10 %:
-    /// see [`from_field`](Cone::from_field).
-    ///
-    /// # Errors
-    /// A field angle outside (0, 143.13] degrees.
-    pub fn soft(field: impl Into<Angle>) -> Result<Self, Error> {
-        Self::from_field(Soft, field)
-    }
-}
-
-impl Cone<Hard> {
-    /// Creates the cone with a hard falloff and this field angle, at which the intensity is 10 %:
-    /// see [`from_field`](Cone::from_field).
-    ///
-    /// # Errors
-    /// A field angle outside (0, 174.11] degrees.
-    pub fn hard(field: impl Into<Angle>) -> Result<Self, Error> {
-        Self::from_field(Hard, field)
-    }
-}
-
 impl<const N: u32> Cone<Power<N>> {
     /// Creates OpenGL's spotlight with `GL_SPOT_EXPONENT` N and this `GL_SPOT_CUTOFF`.
     ///
@@ -379,7 +373,7 @@ impl<const N: u32> Cone<Power<N>> {
     ///
     /// # Errors
     /// A cutoff that is not more than 0, or over 180 degrees as a full angle.
-    pub fn opengl(cutoff: impl Into<Angle>) -> Result<Self, Error> {
+    pub fn opengl(cutoff: impl IntoAngle) -> Result<Self, Error> {
         Self::open(Power, 0.0, 1.0).with_cutoff(cutoff)
     }
 }
@@ -404,3 +398,10 @@ fn narrowest<S: Scalar>(edge: &Slopes) -> Angle {
     let room = positive(HALF_A_CODE - S::rounding(edge));
     Angle::radians(2.0 * S::DIRECTION_ERROR * edge.angle / room)
 }
+
+// Below the constructors with which every example begins: rustdoc shows methods in this order.
+mod compiled;
+mod two_angles;
+mod zoom;
+
+pub use self::compiled::CompiledCone;

@@ -42,7 +42,7 @@
 //!
 //! let mut sum = Rgb::default();
 //! for lit in &lights {
-//!     sum = sum.plus::<Fx16>(Rgb::lit(lit.irradiance(point, normal), lit.color()));
+//!     sum += Rgb::lit(lit.irradiance(point, normal), lit.color());
 //! }
 //! let pixel = Rgb565::from_linear(clip::<Fx16>(sum));
 //! # assert_eq!(pixel.to_codes().red, 255);
@@ -172,7 +172,7 @@
 //! | `serde` | serialisation of lights and cones, checked when they are read; of angles, vectors, colours, pixels and numbers |
 //! | `arithmetic` | the arithmetic of the number formats, for tests and cost measurements: may change in any version |
 
-// Modules, lowest first: `error`, `models`, `search`, `source`, `stored`, `trig`, `vec3`, `angle`, `effect`,
+// Modules, lowest first: `error`, `model`, `models`, `search`, `source`, `stored`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
 // `haze`, `material`, `row`, `draw`, `light`, `any_light`, `bound`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
@@ -186,6 +186,11 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+// Cones and lights before what extends them: rustdoc shows methods in this order.
+mod cone;
+pub mod light;
+mod shade;
+
 mod angle;
 mod any_light;
 pub mod attenuation;
@@ -193,7 +198,6 @@ mod batch;
 pub mod bound;
 pub mod codegen;
 mod color;
-mod cone;
 pub mod display;
 pub mod draw;
 pub mod dynamic;
@@ -205,7 +209,6 @@ pub mod guide;
 pub mod haze;
 pub mod import;
 pub mod interop;
-pub mod light;
 mod material;
 mod model;
 #[cfg(feature = "arithmetic")]
@@ -217,14 +220,13 @@ mod plan;
 pub mod projector;
 mod row;
 mod search;
-mod shade;
 mod source;
 pub mod specular;
 mod stored;
 mod trig;
 mod vec3;
 
-pub use angle::{Angle, HalfAngle};
+pub use angle::{Angle, HalfAngle, IntoAngle};
 pub use color::Rgb;
 pub use cone::Cone;
 #[doc(inline)]

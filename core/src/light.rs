@@ -16,16 +16,13 @@ pub use crate::{
     material::CompiledMaterial,
     row::{AlongX, Points, Row},
     shade::{
-        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, QuickSpotLight,
-        SurfacePoint,
+        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel,
+        QuickSpotLight, SurfacePoint,
     },
 };
 
 #[cfg(feature = "fixed")]
 pub use self::integer::{IntegerCone, Refusal};
-
-#[cfg(feature = "arithmetic")]
-pub use crate::shade::LightModel;
 
 use crate::{
     attenuation::Attenuation,

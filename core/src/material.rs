@@ -160,7 +160,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
     /// `Ia` from [`AmbientLight::compile`](crate::AmbientLight::compile).
     #[inline]
     pub fn glow(&self, ambient: Rgb<S::Irradiance>) -> Rgb<S::Irradiance> {
-        self.emissive.plus::<S>(ambient.filtered::<S>(self.ambient))
+        self.emissive + ambient.filtered::<S>(self.ambient)
     }
 
     /// Returns the reflected light of one compiled light:
@@ -194,7 +194,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         ambient: Rgb<S::Irradiance>,
     ) -> Rgb<S> {
         let reflected = lights.iter().map(|light| self.reflect(surface, light));
-        clip::<S>(reflected.fold(self.glow(ambient), |sum, light| sum.plus::<S>(light)))
+        clip::<S>(reflected.fold(self.glow(ambient), |sum, light| sum + light))
     }
 
     /// Writes the [`color`](Self::color) of each surface point, such as a vertex of a mesh, up to
@@ -229,6 +229,6 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
             return diffuse;
         }
         let specular = Rgb::lit::<S>(arrived.specular, specular_color).filtered::<S>(self.specular);
-        diffuse.plus::<S>(specular)
+        diffuse + specular
     }
 }

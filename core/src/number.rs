@@ -87,6 +87,11 @@ const fn cold_path() {}
 ///     Ok(S::light_to_f32(lit.irradiance(S::point(point), S::normal([0.0, 1.0, 0.0]))))
 /// }
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no number format",
+    label = "expected `f32`, `Fx16` or `Fx32`",
+    note = "light may exceed full scale and has a type of its own: `display::clip` makes a colour of it"
+)]
 pub trait Scalar:
     Arithmetic<
         Position = <Self as Scalar>::Length,
@@ -109,7 +114,12 @@ pub trait Scalar:
     /// A component of a unit vector, at the format's finest resolution.
     type Unit: Source + Copy + Default + PartialEq + core::fmt::Debug;
     /// Irradiance at a surface, at least 0; 1 is full scale.
-    type Irradiance: Source + Copy + Default + PartialOrd + core::fmt::Debug;
+    type Irradiance: Source
+        + Copy
+        + Default
+        + PartialOrd
+        + core::fmt::Debug
+        + core::ops::Add<Output = Self::Irradiance>;
 
     /// The name of the format, as written in the price list.
     const NAME: &'static str;

@@ -245,7 +245,7 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
     /// Calls `show` for each pixel that receives light, with the pixel, its index and the sum of
     /// the lights, each times its colour. Pixels without light keep their values.
     ///
-    /// The sum is bit-identical to that of `irradiance`, [`Rgb::lit`] and [`Rgb::plus`] over all
+    /// The sum is bit-identical to that of `irradiance`, [`Rgb::lit`] and addition over all
     /// lights.
     #[inline]
     pub fn light<L: LightModel<S>, T, const N: usize>(
@@ -266,7 +266,7 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
                     let [color, _] = light.colors();
                     let arrived = light.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
                     if arrived != S::Irradiance::default() {
-                        sum = sum.plus::<S>(Rgb::lit::<S>(arrived, color));
+                        sum += Rgb::lit::<S>(arrived, color);
                     }
                 }
             }

@@ -56,10 +56,47 @@ pub struct Incident<I> {
     pub specular: I,
 }
 
-/// A compiled light of any kind.
-pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
+/// A compiled light of any kind: what a function takes that lights with all of them.
+///
+/// The trait is sealed: its types are the compiled lights of this crate.
+///
+/// ```
+/// use luminaire::{Angle, Cone, Fx16, Length, PointLight, Rgb, SpotLight, Vec3, light::LightModel, number::Light16};
+///
+/// fn shade<L: LightModel<Fx16>>(lights: &[L], point: Vec3<Length>, normal: Vec3<Fx16>) -> Rgb<Light16> {
+///     let lit = |light: &L| Rgb::lit(light.irradiance(point, normal), light.color());
+///     lights.iter().map(lit).fold(Rgb::default(), |sum, light| sum + light)
+/// }
+///
+/// let cone = Cone::soft(Angle::degrees(20.0))?;
+/// let spots = [SpotLight::new([0.0, 2.0, 0.0], [0.0, -1.0, 0.0], cone)?.compile()?];
+/// let points = vec![PointLight::new([0.0, 2.0, 0.0])?.compile()?; 2];
+/// let (point, normal) = (Fx16::point([0.0, 0.0, 0.0]), Fx16::normal([0.0, 1.0, 0.0]));
+/// let [one, two] = [shade(&spots, point, normal), shade(&points, point, normal)];
+/// assert_eq!(one + one, two);
+/// # Ok::<(), luminaire::Error>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no compiled light",
+    note = "a described light is compiled for a number format: `light.compile::<Fx16>()`"
+)]
+pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
+    /// Returns the irradiance of a matte surface with this normal, of unit length, not yet multiplied by the
+    /// light's colour.
+    #[inline]
+    fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
+    }
+    /// Returns the linear colour of the light.
+    #[inline]
+    fn color(&self) -> Rgb<S> {
+        let [color, _] = self.colors();
+        color
+    }
+    #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     /// Returns the linear colours of the light: the diffuse and the specular colour.
     fn colors(&self) -> [Rgb<S>; 2];
+    #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     /// Computes the light at a surface whose specular lobe is of the type `H`.
     ///
     /// With `skips`, points that receive no light are rejected before the square root. The result
@@ -70,6 +107,7 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance>;
+    #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     /// Sets the diffuse light at points of a matte surface, those of [`evaluate`](Self::evaluate).
     ///
     /// The points have the same y and z. Their x rises or falls with the index.
@@ -90,6 +128,11 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug {
     fn can_reach(&self, _center: Vec3<S::Length>, _radius: S::Length) -> bool {
         true
     }
+}
+
+pub(crate) mod sealed {
+    /// Keeps other crates from implementing [`LightModel`](super::LightModel).
+    pub trait Sealed {}
 }
 
 /// Returns the specular lobe if the light hits the front of a surface, else zero.

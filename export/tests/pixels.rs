@@ -94,7 +94,7 @@ fn by_the_kernel(light: Rgb<u32>, place: u32, palette: &Palette<'_>) -> Vec<u32>
     duties!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
     let filter = (light.red & 0x7fff) as i16;
     let filter = Rgb::new(filter, 20_000 - filter, -1 - filter).map(Fx16::from_bits);
-    let Rgb { red, green, blue } = sum.plus::<Fx16>(sum.filtered(filter)).map(Light16::to_bits);
+    let Rgb { red, green, blue } = (sum + sum.filtered(filter)).map(Light16::to_bits);
     words.extend([red, green, blue]);
     words
 }

@@ -274,7 +274,7 @@ fn many(place: &Place, spots: &[Light; 2]) -> Vec<u32> {
     let started = |i: usize| Rgb::new(i as u32, 0, 0xffff_ff00).map(Light16::from_bits);
     let row = Row::new(normal, at);
     let mut lit: Vec<_> = (0..count).map(started).collect();
-    row.light(&[spots[0]], &mut lit, |sum, _, light| *sum = sum.plus::<Fx16>(light));
+    row.light(&[spots[0]], &mut lit, |sum, _, light| *sum += light);
     let facing = |i: usize| {
         let byte = |i: usize| (i32::from(place.bytes[i % 4]) + i as i32) as i8;
         Fx16::normal_from_unit_bytes([3 * i, 3 * i + 1, 3 * i + 2].map(byte))
@@ -283,12 +283,12 @@ fn many(place: &Place, spots: &[Light; 2]) -> Vec<u32> {
     let reach = row.reach(&spots[0], count);
     row.fill_facing(&spots[0], facing, reach.start, &mut arrived[reach]);
     let sprite = arrived.iter().enumerate();
-    lit.extend(sprite.map(|(i, &light)| started(i).plus::<Fx16>(Rgb::lit(light, spots[0].color()))));
+    lit.extend(sprite.map(|(i, &light)| started(i) + Rgb::lit(light, spots[0].color())));
     lit.extend((0..count).map(|i| {
         let point = lengths([0, 1, 2].map(|k| place.point[k].wrapping_add(step[k] << (i & 15))));
         let normal = Vec3::from(place.normal).map(|c| Fx16::from_bits(c >> (i & 3)));
         let light = |spot: &Light| Rgb::lit(spot.irradiance(point, normal), spot.color());
-        spots.iter().fold(started(i), |sum, spot| sum.plus::<Fx16>(light(spot)))
+        spots.iter().fold(started(i), |sum, spot| sum + light(spot))
     }));
     lit.into_iter().flat_map(bits).collect()
 }

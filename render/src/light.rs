@@ -348,8 +348,8 @@ fn add<S: Scalar>(sum: &mut Rgb<Lights<S>>, light: &Lights<S>, color: Rgb<S>) {
     // One loop adds all channels of a pixel: compilers would unroll a shorter loop per channel
     // instead of vectorising it.
     for lane in 0..LANES {
-        red[lane] = S::add_light(red[lane], S::filter(light[lane], color.red));
-        green[lane] = S::add_light(green[lane], S::filter(light[lane], color.green));
-        blue[lane] = S::add_light(blue[lane], S::filter(light[lane], color.blue));
+        red[lane] = red[lane] + S::filter(light[lane], color.red);
+        green[lane] = green[lane] + S::filter(light[lane], color.green);
+        blue[lane] = blue[lane] + S::filter(light[lane], color.blue);
     }
 }

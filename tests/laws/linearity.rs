@@ -50,7 +50,7 @@ pub fn order_does_not_matter<S: Format>(words: &[u32]) {
         lights.push(Rgb::lit::<S>(light, color.map(|c| S::from_f32(c.to_f32().clamp(0.0, 1.0)))));
     }
     let sum = |lights: &mut dyn Iterator<Item = Rgb<S::Irradiance>>| {
-        lights.fold(Rgb::default(), |sum: Rgb<S::Irradiance>, light| sum.plus::<S>(light))
+        lights.fold(Rgb::default(), |sum: Rgb<S::Irradiance>, light| sum + light)
     };
     let middle = lights.len() / 2;
     let forth = sum(&mut lights.iter().copied());

@@ -79,7 +79,7 @@ fn row<S: Format, L: LightModel<S>>(
         let single = Rgb::lit::<S>(arrived, light.colors()[0]);
         assert_eq!(
             pixel,
-            Rgb::default().plus::<S>(single).plus::<S>(single),
+            Rgb::default() + single + single,
             "{light:?} at {:?}, point {i} of {count}",
             point(i)
         );

@@ -77,7 +77,7 @@ fn highlight<S: Format>(words: &mut Words<'_>) -> Option<()> {
         }
         let ambient = AmbientLight::new(scene::color(words)).and_then(|a| a.with_intensity(words.number(0.0, 2.0)));
         if let Ok(ambient) = ambient {
-            sum = sum.plus::<S>(material.compile::<S>().glow(ambient.compile::<S>()));
+            sum += material.compile::<S>().glow(ambient.compile::<S>());
         }
         assert_shown::<S>(words, sum);
         Some(())

@@ -126,7 +126,7 @@ fn assert_batch<S: Format>(source: &Calls<'_, S>, sites: &Sites<S>, length: usiz
             light_bits::<S>(light),
             "{i} of {length}: {point:?} {normal:?}"
         );
-        let sum = Rgb::new(stale[i], stale[i], stale[i]).plus::<S>(Rgb::lit(light, source.tint));
+        let sum = Rgb::new(stale[i], stale[i], stale[i]) + Rgb::lit(light, source.tint);
         let found = Rgb::new(sums.red[i], sums.green[i], sums.blue[i]);
         assert_eq!(
             found.map(light_bits::<S>),
@@ -253,7 +253,7 @@ fn the_shortest_slice_counts() {
                     // With a single channel, only the first slice may be the short one.
                     let expected = if i < short || which > 6 { light } else { stale[i] };
                     assert_eq!(lights[i], expected, "{i} of {short}, slice {which}");
-                    let sum = S::add_light(stale[i], S::filter(light, compiled.color().green));
+                    let sum = stale[i] + S::filter(light, compiled.color().green);
                     assert_eq!(
                         sums.green[i],
                         if i < short { sum } else { stale[i] },

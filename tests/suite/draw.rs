@@ -295,7 +295,7 @@ fn assert_sprite<S: Format>() {
             let expected = place.map_or([Rgb565(0xffff); 2], |place| {
                 let normal = S::normal_from_unit_bytes(normals[place]);
                 let [a, b] = lights.map(|light| light.irradiance(at::<S>(x, y), normal));
-                let sum = Rgb::new(a, a, a).plus::<S>(Rgb::new(b, b, b)).red;
+                let sum = (Rgb::new(a, a, a) + Rgb::new(b, b, b)).red;
                 let material = usize::from(materials[place]).min(1);
                 [
                     ramps[0].pixel::<S>(a, x as u32, y as u32),

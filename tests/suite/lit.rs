@@ -271,7 +271,7 @@ fn lit_errors<S: Format>() -> [f64; 2] {
             let eye = sweep::on_grid(site + 5.0 * eye_way);
             let to_length = |v: DVec3| sweep::single(v).map(S::length);
             let surface = SurfacePoint::seen_from(to_length(eye), to_length(site), normal);
-            let light = compiled.glow(ambient).plus::<S>(compiled.reflect(&surface, &lit));
+            let light = compiled.glow(ambient) + compiled.reflect(&surface, &lit);
             let classic = Classic {
                 ambient: [ma.into(), ia.into()],
                 diffuse: [md.into(), diffuse.into()],

@@ -164,7 +164,7 @@ fn filter<S: Format>(rng: &mut Rng) -> f64 {
 
 fn add_light<S: Format>(rng: &mut Rng) -> f64 {
     let (a, b) = (light::<S>(rng), light::<S>(rng));
-    steps::<S>(S::exact_light(S::add_light(a, b)) - (S::exact_light(a) + S::exact_light(b)))
+    steps::<S>(S::exact_light(a + b) - (S::exact_light(a) + S::exact_light(b)))
 }
 
 fn light_to_f32<S: Format>(rng: &mut Rng) -> f64 {
@@ -221,7 +221,7 @@ fn colored<S: Format>(rng: &mut Rng) -> f64 {
     let (a, b) = (light::<S>(rng), light::<S>(rng));
     let [color, filter] = [0; 2].map(|_| S::from_f32(rng.f32()));
     let rgb = |value: S| Rgb::new(value, value, value);
-    let lit = Rgb::lit(a, rgb(color)).filtered(rgb(filter)).plus::<S>(Rgb::new(b, b, b)).red;
+    let lit = (Rgb::lit(a, rgb(color)).filtered(rgb(filter)) + Rgb::new(b, b, b)).red;
     let exact = S::exact_light(a) * color.exact() * filter.exact() + S::exact_light(b);
     steps::<S>(S::exact_light(lit) - exact)
 }

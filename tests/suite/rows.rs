@@ -183,9 +183,8 @@ fn assert_vertices<S: Format>() {
     let glow = clip::<S>(material.glow(ambient));
     let mut lit = 0;
     for (color, vertex) in colors.into_iter().zip(&vertices) {
-        let sum = lights
-            .iter()
-            .fold(material.glow(ambient), |sum, light| sum.plus::<S>(material.reflect(vertex, light)));
+        let sum =
+            lights.iter().fold(material.glow(ambient), |sum, light| sum + material.reflect(vertex, light));
         assert_eq!(color, clip::<S>(sum), "{vertex:?}");
         lit += u32::from(color != glow);
     }

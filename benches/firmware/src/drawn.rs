@@ -83,11 +83,7 @@ fn leds() {
         for (lit, place) in lit.iter_mut().zip(&PLACES) {
             let add = |sum: Rgb<Light16>, light: &QuickSpotLight<Fx16, Soft, NoAttenuation>| {
                 let arrived = light.irradiance_facing(*place);
-                if arrived == Light16::ZERO {
-                    sum
-                } else {
-                    sum.plus::<Fx16>(Rgb::lit(arrived, light.color()))
-                }
+                if arrived == Light16::ZERO { sum } else { sum + Rgb::lit(arrived, light.color()) }
             };
             *lit = clip::<Fx16>(opaque(&LAMPS).iter().fold(Rgb::default(), add));
         }

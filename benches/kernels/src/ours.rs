@@ -153,7 +153,7 @@ impl<S: Format> Kernel for Highlit<S> {
     fn evaluate(&self, site: &Stored<S>) -> S::Irradiance {
         let surface = SurfacePoint::seen_from(self.eye, site.point, site.normal);
         let arrival = self.light.evaluate::<Phong>(&surface, &self.highlight, true);
-        S::add_light(S::filter(arrival.diffuse, self.diffuse), S::filter(arrival.specular, self.specular))
+        S::filter(arrival.diffuse, self.diffuse) + S::filter(arrival.specular, self.specular)
     }
 
     #[inline(always)]

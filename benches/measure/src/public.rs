@@ -65,6 +65,7 @@ const TYPES: Rows = &[
     ("Serializer", &["Data"]),
     ("Deserializer", &["Data"]),
     ("Copy", &["Irradiance"]),
+    ("Add", &["Irradiance"]),
     ("Fn() -> Vec3", &[POINTS]),
     ("Fn() -> Length", &[PLACES]),
     (
@@ -97,8 +98,16 @@ const REFUSED: Rows = &[
 ];
 
 /// Private modules of other crates, whose items the crates export from the module above.
-const PRIVATE: [&str; 7] =
-    ["binary_color::", "drawable::", "formatter::", "gray_color::", "range::", "rgb_color::", "traits::"];
+const PRIVATE: [&str; 8] = [
+    "arith::",
+    "binary_color::",
+    "drawable::",
+    "formatter::",
+    "gray_color::",
+    "range::",
+    "rgb_color::",
+    "traits::",
+];
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.
@@ -407,6 +416,7 @@ impl Spelling<'_> {
                 Ok(format!("|{}| source()", vec!["_"; inputs].join(", ")))
             }
             "Into" => self.argument(&bound["args"]["angle_bracketed"]["args"][0]["type"]),
+            "IntoAngle" => Ok("source::<luminaire::Angle>()".to_owned()),
             // A type without a public name is inferred.
             "" => Ok(self.spell(of).map_or("source()".into(), |of| format!("source::<{of}>()"))),
             name => bail!("no argument is known for `impl {name}`"),

@@ -2,7 +2,7 @@
 
 use super::Cone;
 use crate::{
-    angle::Angle,
+    angle::{Angle, IntoAngle},
     error::{Error, Expected, Parameter},
     falloff::{
         Cubic, Falloff, FittedFalloff, Hard, Quadratic,
@@ -41,8 +41,8 @@ impl Cone<FittedFalloff> {
     /// A beam angle outside (0, 180] degrees. A field angle that is smaller than the beam angle,
     /// gives a ratio `r` over 5.437, or needs an outer angle over 180 degrees. The error names the
     /// range of field angles for this beam angle.
-    pub fn from_beam_and_field(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<Self, Error> {
-        design(beam.into(), field.into(), fitted)
+    pub fn from_beam_and_field(beam: impl IntoAngle, field: impl IntoAngle) -> Result<Self, Error> {
+        design(beam.into_angle(), field.into_angle(), fitted)
     }
 }
 
@@ -57,11 +57,11 @@ impl Cone<Cubic> {
     /// The errors of [`Cone::from_beam_and_field`], with ratios from 1.1604 to 5.437 accepted. Also
     /// an edge slope outside the range of [`Cone::edge_slopes`].
     pub fn from_beam_field_and_slope(
-        beam: impl Into<Angle>,
-        field: impl Into<Angle>,
+        beam: impl IntoAngle,
+        field: impl IntoAngle,
         edge_slope: f32,
     ) -> Result<Self, Error> {
-        let (beam, field) = (beam.into(), field.into());
+        let (beam, field) = (beam.into_angle(), field.into_angle());
         let (least, most) = Self::edge_slopes(beam, field)?;
         if !(least..=most).contains(&edge_slope) {
             let accepted = Expected::Between(least, most);
@@ -76,12 +76,12 @@ impl Cone<Cubic> {
     /// # Errors
     /// A beam angle outside (0, 180] degrees, or a field angle for which the ratio of the versines
     /// is outside 1.1604 to 5.437.
-    pub fn edge_slopes(beam: impl Into<Angle>, field: impl Into<Angle>) -> Result<(f32, f32), Error> {
+    pub fn edge_slopes(beam: impl IntoAngle, field: impl IntoAngle) -> Result<(f32, f32), Error> {
         let reachable = |beam: f32, field: f32| {
             let ratio = field / beam;
             (LEAST_RATIO..=MOST_RATIO).contains(&ratio).then(|| fit::edge_slopes(ratio))
         };
-        design(beam.into(), field.into(), reachable)
+        design(beam.into_angle(), field.into_angle(), reachable)
     }
 }
 

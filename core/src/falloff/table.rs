@@ -7,7 +7,7 @@ use core::fmt::{self, Formatter};
 
 use super::{Curve, Falloff, Formula};
 use crate::{
-    angle::Angle,
+    angle::{Angle, IntoAngle},
     error::{Error, Expected, Parameter},
     model::{Model, Number},
     models::SAMPLES,
@@ -110,12 +110,12 @@ impl<'a> Table<'a> {
     /// [0, 1], or an outer angle outside (0, 180] degrees.
     pub fn from_angles(
         measured: &[f32],
-        outer: impl Into<Angle>,
+        outer: impl IntoAngle,
         knots: &'a mut [Knot],
     ) -> Result<(Self, f32), Error> {
         check_count(measured.len(), 2)?;
         check_count(knots.len(), 1)?;
-        let outer = outer.into();
+        let outer = outer.into_angle();
         if !(outer > Angle::degrees(0.0) && outer <= Angle::degrees(180.0)) {
             let accepted = Expected::AngleUpTo(180.0);
             return Err(Error { parameter: Parameter::OuterAngle, value: outer.to_degrees(), accepted });

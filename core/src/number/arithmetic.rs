@@ -243,8 +243,6 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
     fn length_times(length: Self::Position, count: i32) -> Self::Position;
     /// Multiplies a channel of light by the same channel of a colour.
     fn filter(light: Self::Received, color: Self) -> Self::Received;
-    /// Returns the sum of two lights.
-    fn add_light(a: Self::Received, b: Self::Received) -> Self::Received;
     /// Returns the mean of two lights, in fixed point rounded down.
     fn mean_light(a: Self::Received, b: Self::Received) -> Self::Received;
     /// Converts a light to a gain.

@@ -628,11 +628,6 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
-    fn add_light(a: f32, b: f32) -> f32 {
-        a + b
-    }
-
-    #[inline]
     fn mean_light(a: f32, b: f32) -> f32 {
         0.5 * a + 0.5 * b
     }

@@ -112,6 +112,22 @@ numbers! {
     Weight32(I34F30, i64);
 }
 
+/// Implements the sum of light, which saturates.
+macro_rules! summed {
+    ($($name:ident)*) => {$(
+        impl core::ops::Add for $name {
+            type Output = Self;
+
+            #[inline]
+            fn add(self, other: Self) -> Self {
+                self.saturating_add(other)
+            }
+        }
+    )*};
+}
+
+summed!(Light16 Light32);
+
 impl Fx16 {
     /// Returns the point with these coordinates, each rounded to the nearest length.
     pub const fn point([x, y, z]: [f32; 3]) -> Vec3<Length> {

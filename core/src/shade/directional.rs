@@ -1,6 +1,6 @@
 //! Directional lights, compiled.
 
-use super::{Incident, LightModel, SurfacePoint, lobe};
+use super::{Incident, LightModel, SurfacePoint, lobe, sealed::Sealed};
 use crate::{
     color::Rgb,
     number::Scalar,
@@ -49,6 +49,8 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
         Self { direction, intensity, color, specular_color }
     }
 }
+
+impl<S: Scalar> Sealed for CompiledDirectionalLight<S> {}
 
 impl<S: Scalar> LightModel<S> for CompiledDirectionalLight<S> {
     #[inline]

@@ -1,6 +1,6 @@
 //! Point lights, compiled.
 
-use super::{Incident, LightModel, SurfacePoint, lobe};
+use super::{Incident, LightModel, SurfacePoint, lobe, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -65,6 +65,8 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
         Self { position, attenuation, intensity, fine_below, color, specular_color }
     }
 }
+
+impl<S: Scalar, A: Attenuation> Sealed for CompiledPointLight<S, A> {}
 
 impl<S: Scalar, A: Attenuation> LightModel<S> for CompiledPointLight<S, A> {
     #[inline]

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::{Incident, LightModel, SurfacePoint, lobe, reaches};
+use super::{Incident, LightModel, SurfacePoint, lobe, reaches, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -107,6 +107,8 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
         Self { position, axis, cone, outside, attenuation, intensity, color, specular_color }
     }
 }
+
+impl<S: Quick, P: Falloff, A: Attenuation> Sealed for QuickSpotLight<S, P, A> {}
 
 impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P, A> {
     #[inline]

@@ -1,6 +1,6 @@
 //! Spotlights, compiled.
 
-use super::{Incident, LightModel, SurfacePoint, lobe, reaches};
+use super::{Incident, LightModel, SurfacePoint, lobe, reaches, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -191,6 +191,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         Self { position, axis, cone, outside, attenuation, intensity, fine_below, color, specular_color }
     }
 }
+
+impl<S: Scalar, P: Falloff, A: Attenuation> Sealed for CompiledSpotLight<S, P, A> {}
 
 impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<S, P, A> {
     #[inline]

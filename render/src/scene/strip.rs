@@ -52,7 +52,7 @@ impl Strip {
         let arrived = self.places.iter().map(|&place| {
             let add = |sum: Rgb<S::Irradiance>, light: &CompiledAnyLight<S>| match light {
                 CompiledAnyLight::Spot(spot) => {
-                    sum.plus::<S>(Rgb::lit(spot.irradiance_facing(place.map(S::length)), spot.color()))
+                    sum + Rgb::lit(spot.irradiance_facing(place.map(S::length)), spot.color())
                 }
                 _ => sum,
             };

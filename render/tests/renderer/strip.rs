@@ -15,7 +15,7 @@ fn by_the_kernel<S: Format>(strip: &Strip, lights: &[AnyLight]) -> Result<Vec<Rg
         let mut sum = Rgb::default();
         for spot in &spots {
             let CompiledAnyLight::Spot(spot) = spot else { panic!("{spot:?}") };
-            sum = sum.plus::<S>(Rgb::lit(spot.irradiance_facing(place.map(S::length)), spot.color()));
+            sum += Rgb::lit(spot.irradiance_facing(place.map(S::length)), spot.color());
         }
         lit.push(clip::<S>(sum));
     }

@@ -12,7 +12,7 @@ use luminaire_effects::{Format, Light, Listed, Surface};
 
 luminaire_effects::program!(|surface: Surface| {
     if IS_GLOSSY {
-        show(Phong::CONSTANT.glow(AMBIENT).plus::<Format>(Phong::CONSTANT.reflect(&surface, &POINT)));
+        show(Phong::CONSTANT.glow(AMBIENT) + Phong::CONSTANT.reflect(&surface, &POINT));
     }
     if HAS_FLOOD {
         show(Rgb::lit(Table::CONSTANT.irradiance(surface.point, surface.normal), Table::CONSTANT.color()));

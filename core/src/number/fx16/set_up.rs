@@ -338,11 +338,6 @@ impl Arithmetic for Fx16 {
     }
 
     #[inline]
-    fn add_light(a: Light16, b: Light16) -> Light16 {
-        a.saturating_add(b)
-    }
-
-    #[inline]
     fn mean_light(a: Light16, b: Light16) -> Light16 {
         Light16::from_bits(u32::midpoint(a.to_bits(), b.to_bits()))
     }

@@ -274,11 +274,6 @@ impl Arithmetic for Fx32 {
     }
 
     #[inline]
-    fn add_light(a: Light32, b: Light32) -> Light32 {
-        a.saturating_add(b)
-    }
-
-    #[inline]
     fn mean_light(a: Light32, b: Light32) -> Light32 {
         Light32::from_bits(u64::midpoint(a.to_bits(), b.to_bits()))
     }

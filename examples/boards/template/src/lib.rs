@@ -17,7 +17,7 @@ pub fn scanline(row: i32, pixels: &mut [u16]) {
         let point = Vec3::new(metres(column), metres(row), Length::ZERO);
         let mut sum = Rgb::default();
         for light in &LIGHTS {
-            sum = sum.plus::<Fx16>(Rgb::lit(light.irradiance(point, NORMAL), light.color()));
+            sum += Rgb::lit(light.irradiance(point, NORMAL), light.color());
         }
         // Most displays take the high byte first.
         *pixel = Rgb565::from_linear(clip::<Fx16>(sum)).0.to_be();

@@ -65,7 +65,7 @@ pub(super) fn lit_point<S: Format>(case: &mut Case<'_>) -> Outcome {
     let material = Material::new(diffuse)?.with_highlight(Phong, specular, shininess)?.compile::<S>();
     let exposure = Exposure::factor(factor)?.compile::<S>();
     let surface = SurfacePoint::seen_from(eye, point, normal);
-    let light = material.glow(sky).plus::<S>(material.reflect(&surface, &spot));
+    let light = material.glow(sky) + material.reflect(&surface, &spot);
     case.give_color(light);
     let shown = compress_keep_hue::<S>(exposure.expose(light));
     case.give_color(shown.map(encode_srgb));

@@ -25,6 +25,6 @@ pub(super) fn arithmetic<S: Format>(case: &mut Case<'_>) -> Outcome {
 pub(super) fn light<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (light, filter) = (case.light::<S>("light"), case.scalar::<S>("factor"));
     case.give(S::filter(light.red, filter));
-    case.give(S::add_light(light.green, light.blue));
+    case.give(light.green + light.blue);
     Ok(())
 }

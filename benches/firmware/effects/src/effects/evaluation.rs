@@ -146,5 +146,5 @@ fn unlisted(name: &'static str) -> Entry {
 fn highlit(Surface { point, normal, .. }: Surface) -> Irradiance {
     let surface = SurfacePoint::seen_from(EYE, point, normal);
     let arrival = InverseSquare::CONSTANT.evaluate::<Phong>(&surface, &HIGHLIGHT, true);
-    Format::add_light(Format::filter(arrival.diffuse, DIFFUSE), Format::filter(arrival.specular, SPECULAR))
+    Format::filter(arrival.diffuse, DIFFUSE) + Format::filter(arrival.specular, SPECULAR)
 }

@@ -12,5 +12,5 @@ effects! { matte_alone;
 effects! { sum;
     /// Light that is everywhere, as one matte material sends it back, added to that of the other lights.
     "ambient light", light, [Ambient];
-    fn ambient(lights: Light) -> Light { lights.plus::<Format>(MATTE.glow(AMBIENT)) }
+    fn ambient(lights: Light) -> Light { lights + MATTE.glow(AMBIENT) }
 }
