@@ -58,6 +58,7 @@ impl<I: Copy> Rgb<I> {
     }
 
     /// Multiplies the light by a colour, as the reflection from a surface of that colour does.
+    #[must_use]
     #[inline]
     pub fn filtered<S: Scalar<Irradiance = I>>(self, color: Rgb<S>) -> Self {
         self.zip(color, S::filter)

@@ -5,7 +5,7 @@
 use crate::{
     angle::{Angle, IntoAngle},
     error::{Error, Expected, Parameter, check_between},
-    falloff::{Falloff, Formula, Hard, Power, Soft, SoftOrHard},
+    falloff::{Falloff, Formula, Hard, Power, Soft},
     number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
     search::bisect,
     stored::stored,
@@ -35,7 +35,7 @@ use crate::{
 /// ```
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Cone<P = SoftOrHard> {
+pub struct Cone<P = Soft> {
     falloff: P,
     /// The versine of the inner half angle, in [0, outer]; 0 without a hotspot.
     inner: f32,

@@ -172,7 +172,7 @@
 //! | `serde` | serialisation of lights and cones, checked when they are read; of angles, vectors, colours, pixels and numbers |
 //! | `arithmetic` | the arithmetic of the number formats, for tests and cost measurements: may change in any version |
 
-// Modules, lowest first: `error`, `model`, `models`, `search`, `source`, `stored`, `trig`, `vec3`, `angle`, `effect`,
+// Modules, lowest first: `error`, `search`, `source`, `stored`, `model`, `models`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
 // `haze`, `material`, `row`, `draw`, `light`, `any_light`, `bound`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.

@@ -93,24 +93,24 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
         let [color, _] = self.colors();
         color
     }
-    #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     /// Returns the linear colours of the light: the diffuse and the specular colour.
-    fn colors(&self) -> [Rgb<S>; 2];
     #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
+    fn colors(&self) -> [Rgb<S>; 2];
     /// Computes the light at a surface whose specular lobe is of the type `H`.
     ///
     /// With `skips`, points that receive no light are rejected before the square root. The result
     /// is bit-identical with and without `skips`.
+    #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     fn evaluate<H: SpecularLobe>(
         &self,
         surface: &SurfacePoint<S>,
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance>;
-    #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     /// Sets the diffuse light at points of a matte surface, those of [`evaluate`](Self::evaluate).
     ///
     /// The points have the same y and z. Their x rises or falls with the index.
+    #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     #[inline]
     fn fill_along(
         &self,

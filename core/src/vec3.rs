@@ -54,6 +54,7 @@ impl Vec3<f32> {
     }
 
     /// Returns the cross product.
+    #[must_use]
     #[inline]
     pub fn cross(self, other: Self) -> Self {
         let [a, b] = [self, other];

@@ -50,6 +50,7 @@ impl Material {
     }
 
     /// Returns the same surface without a highlight.
+    #[must_use]
     pub fn without_highlight(self) -> Self {
         Self::matte(self.albedo)
     }

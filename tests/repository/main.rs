@@ -4,5 +4,6 @@
 mod documents;
 mod graph;
 mod imports;
+mod kept;
 mod listing;
 mod packed;

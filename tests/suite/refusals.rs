@@ -119,7 +119,7 @@ fn vectors_that_are_none() {
 /// Just beyond the angle that the message names, the outer angle exceeds 180 degrees.
 #[test]
 fn the_limit_that_a_message_names_is_the_limit() {
-    type From = fn(SoftOrHard, Angle) -> Result<Cone, Error>;
+    type From = fn(SoftOrHard, Angle) -> Result<Cone<SoftOrHard>, Error>;
     let constructors: [From; 3] = [Cone::from_field, Cone::from_beam, Cone::from_outer];
     for (constructor, edges) in
         constructors.into_iter().flat_map(|c| [(c, SoftOrHard::Soft), (c, SoftOrHard::Hard)])

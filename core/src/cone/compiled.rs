@@ -1,7 +1,7 @@
 //! Compiled cones.
 
 use crate::{
-    falloff::{Curve, Falloff, SoftOrHard},
+    falloff::{Curve, Falloff, Soft},
     number::{Ray, Rise, Scalar, Share},
     vec3::Vec3,
 };
@@ -9,7 +9,7 @@ use crate::{
 /// A cone compiled for the format `S`: a function from the versine of the angle off axis to the
 /// intensity.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledCone<S: Scalar, P: Falloff = SoftOrHard> {
+pub struct CompiledCone<S: Scalar, P: Falloff = Soft> {
     pub(crate) ramp: S::Ramp,
     pub(crate) falloff: P,
     pub(crate) curve: P::Compiled<S>,

@@ -55,6 +55,7 @@ impl LedStrip {
     /// `channel` is the current of one channel of one LED at full duty, and `idle` that of an LED that is
     /// dark, both in milliamperes: 20 and 1 are on the safe side for a WS2812B. Where the light of a frame
     /// would take more current, all its light is dimmed by the same factor.
+    #[must_use]
     pub const fn with_limit(self, most: u32, channel: u16, idle: u16) -> Self {
         Self { limit: Some(Limit { most, channel, idle }), ..self }
     }

@@ -88,6 +88,7 @@ impl<'a, P: Pixel, S: Scalar> Sprite<'a, P, S> {
     }
 
     /// Returns the sprite with its upper left pixel at `(x, y)`.
+    #[must_use]
     pub const fn at(self, x: i32, y: i32) -> Self {
         Self { corner: [x, y], ..self }
     }

@@ -9,7 +9,7 @@ use super::{
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     cone::CompiledCone,
-    falloff::{Falloff, Formula, SoftOrHard},
+    falloff::{Falloff, Formula, Soft},
     number::{Arithmetic, Offset, Share, float::clamp},
     shade::CompiledSpotLight,
     vec3::Vec3,
@@ -17,7 +17,7 @@ use crate::{
 
 /// The beam of a spotlight in haze. Made by [`CompiledSpotLight::in_haze`].
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct BeamScattering<P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
+pub struct BeamScattering<P: Falloff = Soft, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<f32>,
     pub(crate) axis: Vec3<f32>,
     pub(crate) falloff: CompiledCone<f32, P>,

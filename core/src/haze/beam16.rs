@@ -7,7 +7,7 @@ use super::{
 use crate::{
     attenuation::InverseSquare,
     cone::CompiledCone,
-    falloff::{Falloff, SoftOrHard},
+    falloff::{Falloff, Soft},
     number::{Fx16, Fx32, Gain, Length, Light16, Scalar, Versine, fx16::Gain16},
     shade::CompiledSpotLight,
     vec3::Vec3,
@@ -31,7 +31,7 @@ use crate::{
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct BeamScattering16<P: Falloff = SoftOrHard> {
+pub struct BeamScattering16<P: Falloff = Soft> {
     pub(crate) position: Vec3<Length>,
     pub(crate) axis: Vec3<Fx32>,
     pub(crate) falloff: CompiledCone<Fx16, P>,

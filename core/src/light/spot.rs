@@ -6,7 +6,7 @@ use crate::{
     color::Rgb,
     cone::{CompiledCone, Cone},
     error::{Error, Parameter},
-    falloff::{Falloff, SoftOrHard},
+    falloff::{Falloff, Soft},
     number::{self, Quick, Scalar},
     shade::{CompiledSpotLight, QuickSpotLight},
     stored::stored,
@@ -18,6 +18,7 @@ use crate::{
 ///
 /// The default attenuation is the inverse-square law; the default colour is white and the default
 /// intensity 1. So a surface that faces the light, on the axis at distance 1, is lit to full scale.
+/// `SpotLight` without parameters has the soft edge of [`Cone::soft`].
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Rgb, SpotLight, Vec3, falloff::Soft};
@@ -31,7 +32,7 @@ use crate::{
 /// ```
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct SpotLight<P = SoftOrHard, A = InverseSquare> {
+pub struct SpotLight<P = Soft, A = InverseSquare> {
     position: Vec3<f32>,
     axis: Axis,
     cone: Cone<P>,

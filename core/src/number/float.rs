@@ -405,6 +405,7 @@ impl Vec3<f32> {
     }
 
     /// Returns the vector scaled to unit length; zero if its squared length is not a normal number.
+    #[must_use]
     #[inline]
     pub fn unit(self) -> Self {
         FloatOffset::between(Vec3::default(), self).ray().direction()

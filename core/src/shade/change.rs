@@ -59,6 +59,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     ///
     /// The axis is within 2.5e-9 radians of the exact one in fixed point, 1.1e-7 in `Fx16` at a point
     /// farther than 256 units, and 1.2e-7 in `f32` (derived).
+    #[must_use]
     pub fn aimed_at(self, point: Vec3<S::Length>) -> Option<Self> {
         let axis = unit::<S>(S::Offset::between(self.position, point))?;
         Some(Self { axis, ..self })
@@ -68,6 +69,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// point; `None` if the vector is zero, and in `f32` if its squared length is not a normal number.
     ///
     /// The error of the axis is that of [`aimed_at`](Self::aimed_at).
+    #[must_use]
     pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
         let axis = unit::<S>(S::Offset::between(Vec3::default(), direction))?;
         Some(Self { axis, ..self })
@@ -108,6 +110,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
 
     /// Returns the same light with its axis through a point, like
     /// [`CompiledSpotLight::aimed_at`].
+    #[must_use]
     pub fn aimed_at(self, point: Vec3<S::Length>) -> Option<Self> {
         let axis = unit::<S>(S::Offset::between(self.position, point))?;
         Some(Self { axis: S::quick_axis(axis), ..self })
@@ -115,6 +118,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
 
     /// Returns the same light with its axis along a vector of any length, like
     /// [`CompiledSpotLight::aimed_along`].
+    #[must_use]
     pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
         let axis = unit::<S>(S::Offset::between(Vec3::default(), direction))?;
         Some(Self { axis: S::quick_axis(axis), ..self })
@@ -148,6 +152,7 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
     /// zero, and in `f32` if its squared length is not a normal number.
     ///
     /// The error of the direction is that of [`CompiledSpotLight::aimed_at`].
+    #[must_use]
     pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
         let direction = unit::<S>(S::Offset::between(Vec3::default(), direction))?;
         Some(Self { direction, ..self })

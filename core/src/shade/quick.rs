@@ -7,7 +7,7 @@ use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
-    falloff::{Falloff, SoftOrHard},
+    falloff::{Falloff, Soft},
     number::{Fraction, Offset, OffsetAlong, Quick, Ray, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
@@ -22,7 +22,7 @@ use crate::{
 /// [`SpotLight::quick_error_bound`](crate::SpotLight::quick_error_bound) bounds the error. Points, normals and
 /// irradiances have the types of the format's standard evaluation.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct QuickSpotLight<S: Quick, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
+pub struct QuickSpotLight<S: Quick, P: Falloff = Soft, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
     /// The axis as `Quick::quick_axis` returns it.
     pub(crate) axis: Vec3<S::Unit>,

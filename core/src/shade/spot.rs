@@ -5,7 +5,7 @@ use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
-    falloff::{Falloff, SoftOrHard},
+    falloff::{Falloff, Soft},
     number::{Fraction, Offset, Ray, Scalar, Share},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
@@ -13,6 +13,11 @@ use crate::{
 
 /// A spotlight compiled for the format `S`. Made by
 /// [`SpotLight::compile`](crate::SpotLight::compile).
+///
+/// A program stores a soft light as `CompiledSpotLight<Fx16>` and a hard one as `CompiledSpotLight<Fx16, Hard>`.
+/// Lights of both edges in one list are made with [`SoftOrHard`](crate::falloff::SoftOrHard), those of any edge with
+/// [`AnyFalloff`](crate::falloff::AnyFalloff), and those of any kind are
+/// [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight)s.
 ///
 /// ```
 /// use luminaire::{Angle, Cone, Fx16, SpotLight};
@@ -25,7 +30,7 @@ use crate::{
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CompiledSpotLight<S: Scalar, P: Falloff = SoftOrHard, A: Attenuation = InverseSquare> {
+pub struct CompiledSpotLight<S: Scalar, P: Falloff = Soft, A: Attenuation = InverseSquare> {
     pub(crate) position: Vec3<S::Length>,
     pub(crate) axis: Vec3<S::Unit>,
     pub(crate) cone: CompiledCone<S, P>,

@@ -36,7 +36,7 @@ pub(crate) fn pictures() -> Result<[Picture; 3], Box<dyn Error>> {
 
 /// The spotlight, above on the left. Its irradiance at the target is 1.5 times full scale, because
 /// no surface there is white and faces the light.
-fn spot(edge: SoftOrHard) -> Result<SpotLight, luminaire::Error> {
+fn spot(edge: SoftOrHard) -> Result<SpotLight<SoftOrHard>, luminaire::Error> {
     let (position, target) = (Vec3::new(-3.2, 6.4, 4.6), Vec3::new(0.0, 0.2, 0.0));
     let axis = target.zip(position, |t, p| t - p);
     let cone = Cone::from_field(edge, Angle::degrees(FIELD))?;

@@ -31,7 +31,12 @@ impl Warn {
 
     /// The irradiance at a surface point as in the kernel: falloff, Lambert's cosine and the
     /// inverse square of the distance.
-    pub(crate) fn irradiance(self, light: &luminaire::SpotLight, point: Vec3<f32>, normal: Vec3<f32>) -> f64 {
+    pub(crate) fn irradiance(
+        self,
+        light: &luminaire::SpotLight<luminaire::falloff::SoftOrHard>,
+        point: Vec3<f32>,
+        normal: Vec3<f32>,
+    ) -> f64 {
         let way = f32::exact_point(point.zip(light.position(), |p, l| p - l));
         let (axis, normal) = (f32::exact_direction(light.axis()), f32::exact_normal(normal));
         let (squared, distance) = (way.length_squared(), way.length());

@@ -103,6 +103,7 @@ impl Mesh {
     }
 
     /// Returns the same mesh, moved by an offset in metres.
+    #[must_use]
     pub fn moved(self, offset: luminaire::Vec3<f32>) -> Self {
         let offset = Vec3::from(offset);
         self.mapped(|v| Vertex { position: v.position + offset, ..v })
@@ -110,6 +111,7 @@ impl Mesh {
 
     /// Returns the same mesh, rotated about an axis through the origin by an angle in radians. The
     /// rotation is counter-clockwise as seen from the tip of the axis.
+    #[must_use]
     pub fn turned(self, axis: luminaire::Vec3<f32>, angle: f32) -> Self {
         let rotation = Quat::from_scaled_axis(Vec3::from(axis).normalize_or_zero() * angle);
         self.mapped(|v| Vertex { position: rotation * v.position, normal: rotation * v.normal })

@@ -81,6 +81,7 @@ impl MovingLight {
 
     /// Returns the same fixture with a shadow map of `side` texels per side: see
     /// [`Fixture::with_shadow`].
+    #[must_use]
     pub fn with_shadow(self, side: u16) -> Self {
         Self { shadow: Some(side), ..self }
     }
@@ -91,12 +92,14 @@ impl MovingLight {
     }
 
     /// Returns the same fixture with another light, which moves in the same way.
+    #[must_use]
     pub fn with_light(self, light: impl Into<AnyLight>) -> Self {
         Self { light: light.into(), ..self }
     }
 
     /// Returns the same fixture with a light that keeps its aim. A gobo still rotates, and a light
     /// that takes turns still does.
+    #[must_use]
     pub fn aimed(self) -> Self {
         let motion = if self.sweeps() { Motion::Still } else { self.motion };
         Self { motion, ..self }
@@ -108,11 +111,13 @@ impl MovingLight {
     }
 
     /// Returns the same fixture without a gobo.
+    #[must_use]
     pub fn without_gobo(self) -> Self {
         Self { gobo: None, ..self }
     }
 
     /// Returns the same fixture without shadows.
+    #[must_use]
     pub fn without_shadow(self) -> Self {
         Self { shadow: None, ..self }
     }

@@ -48,7 +48,7 @@ pub fn camera() -> Camera {
 ///
 /// # Errors
 /// Never: the values are constants.
-pub fn lights() -> Result<[SpotLight; 3], Error> {
+pub fn lights() -> Result<[SpotLight<SoftOrHard>; 3], Error> {
     let key = Cone::from_field(SoftOrHard::Hard, Angle::degrees(26.0))?;
     let fill = Cone::from_field(SoftOrHard::Soft, Angle::degrees(50.0))?;
     let back = Cone::from_field(SoftOrHard::Soft, Angle::degrees(44.0))?;
@@ -66,7 +66,11 @@ pub fn lights() -> Result<[SpotLight; 3], Error> {
 }
 
 /// Creates a spotlight at a position that points at a target.
-fn aimed(position: Vec3<f32>, target: Vec3<f32>, cone: Cone) -> Result<SpotLight, Error> {
+fn aimed(
+    position: Vec3<f32>,
+    target: Vec3<f32>,
+    cone: Cone<SoftOrHard>,
+) -> Result<SpotLight<SoftOrHard>, Error> {
     SpotLight::new(position, target.zip(position, |t, p| t - p), cone)
 }
 

@@ -23,13 +23,13 @@ fn cameras() -> impl Iterator<Item = Camera> {
 
 /// The lights of the stage as beams of 4 degrees with a hard edge, four times as bright: a narrower
 /// beam magnifies the error of a direction more.
-fn narrow_beams() -> [SpotLight; 3] {
+fn narrow_beams() -> [SpotLight<SoftOrHard>; 3] {
     let cone = Cone::from_field(SoftOrHard::Hard, Angle::degrees(4.0)).unwrap();
     stage::lights().unwrap().map(|spot| spot.with_cone(cone).with_intensity(4.0 * spot.intensity()).unwrap())
 }
 
 /// Largest and mean difference of a channel, in codes.
-fn difference<S: Format>(lights: &[SpotLight]) -> (u8, f64) {
+fn difference<S: Format>(lights: &[SpotLight<SoftOrHard>]) -> (u8, f64) {
     let mut renderer = Renderer::<S>::new(960, 540).unwrap();
     let mut reference = Renderer::<f32>::new(960, 540).unwrap();
     let scene = stage::scene().unwrap();

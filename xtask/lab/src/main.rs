@@ -7,6 +7,7 @@ mod eva;
 mod expected;
 mod features;
 mod fresh;
+mod messages;
 mod msrv;
 mod package;
 mod pictures;

@@ -17,7 +17,8 @@ use tools::{compilers, install, project};
 
 use crate::features::{self, ALL, BARE_METAL, SETS, STD};
 use crate::{
-    browsers, contributing, eva, msrv, package, portable, prove, readers, renderers, scripts, semver,
+    browsers, contributing, eva, messages, msrv, package, portable, prove, readers, renderers, scripts,
+    semver,
 };
 
 /// The packages of tools, with the most dependencies of others. Without `full`, Clippy leaves them out.
@@ -117,6 +118,7 @@ fn elsewhere(suite: &mut Suite) {
     bare_metal(suite);
     dependencies(suite);
     fuzz(suite);
+    messages::run(suite);
     msrv::run(suite);
     semver::run(suite);
 }

@@ -41,7 +41,7 @@ impl Exact for Fx16 {
     }
 }
 
-fn spot(position: Vec3<f32>, target: Vec3<f32>, outer: f32) -> SpotLight {
+fn spot(position: Vec3<f32>, target: Vec3<f32>, outer: f32) -> SpotLight<SoftOrHard> {
     let cone = Cone::from_outer(SoftOrHard::Soft, Angle::degrees(outer)).unwrap();
     SpotLight::new(position, target.zip(position, |t, p| t - p), cone).unwrap().with_intensity(50.0).unwrap()
 }
@@ -85,7 +85,7 @@ fn drawn<S: Scalar>(scene: &Scene, projection: &Projection, side: usize) -> Shad
 fn assert_is_that_of_rays<S: Exact>(
     scene: &Scene,
     camera: &Camera,
-    spot: &SpotLight,
+    spot: &SpotLight<SoftOrHard>,
     roll: f32,
     side: usize,
 ) -> [usize; 3] {
@@ -93,7 +93,7 @@ fn assert_is_that_of_rays<S: Exact>(
     let projection = Projection::of(spot).unwrap().turned(Angle::degrees(roll)).unwrap();
     let map = drawn::<S>(scene, &projection, side);
     let (shadow, light) = (map.shadow().unwrap(), Light::new(scene, &projection));
-    let compiled: CompiledSpotLight<S> = spot.compile().unwrap();
+    let compiled: CompiledSpotLight<S, SoftOrHard> = spot.compile().unwrap();
     let mut renderer = Renderer::<S>::new(SIZE.0, SIZE.1).unwrap();
     renderer.draw_geometry(scene, camera);
     let pixels = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y)));

@@ -1,7 +1,7 @@
 //! Light that surfaces reflect.
 
 use crate::constants::{AMBIENT, DIRECTIONAL, MATTE};
-use crate::format::{Format, Light, Surface};
+use crate::format::{Light, Surface};
 
 effects! { matte_alone;
     /// A diffuse colour and nothing else.
