@@ -195,6 +195,39 @@ pub trait Scalar:
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }
 
+/// Declares that a fixed-point format has the conversions of [`Scalar`] without an import of that trait.
+#[cfg(feature = "fixed")]
+macro_rules! conversions {
+    ($($name:ident)*) => {$(
+        impl $name {
+            /// Returns the nearest length: see [`Length::from_f32`].
+            pub const fn length(value: f32) -> Length {
+                Length::from_f32(value)
+            }
+
+            /// Returns a vector of any length as a normal: see [`Scalar::normalize`].
+            pub fn normalize(normal: Vec3<Self>) -> Vec3<Self> {
+                <Self as Scalar>::normalize(normal)
+            }
+
+            /// Returns the normal along a vector of three signed bytes: see [`Scalar::normal_from_bytes`].
+            pub fn normal_from_bytes(bytes: [i8; 3]) -> Vec3<Self> {
+                <Self as Scalar>::normal_from_bytes(bytes)
+            }
+
+            /// Returns the normal along a vector of three signed bytes whose length is about 127: see
+            /// [`Scalar::normal_from_unit_bytes`].
+            #[inline]
+            pub fn normal_from_unit_bytes(bytes: [i8; 3]) -> Vec3<Self> {
+                <Self as Scalar>::normal_from_unit_bytes(bytes)
+            }
+        }
+    )*};
+}
+
+#[cfg(feature = "fixed")]
+conversions!(Fx16 Fx32);
+
 /// A number format with a quick evaluation, which has fewer instructions and a larger error:
 /// [`Fx16`].
 ///

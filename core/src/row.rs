@@ -39,7 +39,6 @@ const LEAST: usize = 16;
 ///     *pixel = Rgb565::from_linear_dithered(clip::<Fx16>(light), column as u32, 0).0.to_be();
 /// });
 /// assert!(pixels[64] != 0 && pixels[224] != 0 && pixels[144] == 0);
-/// # use luminaire::Scalar;
 /// # Ok::<(), luminaire::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

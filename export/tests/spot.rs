@@ -16,7 +16,7 @@ use luminaire::draw::{normals_from_directx, normals_from_opengl};
 use luminaire::falloff::{CompiledCubic, Cubic};
 use luminaire::light::{CompiledCone, CompiledSpotLight, Row};
 use luminaire::number::{Light16, Weight16};
-use luminaire::{Angle, Cone, Fx16, Fx32, Length, Rgb, Scalar, SpotLight, Vec3};
+use luminaire::{Angle, Cone, Fx16, Fx32, Length, Rgb, SpotLight, Vec3};
 
 use compiler::{bytes, compile_in_integers, run, write_headers};
 use tempfile::TempDir;

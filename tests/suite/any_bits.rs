@@ -5,7 +5,7 @@ use fastrand::Rng;
 use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FixedRamp, FloatRamp, Gain16, Gain32};
 use luminaire::number::{Light16, Light32, Quick, Weight16, Weight32};
 use luminaire::{
-    Angle, Cone, Fx16, Fx32, Length, Rgb, Scalar, SpotLight, Vec3,
+    Angle, Cone, Fx16, Fx32, Length, Rgb, SpotLight, Vec3,
     attenuation::{AnyAttenuation, CompiledAnyAttenuation, GltfRange},
     display::{CompiledExposure, compress_keep_hue},
     falloff::{AnyFalloff, CompiledAnyFalloff, Cubic, Falloff, Hard, IntegerPower, Quadratic, Soft},

@@ -10,7 +10,7 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Angle, Cone, Fx16, Fx32, PointLight, Scalar, SpotLight, Vec3,
+    Angle, Cone, Fx16, Fx32, PointLight, SpotLight, Vec3,
     attenuation::{
         AnyAttenuation, Attenuation, CutAt, FilamentRange, GltfRange, InverseSquare, NoAttenuation,
         Polynomial, SmoothRange, Windowed,

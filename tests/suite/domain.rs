@@ -6,7 +6,7 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Cone, Error, Fx16, Fx32, PointLight, Scalar, SpotLight, Vec3,
+    Cone, Error, Fx16, Fx32, PointLight, SpotLight, Vec3,
     attenuation::NoAttenuation,
     error::{Expected, Parameter},
     falloff::{AnyFalloff, Falloff, IntegerPower, InvertedIntegerPower, InvertedRealPower, RealPower},

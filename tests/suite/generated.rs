@@ -4,7 +4,7 @@
 mod lights;
 
 use luminaire::{
-    Angle, Cone, Error, Fx16, Scalar, SpotLight,
+    Angle, Cone, Error, Fx16, SpotLight,
     codegen::{Source, as_source},
     projector::{Projection, Shadow},
 };

@@ -8,7 +8,7 @@ use crate::{
     attenuation::InverseSquare,
     cone::CompiledCone,
     falloff::{Falloff, Soft},
-    number::{Fx16, Fx32, Gain, Length, Light16, Scalar, Versine, fx16::Gain16},
+    number::{Fx16, Fx32, Gain, Length, Light16, Versine, fx16::Gain16},
     shade::CompiledSpotLight,
     vec3::Vec3,
 };

@@ -121,7 +121,7 @@ impl Default for Inputs {
 impl Inputs {
     fn site(&mut self, population: usize) -> Surface {
         let site = self.sites[population].next().expect("an endless sequence");
-        let [eye, point] = [EYE, site.point].map(|place| place.map(Format::length));
+        let [eye, point] = [EYE, site.point].map(|place| place.map(<Format as Scalar>::length));
         Surface::seen_from(eye, point, site.normal.map(Format::from_f32))
     }
 

@@ -8,7 +8,7 @@ use embedded_3dgfx::{ZDepth, pipeline::shade::shader::FragmentShader};
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::{Pixel, prelude::*};
 use luminaire::light::{CompiledMaterial, CompiledSpotLight, SurfacePoint};
-use luminaire::{Fx16, Rgb, Scalar, display, falloff::Soft, number::Light16};
+use luminaire::{Fx16, Rgb, display, falloff::Soft, number::Light16};
 use nalgebra::{Matrix3, Matrix4, Vector3};
 use scene::{EYE, HEIGHT, Picture, WIDTH, ambient, ball, floor, lights, ray, to_clip, white};
 

@@ -70,7 +70,7 @@ effects! { each;
     /// Normals of any length, scaled to length 1 in the format.
     "interpolated normal", surface, [] over "lit";
     fn lit_normalized(Surface { point, normal, .. }: Surface) -> Irradiance {
-        Soft::CONSTANT.irradiance(point, Format::normalize(normal))
+        Soft::CONSTANT.irradiance(point, <Format as Scalar>::normalize(normal))
     }
 
     /// The light described by its field angle, position and axis in `f32`, and compiled: with the
