@@ -90,11 +90,8 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
     }
 
     /// Returns whether the light is exactly zero at this distance. Callers test this before the
-    /// square root.
-    #[inline]
-    fn is_beyond<S: Scalar, O: Offset<S>>(_: &Self::Constants<S>, _: &O) -> bool {
-        false
-    }
+    /// square root. `false` for a light without an end.
+    fn is_beyond<S: Scalar, O: Offset<S>>(constants: &Self::Constants<S>, offset: &O) -> bool;
 
     /// Returns the range of the light; `None` for a light without a range.
     fn range(&self) -> Option<f32> {

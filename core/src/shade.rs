@@ -1,10 +1,12 @@
 //! Shading of one surface point by one compiled light.
 
-mod change;
 mod directional;
 mod point;
 mod quick;
 mod spot;
+
+// Behind the evaluation: rustdoc shows methods in this order.
+mod change;
 
 pub use self::{
     directional::CompiledDirectionalLight, point::CompiledPointLight, quick::QuickSpotLight,

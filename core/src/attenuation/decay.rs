@@ -85,6 +85,11 @@ impl Attenuation for Decay {
     }
 
     #[inline]
+    fn is_beyond<S: Scalar, O: Offset<S>>(_: &Self::Constants<S>, _: &O) -> bool {
+        false
+    }
+
+    #[inline]
     fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         power: &InversePower,
         _: &O,

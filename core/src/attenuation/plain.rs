@@ -43,6 +43,11 @@ impl Attenuation for NoAttenuation {
         to.law("NoAttenuation", "constant", &[]);
     }
 
+    #[inline]
+    fn is_beyond<S: Scalar, O: Offset<S>>(_: &Self::Constants<S>, _: &O) -> bool {
+        false
+    }
+
     #[inline(always)] // `lit-hotspot` on Cortex-M0: +28 instructions without.
     fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (): &(),
@@ -74,6 +79,11 @@ impl Attenuation for InverseSquare {
 
     fn describe(&self, to: &mut dyn Describe) {
         to.law("InverseSquare", "inverse-square", &[]);
+    }
+
+    #[inline]
+    fn is_beyond<S: Scalar, O: Offset<S>>(_: &Self::Constants<S>, _: &O) -> bool {
+        false
     }
 
     #[inline]

@@ -68,6 +68,11 @@ impl Attenuation for Polynomial {
         to.law("Polynomial", "polynomial", &[("coefficients", &self.coefficients)]);
     }
 
+    #[inline]
+    fn is_beyond<S: Scalar, O: Offset<S>>(_: &Self::Constants<S>, _: &O) -> bool {
+        false
+    }
+
     #[inline(always)] // `lit-polynomial` on Cortex-M0: +174 instructions without.
     fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         coefficients: &[S::Gain; 3],
