@@ -64,7 +64,12 @@ fn all(mut suite: Suite, full: bool) -> ExitCode {
     suite.side_by_side([
         Box::new(|suite| host(suite, full)),
         Box::new(|suite| boards(suite, full)),
-        Box::new(|suite| page(suite, full)),
+        Box::new(|suite| {
+            page(suite, full);
+            if full {
+                searches(suite);
+            }
+        }),
         Box::new(|suite| {
             if full {
                 elsewhere(suite)
@@ -84,9 +89,7 @@ fn host(suite: &mut Suite, full: bool) {
     suite.count("host: cargo test", |progress| {
         cargo_test(&[packages, &["--no-fail-fast"]].concat(), full, progress)
     });
-    if full {
-        suite.count("host: the long searches", |progress| cargo_test(&["--test", "slow"], full, progress));
-    } else {
+    if !full {
         // Of the same packages, because another choice would have other features, and be built again.
         suite.count("host: examples in the documentation", |progress| cargo_test(&["--doc"], full, progress));
         suite.count("host: the commands", |progress| cargo_test(&["--package", "xtask"], full, progress));
@@ -105,6 +108,11 @@ fn host(suite: &mut Suite, full: bool) {
     suite.count(&format!("host: luminaire with {name}"), |progress| {
         cargo_test(&[&["--package", "luminaire"], features, tests].concat(), false, progress)
     });
+}
+
+/// Adds the long searches. They fill the pauses of other groups: many steps keep one processor busy.
+fn searches(suite: &mut Suite) {
+    suite.count("host: the long searches", |progress| cargo_test(&["--test", "slow"], true, progress));
 }
 
 /// Adds the steps of copies of the tree, and those of other programs and compilers.
