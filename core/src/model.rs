@@ -79,9 +79,8 @@ impl Number {
     ///
     /// # Errors
     /// A value that is not.
-    #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
     #[inline]
-    pub fn checked(&self, value: f32) -> Result<f32, Error> {
+    pub(crate) fn checked(&self, value: f32) -> Result<f32, Error> {
         let [least, most] = self.limits;
         let is_accepted = match self.accepts {
             Accepts::All => value >= least && value <= most,
@@ -97,7 +96,7 @@ impl Number {
     }
 
     /// Returns the error for a value that is not accepted.
-    pub(crate) fn refusal(&self, value: f32) -> Error {
+    fn refusal(&self, value: f32) -> Error {
         let [least, most] = self.limits;
         let accepted = match self.accepts {
             Accepts::All => Expected::Between(least, most),
@@ -125,6 +124,11 @@ impl Number {
         } else {
             value
         }
+    }
+
+    /// Returns the value in the sample of a model: the default of a number that may be left out.
+    pub(crate) fn in_sample(&self) -> f32 {
+        self.default.unwrap_or(self.sample)
     }
 
     /// Returns the value of a random model for a number in [0, 1), between the usual limits. Of positive and of whole
@@ -162,14 +166,16 @@ pub trait Model: Copy {
 #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
 pub const MOST_NUMBERS: usize = 2;
 
+/// Returns a value for each number, and NaN behind the last.
+pub(crate) fn each(numbers: &[Number], value: impl FnMut(&Number) -> f32) -> [f32; MOST_NUMBERS] {
+    let mut values = numbers.iter().map(value);
+    core::array::from_fn(|_| values.next().unwrap_or(f32::NAN))
+}
+
 /// Returns the value of a model whose numbers are those of its sample.
 #[cfg(feature = "arithmetic")]
 pub(crate) fn sample<M: Model>() -> Result<M, Error> {
-    let mut numbers = [f32::NAN; MOST_NUMBERS];
-    for (own, number) in numbers.iter_mut().zip(M::NUMBERS) {
-        *own = number.default.unwrap_or(number.sample);
-    }
-    M::of(&numbers)
+    M::of(&each(M::NUMBERS, Number::in_sample))
 }
 
 /// A number as a field holds it.

@@ -136,6 +136,13 @@ struct Row {
 /// Names that people use for laws.
 const NAMES: [(&str, &str); 2] = [("constant", "none"), ("smoothstep", "smooth-range")];
 
+impl Row {
+    /// The name that people use for the law.
+    fn word(&self) -> &str {
+        NAMES.iter().find(|(name, _)| *name == self.law).map_or(&*self.law, |(_, own)| own)
+    }
+}
+
 impl Describe for Row {
     fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
         law.clone_into(&mut self.law);
@@ -197,7 +204,7 @@ pub fn law_names() -> Vec<String> {
 pub fn law_words() -> String {
     let mut words: Vec<String> = Vec::new();
     for row in rows() {
-        let name = NAMES.iter().find(|(name, _)| *name == row.law).map_or(&*row.law, |(_, own)| own);
+        let name = row.word();
         let number = |(name, count): &(String, usize)| {
             let name = name.to_uppercase();
             let names = (1..=*count).map(|number| format!("{name}-{number}"));
@@ -239,7 +246,7 @@ pub fn attenuation(
     if !own.iter().any(|(_, row)| count(row) == numbers.len()) {
         let mut laws = Vec::new();
         for row in &rows {
-            let name = NAMES.iter().find(|(name, _)| *name == row.law).map_or(&*row.law, |(_, own)| own);
+            let name = row.word();
             let law =
                 if count(row) == 0 { name.to_owned() } else { format!("{name} with {} numbers", count(row)) };
             if !laws.contains(&law) {

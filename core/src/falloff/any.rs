@@ -8,7 +8,7 @@ use crate::models::{Listed, interpolated, listed, power, squared};
 use crate::{
     effect::Effect,
     error::Error,
-    model::{MOST_NUMBERS, Model, Number},
+    model::{Model, Number, each},
     models::falloffs,
 };
 
@@ -54,18 +54,13 @@ impl FalloffRow {
     /// Numbers that the constructor refuses. One that is missing is NaN.
     #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
     pub fn of(&self, numbers: &[f32]) -> Result<AnyFalloff, Error> {
-        let mut all = [f32::NAN; MOST_NUMBERS];
-        for (place, (own, number)) in all.iter_mut().zip(self.numbers).enumerate() {
-            *own = numbers.get(place).copied().or(number.default).unwrap_or(f32::NAN);
-        }
-        (self.of)(&all)
+        let mut numbers = numbers.iter().copied();
+        self.of_each(|number| numbers.next().or(number.default).unwrap_or(f32::NAN))
     }
 
     /// Creates the falloff from one number after the other.
-    fn of_each(&self, mut value: impl FnMut(&Number) -> f32) -> Result<AnyFalloff, Error> {
-        let mut all = [f32::NAN; MOST_NUMBERS];
-        all.iter_mut().zip(self.numbers).for_each(|(own, number)| *own = value(number));
-        (self.of)(&all)
+    fn of_each(&self, value: impl FnMut(&Number) -> f32) -> Result<AnyFalloff, Error> {
+        (self.of)(&each(self.numbers, value))
     }
 }
 
@@ -95,7 +90,7 @@ macro_rules! any_falloff {
 
             /// Returns one sample value of each falloff, for galleries and tests.
             pub fn samples() -> impl Iterator<Item = Self> {
-                Self::LIST.iter().filter_map(|row| row.of_each(|number| number.default.unwrap_or(number.sample)).ok())
+                Self::LIST.iter().filter_map(|row| row.of_each(Number::in_sample).ok())
             }
 
             /// The number of falloffs.

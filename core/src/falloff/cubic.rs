@@ -69,13 +69,12 @@ impl Cubic {
     /// An edge slope outside [0, 4], or a middle slope with which the cubic is not monotone. The
     /// error names the range of middle slopes for this edge slope.
     pub fn with_slopes(edge_slope: f32, middle_slope: f32) -> Result<Self, Error> {
-        let [edge, middle] = Self::NUMBERS else { return Ok(Self { edge_slope, middle_slope }) };
-        let edge_slope = on_grid(edge.checked(edge_slope)?);
+        let edge_slope = on_grid(Self::NUMBERS[0].checked(edge_slope)?);
         let (least, most) = middle_slopes(edge_slope);
         // The limits come from a square root. The limits are rounded to the grid, so that the
         // limits that an error names are accepted.
         let (least, most) = (on_grid(least), on_grid(most));
-        let middle = Number { limits: [least, most], ..*middle };
+        let middle = Number { limits: [least, most], ..Self::NUMBERS[1] };
         Ok(Self { edge_slope, middle_slope: on_grid(middle.checked(middle_slope)?) })
     }
 
