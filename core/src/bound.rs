@@ -2,7 +2,7 @@
 //!
 //! A bound follows from the errors of the stages of an evaluation, which each format states: the
 //! direction, the ramp, the falloff, the cosine, the share, the attenuation and the light. Nothing is
-//! searched; the stages of fixed point are proved by machine (`number/proofs.rs`). The kernel's own code
+//! searched; the stages of fixed point are proved by machine (`core/proofs`). The kernel's own code
 //! of falloffs and attenuations carries the errors: it runs on numbers that know the interval in which
 //! the exact result lies, its derivative with respect to the falloff's argument, and the roundings so
 //! far. The cone and the distances are divided into cells, so that an interval is narrow.

@@ -28,6 +28,7 @@ pub(crate) mod fx16;
 pub(crate) mod fx32;
 mod knot;
 #[cfg(all(test, feature = "fixed"))]
+#[path = "../proofs/mod.rs"]
 mod proofs;
 #[cfg(feature = "fixed")]
 pub(crate) mod ramp;

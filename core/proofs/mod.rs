@@ -146,7 +146,7 @@ fn scripts_are_proved() {
     println!("{} scripts proved", scripts.len());
     if is_required() {
         let path = folder.join("versine.v");
-        fs::write(&path, include_str!("proofs/versine.v")).unwrap();
+        fs::write(&path, include_str!("versine.v")).unwrap();
         coq(&path).unwrap();
     }
 }
