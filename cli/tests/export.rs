@@ -32,7 +32,9 @@ fn export_options_reach_the_light() {
     assert_eq!(json["cone"]["falloff"]["coefficients"], serde_json::json!([1.25, -3.0, 2.75]));
     assert_eq!(json["cone"]["inner_degrees"], 4.0);
     assert!(json["cone"]["cutoff_versine"].as_f64().expect("a number") < 0.035);
-    let attenuation = serde_json::json!({ "law": "polynomial", "coefficients": [1.0, 0.5, 0.25], "window": "square", "range": 9.0 });
+    let attenuation = serde_json::json!({
+        "law": "polynomial", "constant": 1.0, "linear": 0.5, "quadratic": 0.25, "window": "square", "range": 9.0
+    });
     assert_eq!(json["attenuation"], attenuation);
     assert_eq!(
         (&json["intensity"], &json["position"][1], &json["color"][1]),

@@ -29,7 +29,6 @@ mod ranged;
 mod smooth_range;
 
 pub(crate) use self::any::WithConstants;
-pub(crate) use self::decay::STEEPEST;
 pub use self::{
     any::{AnyAttenuation, CompiledAnyAttenuation},
     decay::Decay,
@@ -40,13 +39,14 @@ pub use self::{
 };
 #[cfg(feature = "arithmetic")]
 pub use self::{
-    any::{AttenuationVisitor, attenuations},
+    any::{AttenuationRow, AttenuationVisitor, attenuations},
     ranged::Window,
 };
 
 use crate::{
     effect::Effects,
-    error::{Error, Expected, Parameter},
+    error::Error,
+    model::Number,
     number::{Gain, Offset, Ray, Scalar, Share},
     source::{Named, Source},
 };
@@ -59,16 +59,6 @@ pub trait WithAttenuation {
 
     /// Takes the attenuation.
     fn attenuation<A: Attenuation>(self, attenuation: A) -> Self::Output;
-}
-
-/// Receives the parameters of an attenuation: for generators of source and data.
-pub trait Describe {
-    /// The name of the type, the name of the law, and the arguments of the constructor with their
-    /// names. Without arguments the type is its only value.
-    fn law(&mut self, kind: &str, law: &str, arguments: &[(&str, &[f32])]);
-
-    /// The window around the law so far: the name of its constructor, its name, and the range.
-    fn window(&mut self, kind: &str, window: &str, range: Option<f32>);
 }
 
 /// An attenuation. The type selects the attenuation at compile time: there is no branch per point,
@@ -111,9 +101,6 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
     /// attenuation factor is at most about `d^-k`; 0 for a factor of at most 1 everywhere.
     fn growth(&self) -> f32;
 
-    /// Tells the law and its parameters, and then the windows, the innermost first.
-    fn describe(&self, to: &mut dyn Describe);
-
     /// Passes the attenuation as its own type, without the windows that have no range.
     #[cfg(feature = "arithmetic")]
     fn with<V: WithAttenuation>(self, visitor: V) -> V::Output {
@@ -142,18 +129,9 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
     ) -> S::Irradiance;
 }
 
-/// The shortest and the longest range. The squares of both ranges, and the reciprocals of these
-/// squares, are well inside the limits of f32.
-const RANGES: (f32, f32) = (1e-3, 1e9);
-
+/// Returns a range that is accepted.
 fn checked_range(range: f32) -> Result<f32, Error> {
-    let (least, most) = RANGES;
-    if (least..=most).contains(&range) {
-        Ok(range)
-    } else {
-        let accepted = Expected::RangeBetween(least, most);
-        Err(Error { parameter: Parameter::Range, value: range, accepted })
-    }
+    Number::range().checked(range)
 }
 
 /// Returns `1 / r^2` of a range `r`; 0 without a range. A squared distance times this factor is

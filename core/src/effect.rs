@@ -13,9 +13,9 @@ macro_rules! effects {
         attenuations! { effects; @attenuations [$($before)* $(#[doc = $doc] $falloff = $name,)*] $after $rest }
     };
     (@attenuations [$($before:tt)*] [$($after:tt)*] [$($rest:tt)*]
-     $(#[doc = $doc:literal] $variant:ident($type:ty) $(from $law:ty)? = $make:expr
+     $(#[doc = $doc:literal] $variant:ident($type:ty) $(from $law:ty)? = $law_name:literal
        $(, effect #[doc = $effect_doc:literal] $effect:ident = $name:literal)?
-       $(, #[doc = $its_doc:literal] $constant:ty = $its_name:literal, $value:expr)*;)*) => {
+       $(, #[doc = $its_doc:literal] $constant:ty = $its_name:literal)*;)*) => {
         effects! { $($before)* $($after)* $($(#[doc = $effect_doc] $effect = $name,)?)* $($rest)* }
     };
     ($($(#[$meta:meta])* $effect:ident = $name:literal,)*) => {

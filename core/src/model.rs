@@ -1,4 +1,5 @@
-//! Models as data: the numbers that a falloff is made from, with the values that each may have.
+//! Models as data: the numbers that a falloff or a law of the distance is made from, with the values that each
+//! may have.
 //!
 //! `model!` declares a type by its numbers. From these follow the fields, what reads them, storage, source text,
 //! and the [`Model`] of the type, from which everything that takes or writes a model by its name follows: words of
@@ -51,6 +52,12 @@ impl Number {
         Self { name: "", parameter, limits, accepts: Accepts::Positive, sample, usual, default: None }
     }
 
+    /// The range of a light: a distance in scene units, at most 40 in random models. The squares of both limits, and
+    /// the reciprocals of these squares, are well inside the limits of f32.
+    pub(crate) const fn range() -> Self {
+        Self::between(Parameter::Range, 1e-3, 1e9, 9.0).named("range").usually(0.0, 40.0)
+    }
+
     /// A whole number from one limit to the other.
     pub(crate) const fn whole(parameter: Parameter, least: u32, most: u32, sample: u32) -> Self {
         let limits = [least as f32, most as f32];
@@ -70,9 +77,19 @@ impl Number {
         Self { name, ..self }
     }
 
+    /// The same number, of which random models have values between these.
+    pub(crate) const fn usually(self, least: f32, most: f32) -> Self {
+        Self { usual: [least, most], ..self }
+    }
+
     /// The same number, which may be left out.
     pub(crate) const fn or(self, default: f32) -> Self {
         Self { default: Some(default), ..self }
+    }
+
+    /// Returns whether the number is the range of a light.
+    pub(crate) fn is_range(&self) -> bool {
+        self.parameter == Parameter::Range
     }
 
     /// Returns a value that is accepted.
@@ -99,6 +116,7 @@ impl Number {
     fn refusal(&self, value: f32) -> Error {
         let [least, most] = self.limits;
         let accepted = match self.accepts {
+            Accepts::All if self.is_range() => Expected::RangeBetween(least, most),
             Accepts::All => Expected::Between(least, most),
             Accepts::Positive => Expected::UpTo(most),
             Accepts::Whole => Expected::WholeBetween(least as u32, most as u32),
@@ -148,6 +166,9 @@ impl Number {
 /// A model that is made from numbers: none, or a few.
 #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
 pub trait Model: Copy {
+    /// The name of the type.
+    #[cfg(feature = "arithmetic")]
+    const TYPE: &'static str;
     /// The numbers, in the order of the constructor. Those that may be left out come last.
     const NUMBERS: &'static [Number];
 
@@ -164,7 +185,7 @@ pub trait Model: Copy {
 
 /// The largest count of numbers of a model.
 #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
-pub const MOST_NUMBERS: usize = 2;
+pub const MOST_NUMBERS: usize = 3;
 
 /// Returns a value for each number, and NaN behind the last.
 pub(crate) fn each(numbers: &[Number], value: impl FnMut(&Number) -> f32) -> [f32; MOST_NUMBERS] {
@@ -213,7 +234,8 @@ impl Field for u32 {
 /// Declares a type by the numbers that it is made from.
 ///
 /// A row is `doc field: type = number;`, where `doc` describes what returns the number. `by` is the checked
-/// constructor.
+/// constructor. A name behind `law` is that of a law of the distance: constants are compiled from it, so that no
+/// source text has its numbers.
 ///
 /// ```text
 /// model! {
@@ -225,7 +247,19 @@ impl Field for u32 {
 /// }
 /// ```
 macro_rules! model {
+    ($(#[$meta:meta])* law $name:ident { $($rows:tt)+ } by $checked:expr) => {
+        $crate::model::model! { @type [$(#[$meta])*] $name { $($rows)+ } by $checked }
+        $crate::source::named!($name);
+    };
     ($(#[$meta:meta])* $name:ident { $($(#[$doc:meta])* $field:ident: $type:ident = $number:expr;)+ }
+     by $checked:expr) => {
+        $crate::model::model! {
+            @type [$(#[$meta])*] $name { $($(#[$doc])* $field: $type = $number;)+ } by $checked
+        }
+        $crate::model::model! { @bits $name [<Self as $crate::model::Model>::NUMBERS] $($field: $type,)+ }
+        $crate::source::written_by_bits!($name);
+    };
+    (@type [$(#[$meta:meta])*] $name:ident { $($(#[$doc:meta])* $field:ident: $type:ident = $number:expr;)+ }
      by $checked:expr) => {
         $(#[$meta])*
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -245,10 +279,9 @@ macro_rules! model {
             )+
         }
 
-        $crate::model::model! { @bits $name [<Self as $crate::model::Model>::NUMBERS] $($field: $type,)+ }
-        $crate::source::written_by_bits!($name);
-
         impl $crate::model::Model for $name {
+            #[cfg(feature = "arithmetic")]
+            const TYPE: &'static str = stringify!($name);
             const NUMBERS: &'static [$crate::model::Number] = &[$($number.named(stringify!($field))),+];
 
             fn of(numbers: &[f32]) -> Result<Self, $crate::error::Error> {
@@ -309,11 +342,21 @@ macro_rules! model {
     (@bits_of u32, $field:expr) => { $field };
 }
 
-/// Declares that types are models without numbers, each with one value, which Rust writes as its name.
+/// Declares that types are models without numbers, each with one value, which Rust writes as its name. Those behind
+/// `law` are laws of the distance.
 macro_rules! plain {
+    (law $($name:ident)*) => {
+        $crate::source::named!($($name)*);
+        $crate::model::plain! { @models $($name)* }
+    };
     ($($name:ident)*) => {
         $crate::source::written_by_debug!($($name)*);
+        $crate::model::plain! { @models $($name)* }
+    };
+    (@models $($name:ident)*) => {
         $(impl $crate::model::Model for $name {
+            #[cfg(feature = "arithmetic")]
+            const TYPE: &'static str = stringify!($name);
             const NUMBERS: &'static [$crate::model::Number] = &[];
 
             fn of(_: &[f32]) -> Result<Self, $crate::error::Error> {

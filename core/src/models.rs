@@ -52,69 +52,62 @@ macro_rules! falloffs {
 
 /// Calls a macro with the given arguments, followed by the list of all run-time attenuations.
 ///
-/// A row is `doc variant(type) = |n| ...;`. The closure builds the attenuation from [`Parameters`].
+/// A row is `doc variant(type) = law;`, where `law` is the name in data and in words of a command. `type` is a
+/// [`Model`](crate::model::Model), or such a law with a window; its numbers tell its sample.
 /// Three parts of a row are optional:
 ///
 /// - `from law` after the type: the law without a range, which converts into the variant.
 /// - `effect doc variant = name`: the law as a variant of [`Effect`](crate::dynamic::Effect).
-/// - `doc type = name, value`, any number of times: a type that replaces the run-time type in programs
+/// - `doc type = name`, any number of times: a type that replaces the run-time type in programs
 ///   that know the attenuation at compile time.
 macro_rules! attenuations {
     ($consumer:ident $(; $($arguments:tt)*)?) => {
         $consumer! {
             $($($arguments)*)?
             /// No attenuation, with an optional cut-off range.
-            Constant(CutAt<NoAttenuation>) from NoAttenuation = |n| CutAt::new(NoAttenuation, n.range()),
+            Constant(CutAt<NoAttenuation>) from NoAttenuation = "constant",
                 effect /// A light without attenuation.
                 Unattenuated = "unattenuated";
             /// The inverse-square law, with an optional cut-off range.
-            InverseSquare(CutAt<InverseSquare>) from InverseSquare = |n| CutAt::new(InverseSquare, n.range()),
+            InverseSquare(CutAt<InverseSquare>) from InverseSquare = "inverse-square",
                 effect /// The inverse-square law.
                 InverseSquare = "inverse-square",
                 /// The law of a small source: the default of every spot and point light.
-                InverseSquare = "inverse-square", Ok(InverseSquare),
+                InverseSquare = "inverse-square",
                 /// Cut off at a range: nothing from there on, and the law unchanged before.
-                CutAt<InverseSquare> = "cut-at", CutAt::new(InverseSquare, Some(9.0));
+                CutAt<InverseSquare> = "cut-at";
             /// One over a polynomial, with an optional cut-off range.
-            Polynomial(CutAt<Polynomial>) from Polynomial = |n| {
-                CutAt::new(Polynomial::new(n.number(4.0), n.number(4.0), n.number(4.0))?, n.range())
-            },
+            Polynomial(CutAt<Polynomial>) from Polynomial = "polynomial",
                 effect /// An attenuation of one over a polynomial of the distance.
                 Polynomial = "polynomial",
                 /// `1/(a0 + a1 d + a2 d^2)`, capped at 1: the lights of OpenGL and Direct3D.
-                Polynomial = "polynomial", Polynomial::new(1.0, 0.2, 0.03);
+                Polynomial = "polynomial";
             /// The inverse-square law with glTF's window.
-            GltfRange(GltfRange) = |n| GltfRange::new(InverseSquare, n.range()),
+            GltfRange(GltfRange) = "inverse-square",
                 /// The window by which lights of glTF end at their range.
-                GltfRange = "gltf-range", GltfRange::new(InverseSquare, Some(9.0));
+                GltfRange = "gltf-range";
             /// No attenuation, with the window `(1 - (d/r)^4)^2`.
-            WindowedConstant(Windowed<NoAttenuation>) = |n| Windowed::new(NoAttenuation, n.range());
+            WindowedConstant(Windowed<NoAttenuation>) = "constant";
             /// The inverse-square law with the window `(1 - (d/r)^4)^2`.
-            FilamentRange(FilamentRange) = |n| FilamentRange::new(InverseSquare, n.range()),
+            FilamentRange(FilamentRange) = "inverse-square",
                 /// The window of glTF squared, as Filament and Godot have it.
-                FilamentRange = "filament-range", FilamentRange::new(InverseSquare, Some(9.0));
+                FilamentRange = "filament-range";
             /// One over a polynomial, with the window `(1 - (d/r)^4)^2`.
-            WindowedPolynomial(Windowed<Polynomial>) = |n| {
-                Windowed::new(Polynomial::new(n.number(4.0), n.number(4.0), n.number(4.0))?, n.range())
-            };
+            WindowedPolynomial(Windowed<Polynomial>) = "polynomial";
             /// Smoothstep to a range.
-            SmoothRange(SmoothRange) = |n| SmoothRange::new(n.end()),
+            SmoothRange(SmoothRange) = "smoothstep",
                 effect /// An attenuation by smoothstep to a range.
                 SmoothRange = "smooth-range",
                 /// A smoothstep that ends at a range.
-                SmoothRange = "smooth-range", SmoothRange::new(9.0);
+                SmoothRange = "smooth-range";
             /// A real power of the distance, with an optional cut-off range.
-            Decay(CutAt<Decay>) from Decay = |n| {
-                CutAt::new(Decay::new(n.number(8.0), n.number(1_000.0))?, n.range())
-            },
+            Decay(CutAt<Decay>) from Decay = "decay",
                 effect /// A real power of the distance.
                 Decay = "decay",
                 /// `d^-k` with a real exponent, capped: by a logarithm and an exponential.
-                Decay = "decay", Decay::new(1.5, 100.0);
+                Decay = "decay";
             /// A real power of the distance, with the window `(1 - (d/r)^4)^2`: three.js and Godot.
-            WindowedDecay(Windowed<Decay>) = |n| {
-                Windowed::new(Decay::new(n.number(8.0), n.number(1_000.0))?, n.range())
-            };
+            WindowedDecay(Windowed<Decay>) = "decay";
         }
     };
 }
@@ -186,40 +179,4 @@ pub fn interpolated(t: f64) -> f64 {
     let index = (place as usize).min(segments - 1);
     let [from, to] = [SAMPLES[index], SAMPLES[index + 1]].map(f64::from);
     (from + (to - from) * (place - index as f64)) / 65_535.0
-}
-
-/// The parameters that the row of an attenuation is built from.
-#[cfg(feature = "arithmetic")]
-pub trait Parameters {
-    /// Returns the next parameter; at random from 0 to `most`.
-    fn number(&mut self, most: f32) -> f32;
-    /// Returns the range of the light; `None` for a light without a range.
-    fn range(&mut self) -> Option<f32>;
-    /// Returns the range of an attenuation that has one always.
-    fn end(&mut self) -> f32;
-}
-
-/// Parameters from random numbers in [0, 1): a range is less than 40, and one in ten is `None`.
-#[cfg(feature = "arithmetic")]
-pub(crate) struct Random<N>(pub(crate) N);
-
-#[cfg(feature = "arithmetic")]
-impl<N: FnMut() -> f32> Parameters for Random<N> {
-    fn number(&mut self, most: f32) -> f32 {
-        most * (self.0)()
-    }
-
-    fn range(&mut self) -> Option<f32> {
-        ((self.0)() >= 0.1).then(|| self.end())
-    }
-
-    fn end(&mut self) -> f32 {
-        40.0 * (self.0)()
-    }
-}
-
-/// Calls the closure of a row.
-#[cfg(feature = "arithmetic")]
-pub(crate) fn draw<N, T>(parameters: &mut N, make: impl FnOnce(&mut N) -> T) -> T {
-    make(parameters)
 }

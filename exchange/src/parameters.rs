@@ -3,7 +3,6 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use luminaire::Rgb;
-use luminaire::attenuation::{Attenuation, Describe};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Falloff, Formula};
 use luminaire_export::json::kind;
@@ -277,28 +276,6 @@ impl<'a> Target<'a> {
     }
 }
 
-/// A law of the distance in the words of its row.
-#[derive(Default)]
-struct Law {
-    law: String,
-    numbers: Vec<f64>,
-    window: String,
-    range: Option<f64>,
-}
-
-impl Describe for Law {
-    fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
-        law.clone_into(&mut self.law);
-        self.numbers =
-            arguments.iter().flat_map(|(_, values)| values.iter().map(|&value| value.into())).collect();
-    }
-
-    fn window(&mut self, _: &str, window: &str, range: Option<f32>) {
-        window.clone_into(&mut self.window);
-        self.range = range.map(f64::from);
-    }
-}
-
 /// Returns the parameters of a light in a tool.
 ///
 /// # Errors
@@ -315,8 +292,9 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
         let notes = notes(tool, usage);
         return Ok(Parameters { tool, values, angle: Residual::default(), distance: 0.0, notes });
     };
-    let mut law = Law::default();
-    attenuation.describe(&mut law);
+    let law = attenuation.row().law;
+    let numbers: Vec<_> = attenuation.numbers().map(f64::from).collect();
+    let own_range = attenuation.range().map(f64::from);
     let target = Target::new(lamp);
     if let Some(end) = target.as_ref().map(|target| target.angles[2]).filter(|end| *end < NARROWEST) {
         let least = (2.0 * NARROWEST).to_degrees();
@@ -328,20 +306,20 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
 
     // The law of the tool, and the intensity with the same light at the throw.
     let throw = usage.throw;
-    let decay = match (tool, law.law.as_str()) {
+    let decay = match (tool, law) {
         (System::Three | System::Godot, "constant") => 0.0,
-        (System::Three | System::Godot, "decay") => law.numbers[0],
+        (System::Three | System::Godot, "decay") => numbers[0],
         _ => 2.0,
     };
     // A tool that cannot do without a range gets one that takes less than 0.1 codes at 2 throws.
     let range = match tool {
         System::Blender | System::Usd | System::OpenGl => None,
-        System::Godot | System::Unreal | System::Unity | System::Bevy => law.range.or(Some(throw * 20.0)),
-        _ => law.range,
+        System::Godot | System::Unreal | System::Unity | System::Bevy => own_range.or(Some(throw * 20.0)),
+        _ => own_range,
     };
-    let polynomial = match (law.law.as_str(), tool) {
+    let polynomial = match (law, tool) {
         ("constant", _) => [1.0, 0.0, 0.0],
-        ("polynomial", System::OpenGl | System::Direct3d) => [law.numbers[0], law.numbers[1], law.numbers[2]],
+        ("polynomial", System::OpenGl | System::Direct3d) => [numbers[0], numbers[1], numbers[2]],
         _ => [0.0, 0.0, 1.0],
     };
     let [constant, linear, quadratic] = polynomial;
@@ -357,7 +335,7 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
     let intensity = f64::from(lamp.light.intensity());
     let at_throw = lamp.at(throw);
     if intensity > 0.0 && !(at_throw > 0.0 && falls(throw) > 0.0) {
-        let expected = format_args!("a distance below the range, {}", law.range.unwrap_or_default());
+        let expected = format_args!("a distance below the range, {}", own_range.unwrap_or_default());
         return Err(Refusal::new("throw", throw, expected));
     }
     let candela = at_throw / falls(throw).max(f64::MIN_POSITIVE);

@@ -33,24 +33,20 @@ fn with_all_models(schema: &str) -> String {
         let (_, tail) = rest.split_once(after).expect("the end of a list");
         format!("{head}{before}{list}{after}{tail}")
     };
-    let quoted =
-        |names: Vec<String>| names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
-    let falloffs = quoted(words::falloff_names().map(str::to_owned).collect());
+    let quoted = |names: &mut dyn Iterator<Item = &str>| {
+        names.map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
+    };
+    let laws = words::law_names();
+    let falloffs = quoted(&mut words::falloff_names());
     let schema = replaced(schema, "\"name\": { \"enum\": [", "] }", falloffs);
-    let schema = replaced(&schema, "\"law\": { \"enum\": [", "] }", quoted(words::law_names()));
-    let mut numbers: Vec<(String, usize)> = Vec::new();
-    for own in words::law_names().iter().filter_map(|law| words::parameters(law)).flatten() {
-        if !numbers.contains(&own) {
-            numbers.push(own);
+    let schema = replaced(&schema, "\"law\": { \"enum\": [", "] }", quoted(&mut laws.iter().copied()));
+    let mut numbers = Vec::new();
+    for number in laws.iter().filter_map(|law| words::law_numbers(law)).flatten() {
+        if !numbers.contains(&number.name) {
+            numbers.push(number.name);
         }
     }
-    let member = |(name, count): &(String, usize)| {
-        let list = format!(
-            "\"array\", \"items\": {{ \"type\": \"number\" }}, \"minItems\": {count}, \"maxItems\": {count}"
-        );
-        let kind = if *count == 1 { "\"number\"".to_owned() } else { list };
-        format!("        {name:?}: {{ \"type\": {kind} }},\n")
-    };
+    let member = |name: &&str| format!("        {name:?}: {{ \"type\": \"number\" }},\n");
     let numbers: String = numbers.iter().map(member).collect();
     let law =
         schema.lines().find(|line| line.trim_start().starts_with("\"law\"")).expect("a line").to_owned()

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
+use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula, Soft};
 use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
@@ -137,26 +137,6 @@ object! {
     }
 }
 
-/// An attenuation as JSON has it: `law`, its parameters by name, and `window` and `range`.
-struct Description(Map<String, Value>);
-
-impl Describe for Description {
-    fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
-        self.0.insert("law".to_owned(), law.into());
-        for &(name, values) in arguments {
-            let values: Vec<_> = values.iter().map(|&value| shortest(value)).collect();
-            self.0.insert(name.to_owned(), if let [one] = values[..] { one.into() } else { values.into() });
-        }
-    }
-
-    fn window(&mut self, _: &str, window: &str, range: Option<f32>) {
-        if let Some(range) = range {
-            self.0.insert("window".to_owned(), window.into());
-            self.0.insert("range".to_owned(), shortest(range).into());
-        }
-    }
-}
-
 /// Returns the number with the digits that an `f32` needs.
 fn shortest(value: f32) -> f64 {
     format!("{value:?}").parse().unwrap_or(value.into())
@@ -204,11 +184,6 @@ fn in_lines(pretty: &str) -> String {
 
 fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light {
     let triple = |color: Rgb<f32>| [color.red, color.green, color.blue];
-    let attenuation = |attenuation: AnyAttenuation| {
-        let mut description = Description(Map::new());
-        attenuation.describe(&mut description);
-        Some(description.0)
-    };
     let mut described = Light {
         name: Some(name.clone()),
         kind: Some(kind(light).to_owned()),
@@ -225,15 +200,27 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
             described.position = Some(spot.position().into());
             described.axis = Some(spot.toward().into());
             described.cone = Some(shape(&spot.cone()));
-            described.attenuation = attenuation(spot.attenuation());
+            described.attenuation = Some(law(&spot.attenuation()));
         }
         AnyLight::Point(point) => {
             described.position = Some(point.position().into());
-            described.attenuation = attenuation(point.attenuation());
+            described.attenuation = Some(law(&point.attenuation()));
         }
         AnyLight::Directional(directional) => described.axis = Some(directional.toward().into()),
     }
     described
+}
+
+/// Returns an attenuation as JSON has it: `law`, its numbers by name, and `window` and `range`.
+fn law(attenuation: &AnyAttenuation) -> Map<String, Value> {
+    let row = attenuation.row();
+    let mut members = vec![("law", row.law.into())];
+    let numbers = row.numbers.iter().zip(attenuation.numbers());
+    members.extend(numbers.map(|(number, value)| (number.name, shortest(value).into())));
+    if let (Some(window), Some(range)) = (row.window, attenuation.range()) {
+        members.extend([("window", window.into()), ("range", shortest(range).into())]);
+    }
+    members.into_iter().map(|(name, value): (&str, Value)| (name.to_owned(), value)).collect()
 }
 
 /// Returns the kind of a light: `spot`, `point` or `directional`.
@@ -466,29 +453,28 @@ fn attenuation(described: &Map<String, Value>) -> Result<AnyAttenuation, ExportE
         Some(Value::String(text)) => Ok(text.clone()),
         Some(other) => Err(ExportError::new(name, other, "a text")),
     };
-    let (law, window) = (text("law", "inverse-square")?, text("window", "cut")?);
-    let parameters = words::parameters(&law).unwrap_or_default();
-    let mut numbers = Vec::new();
-    for (name, _) in &parameters {
-        let value = described.get(name).cloned().unwrap_or_default();
-        let own: Option<Vec<f64>> = match &value {
-            Value::Array(own) => own.iter().map(Value::as_f64).collect(),
-            own => own.as_f64().map(|number| vec![number]),
-        };
-        let own =
-            own.ok_or_else(|| ExportError::new(name, &value, format!("the numbers of the law {law}")))?;
-        numbers.extend(own.into_iter().map(|number| number as f32));
-    }
-    let known =
-        |name: &str| ["law", "window", "range"].contains(&name) || parameters.iter().any(|own| own.0 == name);
-    if let Some(other) = described.keys().find(|name| !known(name)) {
-        return Err(ExportError::new("attenuation", other, "law, window, range and the numbers of the law"));
-    }
-    let range = match described.get("range") {
-        None => None,
-        Some(range) => {
-            Some(range.as_f64().ok_or_else(|| ExportError::new("range", range, "a number"))? as f32)
-        }
+    let number = |name: &str| {
+        let number = described.get(name).map(|value| {
+            value
+                .as_f64()
+                .ok_or_else(|| ExportError::new(name, value, "a number"))
+                .map(|number| number as f32)
+        });
+        number.transpose()
     };
-    words::attenuation(&law, &numbers, &window, range)
+    let (law, window) = (text("law", "inverse-square")?, text("window", "cut")?);
+    let own = words::law_numbers(&law).unwrap_or_default();
+    if let Some(other) = described.keys().find(|&name| {
+        !["law", "window", "range"].contains(&&**name) && own.iter().all(|own| own.name != name)
+    }) {
+        let names: Vec<_> =
+            ["law", "window", "range"].into_iter().chain(own.iter().map(|own| own.name)).collect();
+        return Err(ExportError::new("attenuation", other, format!("one of {} of {law}", names.join(", "))));
+    }
+    let numbers = own.iter().map(|own| match number(own.name)?.or(own.default) {
+        Some(number) => Ok(number),
+        None => Err(ExportError::new(own.name, "none", format!("a number of the law {law}"))),
+    });
+    let numbers: Vec<_> = numbers.collect::<Result<_, _>>()?;
+    words::attenuation(&law, &numbers, &window, number("range")?)
 }

@@ -67,7 +67,7 @@
 //! | `cone.beam_degrees`, `field_degrees`, `outer_degrees`, `inner_degrees`, `cutoff_degrees` | full angles: 50 % and 10 % of the intensity, the end of the falloff, full intensity, the end of the light before that of its falloff |
 //! | `cone.inner_versine`, `outer_versine`, `cutoff_versine` | `1 - cos` of half of three of these angles, which are exact: with them the angles are for readers |
 //! | `cone.falloff` | `name` and `parameters`, those of `luminaire export --falloff`; and for readers its [`formula`](luminaire::falloff::Formula) at `t = (outer - v) / (outer - inner)` with the versine `v`: `coefficients`, or `exponent` and `floor` |
-//! | `attenuation.law` | `constant`, `inverse-square` (the default), `polynomial` with `coefficients`, `decay` with `exponent` and its cap `most`, or `smoothstep` to `range` |
+//! | `attenuation.law` | `constant`, `inverse-square` (the default), `polynomial` with `constant`, `linear` and `quadratic`, `decay` with `exponent` and its cap `most`, or `smoothstep` to `range` |
 //! | `attenuation.window`, `range` | `cut`, `gltf` or `square`, at the range; absent without a range |
 //!
 //! A light that is written by hand needs a cone alone: one of beam, field and outer angle, or beam

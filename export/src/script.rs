@@ -1,7 +1,6 @@
 //! Lights as build scripts of Rust.
 
-use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe, WithAttenuation};
-use luminaire::codegen::name;
+use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::AnyFalloff;
 use luminaire::{Angle, Cone, Fx16, Rgb};
@@ -129,42 +128,24 @@ pub(crate) fn degrees(angle: Angle) -> String {
 /// Returns the type of an attenuation, and the call that gives it to a light; `None` for the inverse
 /// square, which every light has at first.
 pub(crate) fn attenuation(attenuation: AnyAttenuation) -> (String, Option<String>) {
-    let Call { kind, value } = attenuation.with(Called);
+    let row = attenuation.row();
+    let numbers: Vec<_> = attenuation.numbers().map(|number| format!("{number:?}")).collect();
+    let law = if numbers.is_empty() {
+        row.law_type.to_owned()
+    } else {
+        format!("{}::new({})?", row.law_type, numbers.join(", "))
+    };
+    // A window without a range leaves the law as it is.
+    let (kind, value) = match (row.window, attenuation.range()) {
+        (Some(_), Some(range)) => {
+            // A macro's type has spaces around its brackets.
+            let kind = row.type_name.replace(' ', "");
+            let constructor = kind.split('<').next().unwrap_or(&kind);
+            let value = format!("{constructor}::new({law}, Some({range:?}))?");
+            (kind, value)
+        }
+        _ => (row.law_type.to_owned(), law),
+    };
     let call = (kind != "InverseSquare").then(|| format!(".with_attenuation({value})"));
     (kind, call)
-}
-
-/// Takes an attenuation as a call of its constructor.
-struct Called;
-
-impl WithAttenuation for Called {
-    type Output = Call;
-
-    fn attenuation<A: Attenuation>(self, attenuation: A) -> Call {
-        let mut call = Call { kind: name::<A>().to_string(), value: String::new() };
-        attenuation.describe(&mut call);
-        call
-    }
-}
-
-/// The name of the type of an attenuation, and its value so far.
-struct Call {
-    kind: String,
-    value: String,
-}
-
-impl Describe for Call {
-    fn law(&mut self, kind: &str, _: &str, arguments: &[(&str, &[f32])]) {
-        let numbers = arguments.iter().flat_map(|(_, values)| values.iter());
-        let numbers: Vec<_> = numbers.map(|number| format!("{number:?}")).collect();
-        self.value = if numbers.is_empty() {
-            kind.to_owned()
-        } else {
-            format!("{kind}::new({})?", numbers.join(", "))
-        };
-    }
-
-    fn window(&mut self, kind: &str, _: &str, range: Option<f32>) {
-        self.value = format!("{kind}::new({}, {range:?})?", self.value);
-    }
 }

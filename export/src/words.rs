@@ -2,9 +2,9 @@
 
 use std::ops::RangeInclusive;
 
-use luminaire::attenuation::{AnyAttenuation, Attenuation, Describe};
+use luminaire::attenuation::{AnyAttenuation, AttenuationRow};
 use luminaire::falloff::{AnyFalloff, Falloff, FalloffRow, Formula, Knot, Table};
-use luminaire::models::{Number, Parameters};
+use luminaire::models::Number;
 
 use crate::error::ExportError;
 
@@ -36,9 +36,8 @@ pub fn falloff(name: &str, numbers: &[f64]) -> Result<AnyFalloff, ExportError> {
                 let names: Vec<_> = falloff_names().collect();
                 ExportError::new("falloff", name, format!("one of {}", names.join(", ")))
             })?;
-            let least = row.numbers.iter().filter(|number| number.default.is_none()).count();
-            if !(least..=row.numbers.len()).contains(&numbers.len()) {
-                return Err(ExportError::new(name, count_of(numbers.len()), told(row)));
+            if !counts(row.numbers).contains(&numbers.len()) {
+                return Err(ExportError::new(name, count_of(numbers.len()), told(row.numbers)));
             }
             let numbers: Vec<_> = numbers.iter().map(|&number| number as f32).collect();
             Ok(row.of(&numbers)?)
@@ -53,14 +52,33 @@ fn count_of(count: usize) -> String {
     if count == 1 { "1 number".to_owned() } else { format!("{count} numbers") }
 }
 
-/// Tells the numbers of a falloff.
-fn told(row: &FalloffRow) -> String {
+/// Returns how many of these numbers may be given: all, or those that may be left out are.
+fn counts<'a>(numbers: impl IntoIterator<Item = &'a Number>) -> RangeInclusive<usize> {
+    let numbers = numbers.into_iter().map(|number| usize::from(number.default.is_none()));
+    let (least, most) = numbers.fold((0, 0), |(least, most), is_required| (least + is_required, most + 1));
+    least..=most
+}
+
+/// Tells which numbers are expected.
+fn told<'a>(numbers: impl IntoIterator<Item = &'a Number>) -> String {
     let told = |number: &Number| {
         let optional = if number.default.is_some() { "optionally " } else { "" };
         format!("{optional}the {}", number.name.replace('_', " "))
     };
-    let told: Vec<_> = row.numbers.iter().map(told).collect();
+    let told: Vec<_> = numbers.into_iter().map(told).collect();
     if told.is_empty() { "no numbers".to_owned() } else { told.join(", ") }
+}
+
+/// Returns a model as a word of a command, with the names of its numbers.
+fn word<'a>(name: &str, numbers: impl IntoIterator<Item = &'a Number>) -> String {
+    let mut word = name.to_owned();
+    for (place, number) in numbers.into_iter().enumerate() {
+        let before = if place == 0 { "=" } else { "," };
+        let name = number.name.to_uppercase().replace('_', "-");
+        word +=
+            &if number.default.is_some() { format!("[{before}{name}]") } else { format!("{before}{name}") };
+    }
+    word
 }
 
 /// Returns the names of the falloffs that [`falloff`] takes.
@@ -71,16 +89,7 @@ pub fn falloff_names() -> impl Iterator<Item = &'static str> {
 /// Returns the falloffs as words of a command, each with the names of its numbers.
 pub fn falloff_words() -> String {
     let word = |row: &FalloffRow| {
-        let mut word = row.name.to_owned();
-        for (place, number) in row.numbers.iter().enumerate() {
-            let before = if place == 0 { "=" } else { "," };
-            let name = number.name.to_uppercase().replace('_', "-");
-            word += &if number.default.is_some() {
-                format!("[{before}{name}]")
-            } else {
-                format!("{before}{name}")
-            };
-        }
+        let word = word(row.name, row.numbers);
         if row.name == "table" {
             word + "=SAMPLES from 65535 on the axis, evenly spaced over the versine"
         } else {
@@ -123,110 +132,41 @@ fn whole(parameter: &str, number: f64, range: RangeInclusive<u32>) -> Result<u32
     Err(ExportError::new(parameter, number, expected))
 }
 
-/// A row of the kernel's list of attenuations.
-#[derive(Default)]
-struct Row {
-    law: String,
-    /// The names of the law's parameters, and how many numbers each has.
-    parameters: Vec<(String, usize)>,
-    /// `None` for a law that has a range always.
-    window: Option<String>,
-}
-
-/// Names that people use for laws.
+/// The names of laws in data for which people use others.
 const NAMES: [(&str, &str); 2] = [("constant", "none"), ("smoothstep", "smooth-range")];
 
-impl Row {
-    /// The name that people use for the law.
-    fn word(&self) -> &str {
-        NAMES.iter().find(|(name, _)| *name == self.law).map_or(&*self.law, |(_, own)| own)
-    }
+/// Returns the name that people use for a law.
+fn usual(law: &'static str) -> &'static str {
+    NAMES.iter().find(|(name, _)| *name == law).map_or(law, |(_, own)| own)
 }
 
-impl Describe for Row {
-    fn law(&mut self, _: &str, law: &str, arguments: &[(&str, &[f32])]) {
-        law.clone_into(&mut self.law);
-        let own = |(name, values): &(&str, &[f32])| ((*name).to_owned(), values.len());
-        // The range of a law that always has one is no parameter of the law.
-        self.parameters = arguments.iter().filter(|(name, _)| *name != "range").map(own).collect();
-    }
-
-    fn window(&mut self, _: &str, window: &str, _: Option<f32>) {
-        self.window = Some(window.to_owned());
-    }
+/// Returns the rows of a law, by either of its names: one for each of its windows.
+fn rows(law: &str) -> impl Iterator<Item = &'static AttenuationRow> {
+    AnyAttenuation::LIST.iter().filter(move |row| row.law == law || usual(row.law) == law)
 }
 
-/// Builds a row from given numbers.
-struct Given<'a> {
-    numbers: std::slice::Iter<'a, f32>,
-    range: Option<f32>,
+/// Returns the first row of each law.
+fn laws() -> impl Iterator<Item = &'static AttenuationRow> {
+    let list = AnyAttenuation::LIST;
+    let is_first = |place: usize| list[..place].iter().all(|before| before.law != list[place].law);
+    list.iter().enumerate().filter(move |(place, _)| is_first(*place)).map(|(_, row)| row)
 }
 
-impl Parameters for Given<'_> {
-    fn number(&mut self, most: f32) -> f32 {
-        self.numbers.next().copied().unwrap_or(most / 2.0)
-    }
-
-    fn range(&mut self) -> Option<f32> {
-        self.range
-    }
-
-    fn end(&mut self) -> f32 {
-        self.range.unwrap_or(f32::NAN)
-    }
-}
-
-fn rows() -> Vec<Row> {
-    let row = |index| {
-        let mut given = Given { numbers: [].iter(), range: Some(1.0) };
-        let mut row = Row::default();
-        if let Ok(sample) = AnyAttenuation::built(index, &mut given) {
-            sample.describe(&mut row);
-        }
-        row
-    };
-    (0..AnyAttenuation::COUNT).map(row).collect()
-}
-
-/// Returns the names of the laws that [`attenuation`] takes, and those that people use for them.
-pub fn law_names() -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for row in rows() {
-        if !names.contains(&row.law) {
-            names.extend(NAMES.iter().filter(|(name, _)| *name == row.law).map(|(_, own)| (*own).to_owned()));
-            names.push(row.law);
-        }
-    }
+/// Returns the names of the laws that [`attenuation`] takes: those that people use, and those in data.
+pub fn law_names() -> Vec<&'static str> {
+    let mut names: Vec<_> = laws().flat_map(|row| [usual(row.law), row.law]).collect();
+    names.dedup();
     names
 }
 
 /// Returns the laws as words of a command, each with the names of its numbers.
 pub fn law_words() -> String {
-    let mut words: Vec<String> = Vec::new();
-    for row in rows() {
-        let name = row.word();
-        let number = |(name, count): &(String, usize)| {
-            let name = name.to_uppercase();
-            let names = (1..=*count).map(|number| format!("{name}-{number}"));
-            if *count == 1 { name } else { names.collect::<Vec<_>>().join(",") }
-        };
-        let numbers: Vec<_> = row.parameters.iter().map(number).collect();
-        let word = if numbers.is_empty() { name.to_owned() } else { format!("{name}={}", numbers.join(",")) };
-        if !words.contains(&word) {
-            words.push(word);
-        }
-    }
-    words.join(", ")
+    laws().map(|row| word(usual(row.law), row.beside_range())).collect::<Vec<_>>().join(", ")
 }
 
-/// Returns the names of a law's parameters and how many numbers each has; `None` for an unknown law.
-pub fn parameters(law: &str) -> Option<Vec<(String, usize)>> {
-    let law = canonical(law);
-    rows().into_iter().find(|row| row.law == law).map(|row| row.parameters)
-}
-
-fn canonical(law: &str) -> &str {
-    NAMES.iter().find(|(_, own)| *own == law).map_or(law, |(name, _)| name)
+/// Returns the numbers of a law without its range; `None` for an unknown law.
+pub fn law_numbers(law: &str) -> Option<Vec<&'static Number>> {
+    rows(law).next().map(|row| row.beside_range().collect())
 }
 
 /// Returns the attenuation of a law with its numbers, and the window by which it ends at a range.
@@ -240,35 +180,28 @@ pub fn attenuation(
     window: &str,
     range: Option<f32>,
 ) -> Result<AnyAttenuation, ExportError> {
-    let rows = rows();
-    let count = |row: &Row| row.parameters.iter().map(|(_, count)| count).sum::<usize>();
-    let own: Vec<_> = rows.iter().enumerate().filter(|(_, row)| row.law == canonical(law)).collect();
-    if !own.iter().any(|(_, row)| count(row) == numbers.len()) {
-        let mut laws = Vec::new();
-        for row in &rows {
-            let name = row.word();
-            let law =
-                if count(row) == 0 { name.to_owned() } else { format!("{name} with {} numbers", count(row)) };
-            if !laws.contains(&law) {
-                laws.push(law);
-            }
-        }
-        let given =
-            if numbers.is_empty() { law.to_owned() } else { format!("{law} with {} numbers", numbers.len()) };
-        return Err(ExportError::new("attenuation", given, format!("one of {}", laws.join(", "))));
-    }
-    let Some((index, row)) = own.iter().find(|(_, row)| row.window.as_ref().is_none_or(|own| own == window))
-    else {
-        let windows: Vec<_> = own.iter().filter_map(|(_, row)| row.window.as_deref()).collect();
-        return Err(ExportError::new("window", window, windows.join(" or ")));
+    let Some(first) = rows(law).next() else {
+        let names: Vec<_> = laws().map(|row| usual(row.law)).collect();
+        return Err(ExportError::new("attenuation", law, format!("one of {}", names.join(", "))));
     };
-    if row.window.is_none() && window != "cut" {
-        return Err(ExportError::new("window", window, format!("none, because {law} ends by itself")));
+    if !counts(first.beside_range()).contains(&numbers.len()) {
+        return Err(ExportError::new(law, count_of(numbers.len()), told(first.beside_range())));
     }
-    if row.window.is_none() && range.is_none() {
-        return Err(ExportError::new("range", "none", format!("a distance, because {law} ends there")));
-    }
-    Ok(AnyAttenuation::built(*index, &mut Given { numbers: numbers.iter(), range })?)
+    let row = if first.window.is_none() {
+        if window != "cut" {
+            return Err(ExportError::new("window", window, format!("none, because {law} ends by itself")));
+        }
+        if range.is_none() {
+            return Err(ExportError::new("range", "none", format!("a distance, because {law} ends there")));
+        }
+        first
+    } else {
+        rows(law).find(|row| row.window == Some(window)).ok_or_else(|| {
+            let windows: Vec<_> = rows(law).filter_map(|row| row.window).collect();
+            ExportError::new("window", window, windows.join(" or "))
+        })?
+    };
+    Ok(row.of(numbers, range)?)
 }
 
 #[cfg(test)]
@@ -300,6 +233,72 @@ mod tests {
                 assert_eq!(falloff(name, &numbers).expect("its own words"), own);
             }
             assert!(help.contains(row.name), "{help}: expected {}", row.name);
+        }
+    }
+
+    /// The ends of each number, its sample, and those of random models.
+    fn values(number: &Number) -> [f32; 6] {
+        let [least, most] = number.limits;
+        // The lower limit of positive numbers is refused.
+        [least, most, number.sample, number.drawn(0.0), number.drawn(0.7), number.drawn(1.0)]
+    }
+
+    #[test]
+    fn every_attenuation_is_made_again_from_its_words() {
+        let help = law_words();
+        for row in AnyAttenuation::LIST {
+            let mut made = 0;
+            for place in 0..6 {
+                let numbers: Vec<_> = row.beside_range().map(|number| values(number)[place]).collect();
+                let Ok(own) = row.of(&numbers, Some(9.5)) else { continue };
+                let window = row.window.unwrap_or("cut");
+                let again = attenuation(row.law, &numbers, window, Some(9.5)).expect("its own words");
+                assert_eq!((again, again.row().law), (own, row.law));
+                assert_eq!(own.numbers().count(), row.numbers.len());
+                made += 1;
+            }
+            assert!(made > 4, "{}: {made} attenuations", row.law);
+            assert!(help.contains(usual(row.law)), "{help}: expected {}", row.law);
+        }
+    }
+
+    #[test]
+    fn wrong_words_of_a_law_are_told() {
+        for (law, numbers, window, range, told) in [
+            (
+                "sqaure",
+                &[][..],
+                "cut",
+                None,
+                "attenuation = sqaure: expected one of none, inverse-square, polynomial, ",
+            ),
+            ("none", &[1.0], "cut", None, "none = 1 number: expected no numbers"),
+            (
+                "polynomial",
+                &[1.0],
+                "cut",
+                None,
+                "polynomial = 1 number: expected the constant, the linear, the quadratic",
+            ),
+            ("decay", &[17.0, 1.0], "cut", None, "decay = 17: expected more than 0 and at most 16"),
+            ("decay", &[1.0, 1.0], "gltf", None, "window = gltf: expected cut or square"),
+            (
+                "smooth-range",
+                &[],
+                "square",
+                Some(1.0),
+                "window = square: expected none, because smooth-range ends by itself",
+            ),
+            (
+                "smooth-range",
+                &[],
+                "cut",
+                None,
+                "range = none: expected a distance, because smooth-range ends there",
+            ),
+        ] {
+            let refused = attenuation(law, numbers, window, range).expect_err(told).to_string();
+            assert!(refused.starts_with(told), "{refused}: expected {told}");
         }
     }
 

@@ -85,8 +85,8 @@ fn irradiance(light: &Value, point: DVec3, normal: DVec3) -> f64 {
         "constant" => 1.0,
         "inverse-square" => 1.0 / (distance * distance),
         "polynomial" => {
-            let c = triple(&attenuation["coefficients"]);
-            1.0 / (c.x + c.y * distance + c.z * distance * distance).max(1.0)
+            let [a, b, c] = ["constant", "linear", "quadratic"].map(|name| number(&attenuation[name]));
+            1.0 / (a + b * distance + c * distance * distance).max(1.0)
         }
         "decay" => distance.powf(-number(&attenuation["exponent"])).min(number(&attenuation["most"])),
         "smoothstep" => {

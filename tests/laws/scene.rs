@@ -5,7 +5,6 @@ use luminaire::{
     Angle, Cone, HalfAngle, Material, Rgb, Scalar, SpotLight, Vec3,
     attenuation::AnyAttenuation,
     falloff::{AnyFalloff, Falloff, Table},
-    models::Parameters,
     specular::SpecularLobe,
 };
 
@@ -23,22 +22,11 @@ pub fn falloff(words: &mut Words<'_>) -> Option<AnyFalloff> {
 
 /// An attenuation of the list.
 pub fn attenuation(words: &mut Words<'_>) -> Option<AnyAttenuation> {
-    let index = words.choice(AnyAttenuation::COUNT as u32) as usize;
-    AnyAttenuation::built(index, words).ok()
-}
-
-impl Parameters for Words<'_> {
-    fn number(&mut self, most: f32) -> f32 {
-        Words::number(self, 0.0, most)
-    }
-
-    fn range(&mut self) -> Option<f32> {
-        (self.choice(10) > 0).then(|| range(self))
-    }
-
-    fn end(&mut self) -> f32 {
-        range(self)
-    }
+    let row = &AnyAttenuation::LIST[words.choice(AnyAttenuation::COUNT as u32) as usize];
+    let numbers: Vec<_> = row.beside_range().map(|number| number.drawn(words.number(0.0, 1.0))).collect();
+    let has_range = row.window.is_none() || words.choice(10) > 0;
+    let range = has_range.then(|| range(words));
+    row.of(&numbers, range).ok()
 }
 
 /// A range of an attenuation: up to 40, or from the shortest that is accepted to 2^14.

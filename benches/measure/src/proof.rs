@@ -29,10 +29,8 @@ pub(crate) const CONFIGURATIONS: [(&str, &str); 3] = [
 ];
 
 /// Functions without a wrapper, by path or as `Trait::function`, each with the reason.
-const EXEMPT: [(&str, &str); 13] = [
+const EXEMPT: [(&str, &str); 11] = [
     ("Attenuation::with", "passes the attenuation to code of the caller"),
-    ("Attenuation::describe", "tells the attenuation to code of the caller"),
-    ("<luminaire::attenuation::AnyAttenuation>::built", "builds it from numbers of code of the caller"),
     ("luminaire::falloff::with_falloff", "passes the falloff to code of the caller"),
     ("luminaire::falloff::falloffs", "passes each falloff to code of the caller"),
     ("luminaire::falloff::constant_falloffs", "passes each falloff to code of the caller"),

@@ -13,7 +13,8 @@ use crate::{
 #[cfg(feature = "arithmetic")]
 use crate::{
     error::Error,
-    models::{Listed, Parameters, Random, draw, listed},
+    model::{Model, Number, each},
+    models::{Listed, listed},
 };
 
 /// Takes the constants of an attenuation with its type.
@@ -29,12 +30,102 @@ pub trait AttenuationVisitor {
     fn attenuation<A: Listed + Attenuation>(&mut self);
 }
 
+/// What the list knows of an attenuation: a law of the distance, and how it ends.
+#[cfg(feature = "arithmetic")]
+#[derive(Clone, Copy, Debug)]
+pub struct AttenuationRow {
+    /// The name of the law in data and in words of a command. An attenuation of the same law with another window
+    /// has it, too.
+    pub law: &'static str,
+    /// The type of the law, as Rust writes it.
+    pub law_type: &'static str,
+    /// The type of the attenuation, as Rust writes it.
+    pub type_name: &'static str,
+    /// The numbers that the law is made from, in their order.
+    pub numbers: &'static [Number],
+    /// The name of the window that ends the law at a range, or leaves it without an end; `None` for a law that ends
+    /// by itself.
+    pub window: Option<&'static str>,
+    of: fn(&[f32], Option<f32>) -> Result<AnyAttenuation, Error>,
+}
+
+#[cfg(feature = "arithmetic")]
+impl AttenuationRow {
+    /// Returns the numbers of the law that are not its range.
+    pub fn beside_range(&self) -> impl Iterator<Item = &'static Number> {
+        self.numbers.iter().filter(|number| !number.is_range())
+    }
+
+    /// Creates the attenuation from the numbers of its law without the range, and the range. Numbers that may be left
+    /// out have their default where they are.
+    ///
+    /// # Errors
+    /// Numbers that the constructor refuses. One that is missing is NaN.
+    pub fn of(&self, numbers: &[f32], range: Option<f32>) -> Result<AnyAttenuation, Error> {
+        let mut given = numbers.iter().copied();
+        let value = |number: &Number| {
+            let value = if number.is_range() { range } else { given.next().or(number.default) };
+            value.unwrap_or(f32::NAN)
+        };
+        (self.of)(&each(self.numbers, value), range)
+    }
+}
+
+/// An attenuation of the list in its parts: a law of the distance, and the window that ends it.
+#[cfg(feature = "arithmetic")]
+trait InParts: Attenuation {
+    /// The law.
+    type Law: Model;
+    /// The name of the window.
+    const WINDOW: Option<&'static str>;
+
+    /// Creates the attenuation from the numbers of its law, and the range of its window.
+    fn of(numbers: &[f32], range: Option<f32>) -> Result<Self, Error>;
+
+    /// Returns the law.
+    fn law(&self) -> Self::Law;
+}
+
+#[cfg(feature = "arithmetic")]
+impl<W: Window, A: Attenuation + Model> InParts for Ranged<W, A> {
+    type Law = A;
+    const WINDOW: Option<&'static str> = Some(W::KEY);
+
+    fn of(numbers: &[f32], range: Option<f32>) -> Result<Self, Error> {
+        Self::new(A::of(numbers)?, range)
+    }
+
+    fn law(&self) -> A {
+        self.attenuation()
+    }
+}
+
+#[cfg(feature = "arithmetic")]
+impl<A: Attenuation + Model> InParts for A {
+    type Law = A;
+    const WINDOW: Option<&'static str> = None;
+
+    fn of(numbers: &[f32], _: Option<f32>) -> Result<Self, Error> {
+        <A as Model>::of(numbers)
+    }
+
+    fn law(&self) -> A {
+        *self
+    }
+}
+
+/// Returns the value of an attenuation whose numbers and range are those of its sample.
+#[cfg(feature = "arithmetic")]
+fn sample<A: InParts>() -> Result<A, Error> {
+    A::of(&each(A::Law::NUMBERS, Number::in_sample), Some(Number::range().sample))
+}
+
 /// Declares the enums of all listed attenuations, and their methods with one match arm per row.
 macro_rules! any_attenuation {
-    ($(#[doc = $doc:literal] $variant:ident($type:ty) $(from $law:ty)? = $make:expr
+    ($(#[doc = $doc:literal] $variant:ident($type:ty) $(from $law:ty)? = $name:literal
        $(, effect #[doc = $effect_doc:literal] $effect:ident = $effect_name:literal)?
-       $(, #[doc = $its_doc:literal] $constant:ty = $its_name:literal, $value:expr)*;)*) => {
-        /// Any attenuation, chosen at run time: for a light of [another system](crate::import) or
+       $(, #[doc = $its_doc:literal] $constant:ty = $its_name:literal)*;)*) => {
+        /// Any attenuation, chosen at run time: for a light of another system or
         /// an [`AnyLight`](crate::dynamic::AnyLight).
         ///
         /// The enum branches per point.
@@ -68,32 +159,53 @@ macro_rules! any_attenuation {
         })?)*
 
         impl AnyAttenuation {
+            /// The list: a row for each attenuation.
+            #[cfg(feature = "arithmetic")]
+            pub const LIST: &'static [AttenuationRow] = &[$(AttenuationRow {
+                law: $name,
+                law_type: <<$type as InParts>::Law as Model>::TYPE,
+                type_name: stringify!($type),
+                numbers: <<$type as InParts>::Law as Model>::NUMBERS,
+                window: <$type as InParts>::WINDOW,
+                of: |numbers, range| <$type as InParts>::of(numbers, range).map(Self::$variant),
+            },)*];
+
             /// The number of attenuations.
             #[cfg(feature = "arithmetic")]
-            pub const COUNT: usize = [$(stringify!($variant)),*].len();
+            pub const COUNT: usize = Self::LIST.len();
 
-            /// Builds the attenuation with index `index % COUNT` from random numbers in [0, 1).
+            /// Builds the attenuation with index `index % COUNT` from random numbers in [0, 1). One in ten
+            /// with a window has no range.
             ///
             /// # Errors
-            /// Invalid parameters.
+            /// Numbers that the constructor refuses.
             #[cfg(feature = "arithmetic")]
-            pub fn drawn(index: usize, number: impl FnMut() -> f32) -> Result<Self, Error> {
-                Self::built(index, &mut Random(number))
+            pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
+                let row = &Self::LIST[index % Self::COUNT];
+                let numbers = each(row.numbers, |own| own.drawn(number()));
+                let has_range = row.window.is_some() && number() >= 0.1;
+                (row.of)(&numbers, has_range.then(|| Number::range().drawn(number())))
             }
 
-            /// Builds the attenuation with index `index % COUNT` from parameters.
-            ///
-            /// # Errors
-            /// Invalid parameters.
+            /// Returns the row of the attenuation.
             #[cfg(feature = "arithmetic")]
-            pub fn built(index: usize, parameters: &mut impl Parameters) -> Result<Self, Error> {
-                let (index, mut rows) = (index % Self::COUNT, 0..);
+            pub fn row(&self) -> &'static AttenuationRow {
+                let mut rows = Self::LIST.iter();
                 $(
-                    if rows.next() == Some(index) {
-                        return draw(parameters, $make).map(Self::$variant);
+                    let row = rows.next();
+                    if let (Self::$variant(_), Some(row)) = (self, row) {
+                        return row;
                     }
                 )*
-                Ok(NoAttenuation.into())
+                &Self::LIST[0]
+            }
+
+            /// Returns the numbers that the law is made from.
+            #[cfg(feature = "arithmetic")]
+            pub fn numbers(&self) -> impl Iterator<Item = f32> {
+                (0..).map_while(|place| match self {
+                    $(Self::$variant(attenuation) => attenuation.law().number(place),)*
+                })
             }
 
             /// Returns the range of the light; `None` for a light without a range.
@@ -115,7 +227,7 @@ macro_rules! any_attenuation {
         }
 
         #[cfg(feature = "arithmetic")]
-        listed! { $($(#[doc = $its_doc] $constant = $its_name, $value;)*)* }
+        listed! { $($(#[doc = $its_doc] $constant = $its_name, sample();)*)* }
 
         /// Visits the attenuations of programs that know the attenuation at compile time.
         #[cfg(feature = "arithmetic")]
@@ -161,12 +273,6 @@ macro_rules! any_attenuation {
             fn growth(&self) -> f32 {
                 match self {
                     $(Self::$variant(attenuation) => attenuation.growth(),)*
-                }
-            }
-
-            fn describe(&self, to: &mut dyn Describe) {
-                match self {
-                    $(Self::$variant(attenuation) => attenuation.describe(to),)*
                 }
             }
 

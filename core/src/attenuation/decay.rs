@@ -1,32 +1,29 @@
 //! A real power of the distance.
 
-use super::{Attenuation, Describe};
+use super::Attenuation;
 use crate::{
     effect::{Effect, Effects},
-    error::{Error, Expected, Parameter},
+    error::{Error, Parameter},
+    model::{Model as _, Number, model},
     number::{BRIGHTEST, InversePower, Offset, Ray, Scalar},
-    source::named,
-    stored::stored,
 };
 
-/// `d^-k` with a real exponent `k` in (0, 16], capped at a largest factor: the decay of three.js and
-/// Godot.
-///
-/// The power is evaluated in integers, by a logarithm and an exponential from tables. For an
-/// exponent of 2 [`InverseSquare`](super::InverseSquare) costs less.
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Decay {
-    exponent: f32,
-    most: f32,
+model! {
+    /// `d^-k` with a real exponent `k` in (0, 16], capped at a largest factor: the decay of three.js and
+    /// Godot.
+    ///
+    /// The power is evaluated in integers, by a logarithm and an exponential from tables. For an
+    /// exponent of 2 [`InverseSquare`](super::InverseSquare) costs less.
+    law Decay {
+        /// Returns the exponent `k`.
+        exponent: f32 = Number::positive(Parameter::Decay, 0.125, STEEPEST, 1.5).usually(0.125, 8.0);
+        /// Returns the largest factor.
+        most: f32 = Number::between(Parameter::Attenuation, 1.0, BRIGHTEST, 100.0).usually(1.0, 1_000.0);
+    } by Self::new(exponent, most)
 }
 
-stored!(Decay { exponent: f32, most: f32 } by Self::new(exponent, most));
-
-named!(Decay);
-
 /// The largest exponent.
-pub(crate) const STEEPEST: f32 = 16.0;
+const STEEPEST: f32 = 16.0;
 
 impl Decay {
     /// Creates the attenuation `min(d^-exponent, most)`, for distances in scene units.
@@ -34,24 +31,8 @@ impl Decay {
     /// # Errors
     /// An exponent outside (0, 16], or a cap outside 1 to 2^64.
     pub fn new(exponent: f32, most: f32) -> Result<Self, Error> {
-        let (parameter, value, accepted) = if !(exponent > 0.0 && exponent <= STEEPEST) {
-            (Parameter::Decay, exponent, Expected::UpTo(STEEPEST))
-        } else if !(1.0..=BRIGHTEST).contains(&most) {
-            (Parameter::Attenuation, most, Expected::Between(1.0, BRIGHTEST))
-        } else {
-            return Ok(Self { exponent, most });
-        };
-        Err(Error { parameter, value, accepted })
-    }
-
-    /// Returns the exponent `k`.
-    pub fn exponent(&self) -> f32 {
-        self.exponent
-    }
-
-    /// Returns the largest factor.
-    pub fn most(&self) -> f32 {
-        self.most
+        let [own, cap] = [Self::NUMBERS[0], Self::NUMBERS[1]];
+        Ok(Self { exponent: own.checked(exponent)?, most: cap.checked(most)? })
     }
 }
 
@@ -78,10 +59,6 @@ impl Attenuation for Decay {
 
     fn growth(&self) -> f32 {
         self.exponent
-    }
-
-    fn describe(&self, to: &mut dyn Describe) {
-        to.law("Decay", "decay", &[("exponent", &[self.exponent]), ("most", &[self.most])]);
     }
 
     #[inline]

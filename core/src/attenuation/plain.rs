@@ -1,10 +1,10 @@
 //! The attenuations without parameters.
 
-use super::{Attenuation, Describe};
+use super::Attenuation;
 use crate::{
     effect::{Effect, Effects},
+    model::plain,
     number::{Offset, Ray, Scalar, Share},
-    source::named,
 };
 
 /// No attenuation: the same intensity at every distance.
@@ -20,7 +20,7 @@ pub struct NoAttenuation;
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct InverseSquare;
 
-named!(NoAttenuation InverseSquare);
+plain!(law NoAttenuation InverseSquare);
 
 impl Attenuation for NoAttenuation {
     type Constants<S: Scalar> = ();
@@ -37,10 +37,6 @@ impl Attenuation for NoAttenuation {
 
     fn growth(&self) -> f32 {
         0.0
-    }
-
-    fn describe(&self, to: &mut dyn Describe) {
-        to.law("NoAttenuation", "constant", &[]);
     }
 
     #[inline]
@@ -75,10 +71,6 @@ impl Attenuation for InverseSquare {
 
     fn growth(&self) -> f32 {
         2.0
-    }
-
-    fn describe(&self, to: &mut dyn Describe) {
-        to.law("InverseSquare", "inverse-square", &[]);
     }
 
     #[inline]

@@ -1,27 +1,28 @@
 //! One over a polynomial of the distance.
 
-use super::{Attenuation, Describe};
+use super::Attenuation;
 use crate::{
     effect::{Effect, Effects},
-    error::{Error, Parameter, check_between},
+    error::{Error, Parameter},
+    model::{Model as _, Number, model},
     number::{Offset, Ray, Scalar},
-    source::named,
-    stored::stored,
 };
 
-/// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: never more than the intensity.
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Polynomial {
-    coefficients: [f32; 3],
+model! {
+    /// `1 / (a0 + a1 d + a2 d^2)`, capped at 1: never more than the intensity.
+    law Polynomial {
+        /// Returns the coefficient `a0`.
+        constant: f32 = coefficient(1.0);
+        /// Returns the coefficient `a1`, per scene unit.
+        linear: f32 = coefficient(0.2);
+        /// Returns the coefficient `a2`, per square scene unit.
+        quadratic: f32 = coefficient(0.03);
+    } by Self::new(constant, linear, quadratic)
 }
 
-stored!(Polynomial { coefficients: [f32; 3] } by {
-    let [constant, linear, quadratic] = coefficients;
-    Self::new(constant, linear, quadratic)
-});
-
-named!(Polynomial);
+const fn coefficient(sample: f32) -> Number {
+    Number::between(Parameter::Attenuation, 0.0, 1e9, sample).usually(0.0, 4.0)
+}
 
 impl Polynomial {
     /// Creates the polynomial with a constant, a linear and a quadratic coefficient, for distances
@@ -31,16 +32,15 @@ impl Polynomial {
     /// # Errors
     /// A coefficient outside 0 to 1e9.
     pub fn new(constant: f32, linear: f32, quadratic: f32) -> Result<Self, Error> {
-        let coefficients = [constant, linear, quadratic];
-        for value in coefficients {
-            check_between(Parameter::Attenuation, value, 0.0, 1e9)?;
+        for (number, value) in Self::NUMBERS.iter().zip([constant, linear, quadratic]) {
+            number.checked(value)?;
         }
-        Ok(Self { coefficients })
+        Ok(Self { constant, linear, quadratic })
     }
 
     /// Returns the constant, the linear and the quadratic coefficient.
     pub fn coefficients(&self) -> [f32; 3] {
-        self.coefficients
+        [self.constant, self.linear, self.quadratic]
     }
 }
 
@@ -48,7 +48,7 @@ impl Attenuation for Polynomial {
     type Constants<S: Scalar> = [S::Gain; 3];
 
     fn constants<S: Scalar>(self) -> [S::Gain; 3] {
-        self.coefficients.map(S::gain)
+        self.coefficients().map(S::gain)
     }
 
     fn effects(&self) -> Effects {
@@ -56,16 +56,12 @@ impl Attenuation for Polynomial {
     }
 
     fn exact(&self, d: f64) -> f64 {
-        let [constant, linear, quadratic] = self.coefficients.map(f64::from);
+        let [constant, linear, quadratic] = self.coefficients().map(f64::from);
         1.0 / (constant + linear * d + quadratic * d * d).max(1.0)
     }
 
     fn growth(&self) -> f32 {
         0.0
-    }
-
-    fn describe(&self, to: &mut dyn Describe) {
-        to.law("Polynomial", "polynomial", &[("coefficients", &self.coefficients)]);
     }
 
     #[inline]

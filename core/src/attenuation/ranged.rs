@@ -7,7 +7,7 @@ use core::{
 
 #[cfg(feature = "arithmetic")]
 use super::WithAttenuation;
-use super::{Attenuation, Describe, InverseSquare, checked_range, dimmed, inverse_squared, squared_fraction};
+use super::{Attenuation, InverseSquare, checked_range, dimmed, inverse_squared, squared_fraction};
 use crate::{
     effect::{Effect, Effects},
     error::Error,
@@ -41,8 +41,6 @@ pub type FilamentRange = Ranged<SquareWindow, InverseSquare>;
 pub trait Window: Copy + PartialEq + core::fmt::Debug {
     /// The name of the type of an attenuation with this window, up to that of the attenuation.
     const TYPE: &'static str;
-    /// The path of the constructor of this type.
-    const CONSTRUCTOR: &'static str;
     /// The name of the window in data.
     const KEY: &'static str;
 
@@ -80,7 +78,6 @@ fn window<S: Scalar, T: Share<S>>(squared: T) -> T {
 
 impl Window for Cut {
     const TYPE: &'static str = "CutAt<";
-    const CONSTRUCTOR: &'static str = "CutAt";
     const KEY: &'static str = "cut";
     const EFFECTS: Effects = Effects::NONE;
 
@@ -96,7 +93,6 @@ impl Window for Cut {
 
 impl Window for GltfWindow {
     const TYPE: &'static str = "Ranged<GltfWindow, ";
-    const CONSTRUCTOR: &'static str = "Ranged::<GltfWindow, _>";
     const KEY: &'static str = "gltf";
     const EFFECTS: Effects = Effects::NONE.with(Effect::Window);
 
@@ -112,7 +108,6 @@ impl Window for GltfWindow {
 
 impl Window for SquareWindow {
     const TYPE: &'static str = "Windowed<";
-    const CONSTRUCTOR: &'static str = "Windowed";
     const KEY: &'static str = "square";
     const EFFECTS: Effects = Effects::NONE.with(Effect::Window);
 
@@ -185,11 +180,6 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
 
     fn growth(&self) -> f32 {
         self.attenuation.growth()
-    }
-
-    fn describe(&self, to: &mut dyn Describe) {
-        self.attenuation.describe(to);
-        to.window(W::CONSTRUCTOR, W::KEY, self.range);
     }
 
     #[cfg(feature = "arithmetic")]

@@ -1,27 +1,23 @@
 //! Smoothstep to a range.
 
-use super::{Attenuation, Describe, checked_range, dimmed, inverse_squared, squared_fraction};
+use super::{Attenuation, checked_range, dimmed, inverse_squared, squared_fraction};
 use crate::{
     effect::{Effect, Effects},
     error::Error,
+    model::{Number, model},
     number::{Offset, Ray, Scalar, Share},
-    source::named,
-    stored::stored,
 };
 
-/// Smoothstep to a range: 1 at distance 0, 0 at the range, with derivative 0 at both ends.
-///
-/// The dual-cone article writes `smoothstep(range, 0, d)`. In GLSL this expression is undefined,
-/// because its edges are in descending order; `SmoothRange` implements the intended function.
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct SmoothRange {
-    range: f32,
+model! {
+    /// Smoothstep to a range: 1 at distance 0, 0 at the range, with derivative 0 at both ends.
+    ///
+    /// The dual-cone article writes `smoothstep(range, 0, d)`. In GLSL this expression is undefined,
+    /// because its edges are in descending order; `SmoothRange` implements the intended function.
+    law SmoothRange {
+        /// Returns the range.
+        range: f32 = Number::range();
+    } by Self::new(range)
 }
-
-stored!(SmoothRange { range: f32 } by Self::new(range));
-
-named!(SmoothRange);
 
 impl SmoothRange {
     /// Creates the attenuation with this range, in scene units.
@@ -30,11 +26,6 @@ impl SmoothRange {
     /// A range outside 0.001 to 1e9.
     pub fn new(range: f32) -> Result<Self, Error> {
         Ok(Self { range: checked_range(range)? })
-    }
-
-    /// Returns the range.
-    pub fn range(&self) -> f32 {
-        self.range
     }
 }
 
@@ -61,10 +52,6 @@ impl Attenuation for SmoothRange {
 
     fn growth(&self) -> f32 {
         0.0
-    }
-
-    fn describe(&self, to: &mut dyn Describe) {
-        to.law("SmoothRange", "smoothstep", &[("range", &[self.range])]);
     }
 
     #[inline]

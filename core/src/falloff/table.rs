@@ -199,6 +199,8 @@ fn check_count(count: usize, least: u16) -> Result<(), Error> {
 
 /// A table has samples and no numbers.
 impl Model for Table<'static> {
+    #[cfg(feature = "arithmetic")]
+    const TYPE: &'static str = "Table";
     const NUMBERS: &'static [Number] = &[];
 
     fn of(_: &[f32]) -> Result<Self, Error> {

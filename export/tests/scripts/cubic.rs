@@ -6,12 +6,12 @@ use luminaire::{attenuation::*, codegen::*, falloff::*, *};
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.
 //
 // With this build.rs, and luminaire among the build-dependencies, the constant in the program is
-// const CUBIC: luminaire::light::CompiledSpotLight<Fx16, Cubic, Windowed<InverseSquare>> =
+// const CUBIC: luminaire::light::CompiledSpotLight<Fx16, Cubic, FilamentRange> =
 //     include!(concat!(env!("OUT_DIR"), "/cubic.rs"));
-pub fn cubic() -> Result<SpotLight<Cubic, Windowed<InverseSquare>>, Error> {
+pub fn cubic() -> Result<SpotLight<Cubic, FilamentRange>, Error> {
     let cone = Cone::from_outer(Cubic::from_bits([1067450368, 1080033280]), Angle::degrees(40.0))?.with_inner(Angle::degrees(7.0))?;
     SpotLight::new([1.0, 2.0, 3.0], [0.0, -0.8944272, 0.4472136], cone)?
-        .with_attenuation(Windowed::new(InverseSquare, Some(9.0))?)
+        .with_attenuation(FilamentRange::new(InverseSquare, Some(9.0))?)
         .with_color(Rgb::new(1.0, 0.5, 0.25))?
         .with_intensity(16.0)
 }
