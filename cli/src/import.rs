@@ -3,8 +3,7 @@
 use std::fmt::Write;
 
 use luminaire::dynamic::AnyLight;
-use luminaire::import::Difference;
-use luminaire_exchange::{Definition, Lamp, Lamps, Refusal, Residual, Use};
+use luminaire_exchange::{Definition, Difference, Lamp, Lamps, Refusal, Residual, Use};
 use luminaire_export::{json, printable};
 use serde_json::{Value, json};
 

@@ -66,13 +66,13 @@ impl FromStr for Target {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let tool = luminaire_exchange::TOOLS.iter().copied().find(|tool| tool.name() == name);
+        let tool = System::writable().find(|tool| tool.name() == name);
         match (name.parse(), tool) {
             (Ok(language), _) => Ok(Self::Language(language)),
             (_, Some(tool)) => Ok(Self::Tool(tool)),
             _ if name == "ies" => Ok(Self::Ies),
             (Err(error), None) => {
-                let tools: Vec<_> = luminaire_exchange::TOOLS.iter().map(|tool| tool.name()).collect();
+                let tools: Vec<_> = System::writable().map(System::name).collect();
                 Err(format!("{error}, {}, or ies", tools.join(", ")))
             }
         }

@@ -411,7 +411,7 @@ fn documentation_has_the_figures_of_code_and_tests_and_no_others() {
     let bounds = text("tests/bounds.csv");
     let is_one = |row: &&str| row.starts_with("operation,") || row.starts_with("set-up,");
     let mut asserted: HashSet<_> = bounds.lines().filter(is_one).flat_map(literals).collect();
-    for (_, source) in below("tests", "rs") {
+    for (_, source) in below("tests", "rs").into_iter().chain(below("core/proofs", "rs")) {
         asserted.extend(literals(&parted(&source).1));
     }
     let mut computed = BTreeMap::<_, HashSet<_>>::new();

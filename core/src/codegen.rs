@@ -24,7 +24,7 @@
 //! const KEY: CompiledSpotLight<Fx16, Soft> = include!(concat!(env!("OUT_DIR"), "/key.rs"));
 //! ```
 //!
-//! All compiled lights can be written, including those of [another system](crate::import), except
+//! All compiled lights can be written, including those of another system, except
 //! [`CompiledAnyLight`](crate::dynamic::CompiledAnyLight). Other values that can be written are the
 //! [`Rgb`] of ambient light, [`CompiledMaterial`], [`CompiledExposure`], [`Ramp`], [`Gradient`],
 //! [`CompiledGobo`], [`Shadow`], [`BeamScattering`] and [`BeamScattering16`]. The generated text

@@ -115,31 +115,7 @@ pub enum Parameter {
     Density,
     /// The radius of a light in haze.
     SourceRadius,
-    /// `GL_SPOT_CUTOFF` of OpenGL, a half angle in degrees.
-    SpotCutoff,
-    /// `GL_SPOT_EXPONENT` of OpenGL.
-    SpotExponent,
-    /// `Theta` of Direct3D 9, the full inner angle in radians.
-    Theta,
-    /// `Phi` of Direct3D 9, the full outer angle in radians.
-    Phi,
-    /// `Falloff` of Direct3D 9, an exponent.
-    Falloff,
-    /// `innerConeAngle` of glTF, a half angle in radians.
-    InnerConeAngle,
-    /// `outerConeAngle` of glTF, a half angle in radians.
-    OuterConeAngle,
-    /// The half angle of a spotlight: in radians in three.js, in degrees in Godot.
-    SpotAngle,
-    /// The full angle up to which a spotlight has full intensity.
-    Umbra,
-    /// The full angle from which on a spotlight has no light. In three.js, the fraction of the
-    /// spotlight's angle over which the light falls off.
-    Penumbra,
-    /// `spot_angle_attenuation` of Godot.
-    SpotAngleAttenuation,
-    /// The exponent of the attenuation with distance: `decay` of three.js, `spot_attenuation` of
-    /// Godot.
+    /// The exponent of an attenuation with distance.
     Decay,
 }
 
@@ -163,8 +139,6 @@ pub enum Expected {
     Component(&'static str, f32, f32),
     /// A number, more than 0 and at most this value.
     UpTo(f32),
-    /// A number, more than 0 and at most the first value, or exactly the second value.
-    UpToOr(f32, f32),
     /// A distance in this closed interval, or no range.
     RangeBetween(f32, f32),
     /// An integer in this closed interval.
@@ -221,34 +195,15 @@ impl fmt::Display for Parameter {
             Self::Exposure => "exposure",
             Self::Density => "density",
             Self::SourceRadius => "source radius",
-            Self::SpotCutoff => "spot cutoff",
-            Self::SpotExponent => "spot exponent",
-            Self::Theta => "theta",
-            Self::Phi => "phi",
-            Self::Falloff => "falloff",
-            Self::InnerConeAngle => "inner cone angle",
-            Self::OuterConeAngle => "outer cone angle",
-            Self::SpotAngle => "spot angle",
-            Self::Umbra => "umbra",
-            Self::Penumbra => "penumbra",
-            Self::SpotAngleAttenuation => "spot angle attenuation",
             Self::Decay => "decay",
         })
     }
 }
 
 impl Parameter {
-    /// Returns the unit of the limits, for the parameters of other systems.
-    fn unit(self, accepted: Expected) -> &'static str {
-        match self {
-            Self::Theta | Self::Phi => " radians (full angle)",
-            Self::InnerConeAngle | Self::OuterConeAngle => " radians (half angle)",
-            Self::SpotCutoff => " degrees (half angle)",
-            Self::SpotAngle if accepted == Expected::UpTo(90.0) => " degrees (half angle)",
-            Self::SpotAngle => " radians (half angle)",
-            Self::Roll => " degrees",
-            _ => "",
-        }
+    /// Returns the unit of the limits, where the name does not tell it.
+    fn unit(self) -> &'static str {
+        if self == Self::Roll { " degrees" } else { "" }
     }
 }
 
@@ -271,7 +226,6 @@ impl Expected {
     fn holds(self, value: f32) -> bool {
         match self {
             Self::AngleUpTo(most) | Self::UpTo(most) => value > 0.0 && value <= most,
-            Self::UpToOr(most, other) => value > 0.0 && value <= most || value == other,
             Self::AngleFrom(least) => value >= least,
             Self::AngleBetween(least, most)
             | Self::Between(least, most)
@@ -336,7 +290,6 @@ impl fmt::Display for Expected {
             Self::Between(least, most) => write!(f, "a finite number from {least} to {most}"),
             Self::Component(name, least, most) => write!(f, "{} ({name})", Self::Between(least, most)),
             Self::UpTo(most) => write!(f, "more than 0 and at most {most}"),
-            Self::UpToOr(most, other) => write!(f, "more than 0 and at most {most}, or {other}"),
             Self::RangeBetween(least, most) => {
                 write!(f, "a distance from {least} to {most}, or an attenuation without a range")
             }
@@ -360,7 +313,7 @@ impl fmt::Display for Error {
             let shown = rounded(value).filter(|&shown| !accepted.holds(shown));
             write!(f, "{}", Number(shown.unwrap_or(value)))?;
         }
-        write!(f, ": expected {accepted}{}", parameter.unit(accepted))
+        write!(f, ": expected {accepted}{}", parameter.unit())
     }
 }
 
@@ -372,15 +325,6 @@ pub(crate) fn check_between(parameter: Parameter, value: f32, least: f32, most: 
         Ok(())
     } else {
         Err(Error { parameter, value, accepted: Expected::Between(least, most) })
-    }
-}
-
-/// Returns an error if the value is not in (0, most].
-pub(crate) fn check_up_to(parameter: Parameter, value: f32, most: f32) -> Result<(), Error> {
-    if value > 0.0 && value <= most {
-        Ok(())
-    } else {
-        Err(Error { parameter, value, accepted: Expected::UpTo(most) })
     }
 }
 

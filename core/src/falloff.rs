@@ -16,7 +16,7 @@
 //! | [`Cubic`] | `t (a + t (b + t c))` | 3 | every monotone cubic; Fritsch and Carlson 1980 |
 //! | [`Power`] | `t^N` | log2 N for powers of two | OpenGL's cosine power by [`Cone::opengl`](crate::Cone::opengl) |
 //! | [`InvertedPower`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
-//! | [`IntegerPower`], [`InvertedIntegerPower`] | the same, `N` at run time | as [`Power`] | [imports](crate::import) |
+//! | [`IntegerPower`], [`InvertedIntegerPower`] | the same, `N` at run time | as [`Power`] | lights of other systems |
 //! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, real `p` in (0, 1024] | 11, and two tables | imports |
 //! | [`Table`] | samples, evenly spaced or [`Knot`]s | 2, or 1 and a binary search | goniometric data |
 //! | [`SoftOrHard`], [`FittedFalloff`], [`AnyFalloff`] | one of the above | the same, and a branch | the choice at run time |

@@ -149,7 +149,8 @@
 //! | three.js | `SpotLight.angle`: half, radians | [`HalfAngle::radians`] |
 //! | Godot | `spot_angle`: half, degrees | [`HalfAngle::degrees`] |
 //!
-//! [`import`] converts spotlights of OpenGL, Direct3D 9, glTF, three.js and Godot.
+//! The [porting guide](guide::porting) has their complete formulas; the repository's `luminaire import` converts
+//! lights of these tools and of a dozen others from their files and numbers.
 //!
 //! # Features
 //!
@@ -174,7 +175,7 @@
 
 // Modules, lowest first: `error`, `search`, `source`, `stored`, `model`, `models`, `trig`, `vec3`, `angle`, `effect`,
 // `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
-// `haze`, `material`, `row`, `draw`, `light`, `any_light`, `bound`, `import`, `projector`, `codegen`, `plan`, `dynamic`,
+// `haze`, `material`, `row`, `draw`, `light`, `any_light`, `bound`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
 
 #![no_std]
@@ -207,7 +208,6 @@ pub mod falloff;
 #[cfg(any(doc, doctest))]
 pub mod guide;
 pub mod haze;
-pub mod import;
 pub mod interop;
 mod material;
 mod model;

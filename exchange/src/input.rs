@@ -38,8 +38,10 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
         System::Gdtf => read::gdtf::read(bytes).map(zoomed),
         System::Ofl => read::ofl::read(&text()?).map(zoomed),
         System::Luminaire => own(&text()?),
-        System::OpenGl | System::Direct3d | System::Blender | System::Bevy => values(system, &text()?),
-        _ => Ok(converted(system, scene(system, bytes)?)),
+        _ => match system.tool().and_then(|tool| tool.scene()) {
+            Some(scene) => Ok(converted(system, scene(bytes)?)),
+            None => values(system, &text()?),
+        },
     }?;
     if lamps.lamps.is_empty() && lamps.refused.is_empty() {
         let reasons: String = lamps.notes.iter().map(|note| format!("; {note}")).collect();
@@ -53,26 +55,6 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
 pub fn largest(name: &str) -> u64 {
     let name = name.to_ascii_lowercase();
     if [".glb", ".gdtf"].iter().any(|extension| name.ends_with(extension)) { 1 << 30 } else { LARGEST as u64 }
-}
-
-/// Returns the lights of a scene in the words of its system.
-pub(crate) fn scene(system: System, bytes: &[u8]) -> Result<Found, Refusal> {
-    if system == System::Usd && [&b"PXR-USDC"[..], b"PK"].iter().any(|head| bytes.starts_with(head)) {
-        return Err(Refusal::new("file", "a binary stage", "text: usdcat -o file.usda FILE"));
-    }
-    let text = || decode(bytes);
-    match system {
-        System::Gltf => read::gltf::read(bytes),
-        System::Three => read::three::read(&text()?),
-        System::Babylon => read::babylon::read(&text()?),
-        System::Godot => read::godot::read(&text()?),
-        System::Usd => read::usd::read(&text()?),
-        System::X3d => read::x3d::read(&text()?),
-        System::Pbrt => read::pbrt::read(&text()?),
-        System::Unity => read::unity::read(&text()?),
-        System::Unreal => read::unreal::read(&text()?),
-        _ => Err(Refusal::new("system", system, "a system of scenes")),
-    }
 }
 
 /// What begins a light in a text of values.
@@ -152,9 +134,6 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
             (_, Err(_)) => record.set(key, Value::Word(value.to_owned())),
         }
     }
-    if system == System::Godot && (record.has("omni_range") || record.has("omni_attenuation")) {
-        record.kind = Kind::Point;
-    }
     for (key, default) in [("position", [0.0; 3]), ("axis", [0.0, -1.0, 0.0])] {
         // Only of a colour or a polynomial, one number stands for three.
         if let Ok(Some(one)) = record.optional(key) {
@@ -176,9 +155,6 @@ fn converted(system: System, Found { records, mut refused, notes }: Found) -> La
     let (mut lamps, tables) = (Vec::new(), Tables::default());
     for (number, mut record) in records.into_iter().enumerate() {
         record.tables = tables.clone();
-        if system == System::Unity {
-            record.without_prefix();
-        }
         if record.name.is_empty() {
             record.name = format!("light {}", number + 1);
         }

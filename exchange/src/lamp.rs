@@ -2,12 +2,12 @@
 
 use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
-use luminaire::import::Difference;
 use luminaire::{DirectionalLight, PointLight, Rgb, SpotLight};
 use luminaire_export::json::NamedLight;
 use serde_json::json;
 
 use crate::curve::{Curve, Definition};
+use crate::difference::Difference;
 use crate::fit::{Fit, share};
 use crate::refusal::Refusal;
 use crate::residual::Residual;

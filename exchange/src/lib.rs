@@ -3,6 +3,8 @@
 
 mod convert;
 mod curve;
+mod difference;
+mod family;
 mod fit;
 mod input;
 mod lamp;
@@ -18,14 +20,16 @@ mod sheet;
 mod system;
 mod tabulate;
 mod text;
+mod tool;
 mod versine;
 pub mod write;
 
 pub use crate::curve::{Curve, Definition};
+pub use crate::difference::Difference;
 pub use crate::fit::{Fit, fits, share};
 pub use crate::input::{largest, numbers, read};
 pub use crate::lamp::{Lamp, Lamps, Place, Use, placed};
-pub use crate::parameters::{Parameters, TOOLS, parameters};
+pub use crate::parameters::{Parameters, parameters};
 pub use crate::refusal::Refusal;
 pub use crate::residual::Residual;
 pub use crate::sheet::{Edge, Sheet, fixture, number};

@@ -1,9 +1,9 @@
 //! Lights of measured intensities.
 
-use luminaire::import::Difference;
 use luminaire::{PointLight, SpotLight};
 
 use crate::curve::Curve;
+use crate::difference::Difference;
 use crate::fit;
 use crate::lamp::Lamp;
 use crate::refusal::Refusal;

@@ -4,11 +4,11 @@ use std::cmp::Reverse;
 use std::f32::consts::PI;
 
 use luminaire::falloff::{AnyFalloff, Hard, Soft};
-use luminaire::import::Difference;
 use luminaire::{Angle, Cone, PointLight, SpotLight, dynamic::AnyLight};
 use luminaire_export::json;
 use luminaire_fixtures::{FIXTURES, Kind};
 
+use crate::difference::Difference;
 use crate::lamp::Lamp;
 use crate::limits::within;
 use crate::refusal::Refusal;

@@ -4,10 +4,15 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::refusal::Refusal;
+use crate::tool::{
+    Tool, Writer, babylon::Babylon, bevy::Bevy, blender::Blender, direct3d::Direct3d, gltf::Gltf,
+    godot::Godot, opengl::OpenGl, pbrt::Pbrt, three::Three, unity::Unity, unreal::Unreal, usd::Usd, x3d::X3d,
+};
 
-/// Declares the systems: variant, name of the command line, files, and what is read.
+/// Declares the systems: variant, for a tool with numbers its type, name of the command line, files, and what is
+/// read.
 macro_rules! systems {
-    ($($(#[doc = $doc:literal])* $variant:ident = $name:literal, $extensions:expr, $what:literal;)*) => {
+    ($($(#[doc = $doc:literal])* $variant:ident $(($tool:ident))? = $name:literal, $extensions:expr, $what:literal;)*) => {
         /// A tool or a file format that describes lights.
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
         #[non_exhaustive]
@@ -33,37 +38,44 @@ macro_rules! systems {
             pub fn what(self) -> &'static str {
                 match self { $(Self::$variant => $what,)* }
             }
+
+            /// Returns what is known of a tool with numbers.
+            pub(crate) fn tool(self) -> Option<&'static dyn Tool> {
+                match self { $(Self::$variant => systems!(@tool $($tool)?),)* }
+            }
         }
     };
+    (@tool) => { None };
+    (@tool $tool:ident) => { Some(&$tool) };
 }
 
 systems! {
     /// glTF 2.0 with `KHR_lights_punctual`.
-    Gltf = "gltf", ["gltf", "glb"], "spot, point and directional lights of a file, or numbers";
+    Gltf(Gltf) = "gltf", ["gltf", "glb"], "spot, point and directional lights of a file, or numbers";
     /// three.js.
-    Three = "three", ["json"], "lights of an object or scene in JSON, or numbers";
+    Three(Three) = "three", ["json"], "lights of an object or scene in JSON, or numbers";
     /// Godot 3 and 4.
-    Godot = "godot", ["tscn", "scn"], "lights of a scene as text, or numbers";
+    Godot(Godot) = "godot", ["tscn", "scn"], "lights of a scene as text, or numbers";
     /// OpenGL 1 and 2.
-    OpenGl = "opengl", [], "the numbers of glLight";
+    OpenGl(OpenGl) = "opengl", [], "the numbers of glLight";
     /// Direct3D 9.
-    Direct3d = "direct3d", [], "the numbers of D3DLIGHT9";
+    Direct3d(Direct3d) = "direct3d", [], "the numbers of D3DLIGHT9";
     /// Blender.
-    Blender = "blender", [], "the numbers of a lamp";
+    Blender(Blender) = "blender", [], "the numbers of a lamp";
     /// UsdLux.
-    Usd = "usd", ["usda", "usd", "usdc", "usdz"], "lights of a stage as text, or numbers";
+    Usd(Usd) = "usd", ["usda", "usd", "usdc", "usdz"], "lights of a stage as text, or numbers";
     /// X3D and VRML97.
-    X3d = "x3d", ["x3d", "x3dv", "wrl"], "lights of a world, or numbers";
+    X3d(X3d) = "x3d", ["x3d", "x3dv", "wrl"], "lights of a world, or numbers";
     /// pbrt versions 3 and 4.
-    Pbrt = "pbrt", ["pbrt"], "lights of a scene, or numbers";
+    Pbrt(Pbrt) = "pbrt", ["pbrt"], "lights of a scene, or numbers";
     /// Unreal Engine; not checked against a running engine.
-    Unreal = "unreal", ["t3d", "copy"], "copied actors as text, or numbers; unchecked";
+    Unreal(Unreal) = "unreal", ["t3d", "copy"], "copied actors as text, or numbers; unchecked";
     /// Unity with its Universal Render Pipeline; not checked against a running engine.
-    Unity = "unity", ["unity", "prefab"], "lights of a scene as text, or numbers; unchecked";
+    Unity(Unity) = "unity", ["unity", "prefab"], "lights of a scene as text, or numbers; unchecked";
     /// Bevy.
-    Bevy = "bevy", [], "the numbers of a light";
+    Bevy(Bevy) = "bevy", [], "the numbers of a light";
     /// Babylon.js.
-    Babylon = "babylon", ["babylon"], "lights of a scene, or numbers";
+    Babylon(Babylon) = "babylon", ["babylon"], "lights of a scene, or numbers";
     /// IES LM-63.
     Ies = "ies", ["ies"], "rotational photometry of 1986 to 2019";
     /// EULUMDAT.
@@ -79,8 +91,17 @@ systems! {
 impl System {
     /// Returns whether intensities are in candela, or in lumens that become candela.
     pub fn is_photometric(self) -> bool {
-        use System::{Bevy, Eulumdat, Gdtf, Gltf, Ies, Ofl, Three, Unreal};
-        matches!(self, Gltf | Three | Bevy | Unreal | Ies | Eulumdat | Gdtf | Ofl)
+        self.tool().map_or(self != Self::Luminaire, |tool| tool.is_photometric())
+    }
+
+    /// The tools that parameters of a light can be written for.
+    pub fn writable() -> impl Iterator<Item = Self> {
+        Self::ALL.iter().copied().filter(|system| system.writer().is_some())
+    }
+
+    /// Returns what writes the parameters of a light.
+    pub(crate) fn writer(self) -> Option<&'static dyn Writer> {
+        self.tool()?.writer()
     }
 }
 

@@ -6,7 +6,7 @@ use fastrand::Rng;
 use formulas::{FORMULAS, Kind};
 use luminaire::falloff::{AnyFalloff, Knot, Table};
 use luminaire::{Angle, Cone, SpotLight, dynamic::AnyLight};
-use luminaire_exchange::{Curve, Lamp, System, TOOLS, Use, fits, numbers, parameters, read, share, write};
+use luminaire_exchange::{Curve, Lamp, System, Use, fits, numbers, parameters, read, share, write};
 
 /// A light of a table of lines between places and values in 65,536ths, that ends at a full angle.
 fn light(points: &[(u32, u16)], outer: f32) -> Lamp {
@@ -57,7 +57,7 @@ fn bound_holds_for_lights_that_are_bright_at_their_end() {
             Some(curve) => curve.at(degrees) / curve.peak().0,
             None => share(&spot.cone(), degrees),
         };
-        for tool in TOOLS {
+        for tool in System::writable() {
             let found = parameters(lamp, tool, usage).expect("a spotlight");
             let number = |text: &str| text.parse().unwrap_or(1.0);
             let values: Vec<_> = found.values.iter().map(|(key, value)| (*key, number(value))).collect();

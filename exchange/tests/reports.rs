@@ -187,7 +187,7 @@ fn real_lights_are_read() {
     println!("{lights} real lights; files of {systems:?}");
     assert!(lights >= 38 && systems.len() >= 13, "{lights} lights of {systems:?}");
     assert!(
-        refused.len() == 2 && refused.iter().all(|refusal| refusal.contains("decay = -2")),
+        refused.len() == 2 && refused.iter().all(|refusal| refusal.contains("spot_attenuation = -2")),
         "{refused:?}"
     );
 }

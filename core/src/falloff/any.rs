@@ -2,12 +2,12 @@
 
 #[allow(clippy::wildcard_imports, reason = "the types of the list")]
 use super::*;
-use super::{choice::choice, power::sound};
+use super::{choice::choice, integer::MOST, power::sound};
 #[cfg(feature = "arithmetic")]
 use crate::models::{Listed, interpolated, listed, power, squared};
 use crate::{
     effect::Effect,
-    error::Error,
+    error::{Error, Parameter, check_between},
     model::{Model, Number, each},
     models::falloffs,
 };
@@ -69,7 +69,7 @@ macro_rules! any_falloff {
     ($(#[doc = $doc:literal] $variant:ident($type:ty) = $name:literal, $truth:expr
        $(, constant $constant:ty = $its_name:literal, $value:expr, $its_truth:expr)?;)*) => {
         choice! {
-            /// Any falloff, chosen at run time: for a light of [another system](crate::import) or
+            /// Any falloff, chosen at run time: for a light of another system or
             /// an [`AnyLight`](crate::dynamic::AnyLight).
             ///
             /// The evaluation branches per point;
@@ -140,7 +140,7 @@ macro_rules! any_falloff {
             #[cfg(feature = "arithmetic")]
             pub fn type_name(&self) -> &'static str {
                 match self {
-                    $(Self::$variant(_) => <$type>::TYPE,)*
+                    $(Self::$variant(_) => <$type as Listed>::TYPE,)*
                 }
             }
         }
@@ -203,8 +203,20 @@ any_falloff! { @listed
 }
 
 impl AnyFalloff {
+    /// Returns the cheapest falloff of the list whose intensity is `t^p`; `p = 0` gives a step. In a cone with an
+    /// outer angle of 180 degrees, `t` is the cosine of the angle off axis.
+    ///
+    /// # Errors
+    /// An exponent outside [0, 1024].
+    pub fn power(exponent: f32) -> Result<Self, Error> {
+        check_between(Parameter::Exponent, exponent, 0.0, MOST as f32)?;
+        let whole = exponent as u32;
+        let is_whole = whole as f32 == exponent;
+        if is_whole { Ok(Self::integer_power(whole)) } else { RealPower::new(exponent).map(Self::RealPower) }
+    }
+
     /// Returns the cheapest falloff whose intensity is `t^n`, for `n` in [0, 1024]. `n = 0` gives a step.
-    pub(crate) fn power(exponent: u32) -> Self {
+    fn integer_power(exponent: u32) -> Self {
         match exponent {
             0 => Self::Step(Step),
             1 => Self::Linear(Linear),
@@ -213,14 +225,8 @@ impl AnyFalloff {
         }
     }
 
-    /// Returns `t^p` as the cheapest falloff, for real `p` in [0, 1024].
-    pub(crate) fn real_power(exponent: f32) -> Self {
-        let whole = exponent as u32;
-        if whole as f32 == exponent { Self::power(whole) } else { Self::RealPower(RealPower::of(exponent)) }
-    }
-
     /// Returns `1 - u^n` as the cheapest falloff, for `n` in [1, 1024].
-    pub(crate) fn inverted_power(exponent: u32) -> Self {
+    fn inverted_power(exponent: u32) -> Self {
         match exponent {
             1 => Self::Linear(Linear),
             2 => Self::Hard(Hard),
@@ -231,7 +237,7 @@ impl AnyFalloff {
 
 impl<const N: u32> From<Power<N>> for AnyFalloff {
     fn from(_: Power<N>) -> Self {
-        Self::power(sound::<N>())
+        Self::integer_power(sound::<N>())
     }
 }
 

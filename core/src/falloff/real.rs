@@ -30,12 +30,12 @@ model! {
     /// The inverted power `1 - u^p` with a non-integer exponent `p` in (0, 1024], the mirror image of
     /// [`RealPower`]. For `p < 1` the inverted power has a sharp peak on the axis.
     ///
-    /// [Imports](crate::import::Godot) add a floor of `u`: `(1 - max(u, floor)^p) / (1 - floor^p)`.
+    /// Godot's cones have a floor of `u`: `(1 - max(u, floor)^p) / (1 - floor^p)`.
     InvertedRealPower {
         /// Returns the exponent.
         exponent: f32 = exponent(2.5);
         /// Returns the floor: the `u` up to which the intensity is 1. The floor is 0 except for
-        /// imported lights.
+        /// lights of Godot.
         floor: f32 = Number::between(Parameter::Floor, 0.0, 1.0, 0.0).or(0.0);
     } by Self::with_floor(exponent, floor)
 }
@@ -57,11 +57,6 @@ impl RealPower {
     /// An exponent outside (0, 1024].
     pub fn new(exponent: f32) -> Result<Self, Error> {
         Ok(Self { exponent: Self::NUMBERS[0].checked(exponent)? })
-    }
-
-    /// Creates the power with an exponent that is already validated.
-    pub(crate) const fn of(exponent: f32) -> Self {
-        Self { exponent }
     }
 
     /// Returns `1 - x^(1/p)`, with `lost = -ln x`.
@@ -95,12 +90,6 @@ impl InvertedRealPower {
         }
         let most = real_power(15.0 / 16.0, 1.0 / f64::from(exponent)) as f32;
         Err(Error { parameter: Parameter::Floor, value: floor, accepted: Expected::Between(0.0, most) })
-    }
-
-    /// Creates the inverted power with an exponent and a floor that are already validated:
-    /// `floor^p <= 15/16`.
-    pub(crate) const fn of(exponent: f32, floor: f32) -> Self {
-        Self { exponent, floor }
     }
 
     /// Returns `1 - floor^p`, by which the power with a floor is divided.

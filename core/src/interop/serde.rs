@@ -257,7 +257,7 @@ mod tests {
         read_back(spot(Power::<16>));
         read_back(spot(SoftOrHard::Hard));
         read_back(Cone::from_beam_and_field(Angle::degrees(10.0), Angle::degrees(17.0)).unwrap());
-        read_back(InvertedRealPower::of(2.5, 1.0 / 128.0));
+        read_back(InvertedRealPower::with_floor(2.5, 1.0 / 128.0).expect("a floor"));
     }
 
     #[test]

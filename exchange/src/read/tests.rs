@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::Found;
 use crate::curve::Curve;
-use crate::input::{self, recognised, scene};
+use crate::input::{self, recognised};
 use crate::refusal::Refusal;
 
 const FILES: [&str; 10] = [
@@ -25,7 +25,8 @@ fn file(name: &str) -> Vec<u8> {
 }
 
 fn read(name: &str, bytes: &[u8]) -> Result<Found, Refusal> {
-    scene(recognised(name, bytes)?, bytes)
+    let tool = recognised(name, bytes)?.tool().expect("a tool");
+    tool.scene().expect("a tool with scenes")(bytes)
 }
 
 /// Returns what was read: each light with its values and notes, then what was refused, then all notes.

@@ -108,7 +108,7 @@ pub(crate) fn three(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f6
 }
 
 /// Godot 4 (godotengine/godot, scene_forward_lights_inc.glsl: `get_omni_attenuation`,
-/// `light_process_spot`; light_storage.cpp: the reciprocal of the angle attenuation, the least range;
+/// `light_process_spot`; light_storage.cpp: the reciprocal of the angle attenuation in f32, the least range;
 /// doc/classes/SpotLight3D.xml, OmniLight3D.xml). Half angle in degrees. The processor multiplies the
 /// energy by pi, which the diffuse term divides away. Physical light units are not covered.
 pub(crate) fn godot(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f64) -> f64 {
@@ -125,7 +125,9 @@ pub(crate) fn godot(values: &[(&str, f64)], kind: Kind, angle: f64, distance: f6
         Kind::Spot => {
             let edge = spot_angle.to_radians().cos();
             let rim = ((1.0 - angle.cos().max(edge)) / (1.0 - edge)).max(0.0001);
-            energy * fall(spot_range, spot_attenuation) * (1.0 - rim.powf(1.0 / angle_attenuation))
+            energy
+                * fall(spot_range, spot_attenuation)
+                * (1.0 - rim.powf(f64::from(1.0 / angle_attenuation as f32)))
         }
     }
 }

@@ -1,6 +1,9 @@
 //! Godot 4.4 betas: an early-out at a thousandth of a light.
 
-use luminaire::import::Godot;
+use luminaire::{
+    SpotLight,
+    attenuation::{FilamentRange, InverseSquare},
+};
 use luminaire_oracle::Attenuation;
 
 use super::*;
@@ -33,19 +36,16 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
 fn beam(energy: f32) -> Result<Beam, Error> {
     let view = View::Side(4.5, 5.1);
     let [position, axis] = view.light();
-    let light = Godot {
-        spot_angle: 45.0,
-        spot_angle_attenuation: 1.0,
-        spot_range: RANGE,
-        spot_attenuation: 2.0,
-        light_energy: energy,
-    };
+    // A spot angle of 45 degrees, an angle attenuation of 1 and an attenuation of 2.
+    let light = SpotLight::new(position, axis, Cone::from_outer(Linear, HalfAngle::degrees(45.0))?)?;
+    let light =
+        light.with_attenuation(FilamentRange::new(InverseSquare, Some(RANGE))?).with_intensity(energy)?;
     let outer = oracle::versine(45.0);
     let range = Attenuation::FilamentRange(RANGE.into());
     let cone_angle = libm::cosf(45_f32.to_radians());
     Ok(Beam {
         view,
-        ours: light.import(position, axis)?.light.into(),
+        ours: light.into(),
         exact: Box::new(move |versine, distance| {
             f64::from(energy) * (1.0 - versine / outer).max(0.0) * range.at(distance)
         }),

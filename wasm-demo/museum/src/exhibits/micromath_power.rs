@@ -1,8 +1,10 @@
 //! micromath: a power that magnifies the error of its logarithm.
 
 use luminaire::{
+    Angle, SpotLight,
+    attenuation::{AnyAttenuation, NoAttenuation},
     dynamic::AnyLight,
-    import::{OpenGl, OpenGlLight},
+    falloff::AnyFalloff,
 };
 use micromath::F32;
 
@@ -35,30 +37,21 @@ fn beam(exponent: f32) -> Result<Beam, Error> {
     let exact = oracle::Cone::opengl(exponent.into(), 1.0);
     Ok(Beam {
         view,
-        ours: opengl(view, 90.0, exponent, [1.0, 0.0, 0.0])?,
+        ours: opengl(view, 90.0, exponent, NoAttenuation)?,
         exact: Box::new(move |versine, _| exact.falloff(versine)),
         faulty: Box::new(move |seen| F32(seen.cosine().max(0.0)).powf(F32(exponent)).0),
     })
 }
 
-/// OpenGL's spotlight with a cutoff in degrees, an exponent and the coefficients of its attenuation.
+/// OpenGL's spotlight with a cutoff in degrees, an exponent and an attenuation.
 pub(super) fn opengl(
     view: View,
-    spot_cutoff: f32,
-    spot_exponent: f32,
-    [constant, linear, quadratic]: [f32; 3],
+    cutoff: f32,
+    exponent: f32,
+    attenuation: impl Into<AnyAttenuation>,
 ) -> Result<AnyLight, Error> {
-    let light = OpenGl {
-        spot_cutoff,
-        spot_exponent,
-        constant_attenuation: constant,
-        linear_attenuation: linear,
-        quadratic_attenuation: quadratic,
-        intensity: 1.0,
-    };
+    let cone = Cone::from_outer(AnyFalloff::power(exponent)?, Angle::degrees(180.0))?;
     let [position, axis] = view.light();
-    Ok(match light.import(position, axis)?.light {
-        OpenGlLight::Spot(light) => light.into(),
-        OpenGlLight::Point(light) => light.into(),
-    })
+    let light = SpotLight::new(position, axis, cone.with_cutoff(HalfAngle::degrees(cutoff))?)?;
+    Ok(light.with_attenuation(attenuation.into()).into())
 }

@@ -1,5 +1,7 @@
 //! three.js: candelas of IES files, squared.
 
+use luminaire::attenuation::NoAttenuation;
+
 use super::{micromath_power::opengl, *};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
@@ -44,7 +46,7 @@ fn beam(field: f32) -> Result<Beam, Error> {
     let table = loaded(exponent);
     Ok(Beam {
         view,
-        ours: opengl(view, 90.0, exponent as f32, [1.0, 0.0, 0.0])?,
+        ours: opengl(view, 90.0, exponent as f32, NoAttenuation)?,
         exact: Box::new(move |versine, _| exact.falloff(versine)),
         faulty: Box::new(move |seen| {
             let degrees = libm::acosf(seen.cosine().clamp(-1.0, 1.0)).to_degrees();

@@ -1,5 +1,7 @@
 //! C-Chads' TinyGL: a distance that is never computed.
 
+use luminaire::attenuation::Polynomial;
+
 use super::{micromath_power::opengl, *};
 
 /// The cutoff in degrees, and the exponent.
@@ -43,7 +45,7 @@ fn beam(quadratic: f32) -> Result<Beam, Error> {
     let cos_cutoff = libm::cosf(CUTOFF.to_radians());
     Ok(Beam {
         view,
-        ours: opengl(view, CUTOFF, EXPONENT, [1.0, 0.0, quadratic])?,
+        ours: opengl(view, CUTOFF, EXPONENT, Polynomial::new(1.0, 0.0, quadratic)?)?,
         exact: Box::new(move |versine, distance| {
             exact.falloff(versine) / (1.0 + f64::from(quadratic) * distance * distance)
         }),

@@ -1,7 +1,7 @@
 //! Hast's two quadratics, and the angles of stage lighting.
 
 use super::{
-    cones::{Imported, opengl},
+    cones::{Steady, opengl},
     *,
 };
 use luminaire::{
@@ -49,7 +49,7 @@ fn iris<P: Falloff>(cone: Cone<P>, part: f32) -> Result<Cone<P>, Refusal> {
 }
 
 /// Warn's power of the cosine with this field angle.
-fn warn(field: f32) -> Result<Imported, Refusal> {
+fn warn(field: f32) -> Result<Steady, Refusal> {
     opengl((0.1_f64.ln() / (f64::from(field) / 2.0).to_radians().cos().ln()) as f32, 90.0)
 }
 

@@ -2,12 +2,16 @@
 
 use super::*;
 use luminaire::{
-    attenuation::AnyAttenuation,
-    falloff::{AnyFalloff, Linear, Smooth},
-    import::{Direct3d, OpenGl, OpenGlLight},
+    attenuation::NoAttenuation,
+    falloff::{AnyFalloff, Linear, Smooth, Step},
 };
 
-pub(super) type Imported = SpotLight<AnyFalloff, AnyAttenuation>;
+/// A spotlight that keeps its light over the distance, like those of old pipelines.
+pub(super) type Steady = SpotLight<AnyFalloff, NoAttenuation>;
+
+fn steady(cone: Cone<AnyFalloff>) -> Result<Steady, Refusal> {
+    Ok(SpotLight::new([0.0; 3], single(AXIS), cone)?.with_attenuation(NoAttenuation))
+}
 
 pub(super) const POWER: Figure = Figure {
     name: "power",
@@ -36,12 +40,10 @@ pub(super) const POWER: Figure = Figure {
     },
 };
 
-pub(super) fn opengl(spot_exponent: f32, spot_cutoff: f32) -> Result<Imported, Refusal> {
-    let light = OpenGl { spot_exponent, spot_cutoff, ..OpenGl::default() };
-    match light.import([0.0; 3].into(), single(AXIS).into())?.light {
-        OpenGlLight::Spot(spot) => Ok(spot),
-        OpenGlLight::Point(_) => Err(Refusal::outside(CUTOFF.label, spot_cutoff, CUTOFF.ends, "degrees")),
-    }
+/// Returns the light of a power of the cosine, cut off at a half angle in degrees.
+pub(super) fn opengl(exponent: f32, cutoff: f32) -> Result<Steady, Refusal> {
+    let cone = Cone::from_outer(AnyFalloff::power(exponent)?, Angle::degrees(180.0))?;
+    steady(cone.with_cutoff(HalfAngle::degrees(cutoff))?)
 }
 
 pub(super) const CONES: Figure = Figure {
@@ -123,12 +125,13 @@ pub(super) const DIRECT3D: Figure = Figure {
     },
 };
 
-fn direct3d(theta: f32, phi: f32, falloff: f32) -> Result<Imported, Refusal> {
+fn direct3d(theta: f32, phi: f32, falloff: f32) -> Result<Steady, Refusal> {
     if theta > phi {
         return Err(Refusal::outside(THETA.label, theta, [0.0, phi], "degrees"));
     }
-    let [theta, phi, attenuation0] = [theta.to_radians(), phi.to_radians(), 1.0];
-    let [attenuation1, attenuation2, range, intensity] = [0.0, 0.0, f32::MAX, 1.0];
-    let light = Direct3d { theta, phi, falloff, attenuation0, attenuation1, attenuation2, range, intensity };
-    Ok(light.import([0.0; 3].into(), single(AXIS).into())?.light)
+    let (theta, phi) = (Angle::degrees(theta), Angle::degrees(phi));
+    if theta == phi {
+        return steady(Cone::from_outer(Step.into(), phi)?);
+    }
+    steady(Cone::from_outer(AnyFalloff::power(falloff)?, phi)?.with_inner(theta)?)
 }
