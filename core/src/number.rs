@@ -133,9 +133,9 @@ pub trait Scalar:
     /// The largest magnitude of a coordinate of a light's position. The constant does not limit the
     /// coordinates of points.
     ///
-    /// A compiled light can be moved farther. Of a light beyond `32,767 - 2^13 - 256` in `Fx16`, and
-    /// beyond `32,767 - 128` in `Fx32`, the points and spheres within 256 units of the opposite end of the
-    /// range of [`Length`](Self::Length) may count as near: differences of such coordinates wrap.
+    /// A compiled light can be moved farther. In fixed point, differences of coordinates wrap: if a light is beyond
+    /// `32,767 - 2^13 - 256` in `Fx16` or beyond `32,767 - 128` in `Fx32`, points and spheres within 256 units of the opposite end of the
+    /// range of [`Length`](Self::Length) may count as near.
     const FARTHEST: f32;
 
     /// Returns the nearest value of the format. Fixed point saturates, and NaN becomes zero.

@@ -14,10 +14,13 @@ use crate::{
 /// The colours are evenly spaced, and between two of them the encoded values are interpolated, as in
 /// CSS and LVGL. The dither is that of [`Pixel::dithered`]: the mean light is that of the colour.
 ///
-/// A table has `N` levels in `4 N` bytes. Before the dither, a pixel has the colour of a place within half
-/// a level, `1 / (2 (N - 1))` of the gradient, and 1/32 of a level for up to 256 levels and 65,535
-/// pixels; each channel is rounded by at most `2^-(f + 1)` steps with the fraction bits `f` of a
-/// [`Ramp`](crate::display::Ramp), and 3e-6 of full scale (derived).
+/// A table has `N` levels in `4 N` bytes. Before the dither, a pixel differs from the exact gradient in two ways
+/// (derived):
+///
+/// - It has the colour of a place that is off by at most half a level, which is `1 / (2 (N - 1))` of the gradient,
+///   and by 1/32 of a level of rounding, with up to 256 levels and 65,535 pixels.
+/// - Each channel is rounded by at most `2^-(f + 1)` steps, with the fraction bits `f` of a
+///   [`Ramp`](crate::display::Ramp), and by 3e-6 of full scale.
 ///
 /// ```
 /// use luminaire::{Rgb, display::Rgb565, draw::Gradient};

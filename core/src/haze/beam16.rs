@@ -90,12 +90,16 @@ impl<P: Falloff> BeamScattering16<P> {
     /// 1 is full scale, the light of a white surface with an irradiance of 1. The result saturates.
     /// It is exactly zero in clear air. For a line of sight without an end, pass a point far away.
     ///
-    /// The error is at most 0.8 linear codes for soft, hard and smooth falloffs with half angles
-    /// from 3 to 80 degrees, bodies of a radius from 0.001, and lines of sight of up to 1,000 units, in a
-    /// beam that is at most at full scale where a line of this angle crosses it as near to the light as the
-    /// line of sight passes (searched by climbs: `tests/suite/haze16_error.rs`). Both ends of the line of
-    /// sight are then at least one radius away from the light's body, and all coordinates within 16,384:
-    /// beyond, lengths lose a bit.
+    /// The error is at most 0.8 linear codes (searched by climbs: `tests/suite/haze16_error.rs`) under these
+    /// conditions:
+    ///
+    /// - The falloff is soft, hard or smooth, with a half angle from 3 to 80 degrees.
+    /// - The radius of the light's body is at least 0.001, and both ends of the line of sight are at least one
+    ///   radius away from the body.
+    /// - The line of sight has at most 1,000 units, and all coordinates are within 16,384: beyond, lengths lose
+    ///   a bit.
+    /// - The beam is at most at full scale where a line at the angle of the line of sight crosses it, as near to
+    ///   the light as the line of sight passes.
     pub fn in_scattering(&self, eye: Vec3<Length>, surface: Vec3<Length>) -> Light16 {
         let zoom = self.falloff.ramp.zoom;
         let chord = Chord::between(self.position, eye, surface);
