@@ -40,12 +40,13 @@ fn lamp() -> Result<[Light; 2], luminaire::Error> {
     SpotLight::new([4.0, 3.0, 2.0], [0.0, -1.0, 0.0], narrow)?.with_intensity(9.0)?.compile_zoom(&wide)
 }
 
-/// Aims the light at a target that walks along the floor, two metres in each frame. In the last frame
-/// the light is halfway to its narrowest cone, and dimmed to a half.
+/// Moves the light half a metre along its rail, and aims it at a target that walks along the floor, two metres
+/// in each frame. In the last frame the light is halfway to its narrowest cone, and dimmed to a half.
 fn follow([narrow, wide]: [Light; 2], frame: i32) -> Light {
     let target = Vec3::new(metres(1 + 2 * frame, 1), Length::ZERO, metres(2, 1));
     let part = Fx16::from_bits(((1 << 14) - (frame << 13) / (FRAMES - 1)) as i16); // 14 fraction bits
-    let light = narrow.zoomed(&wide, part);
+    let place = Vec3::new(metres(8 + frame, 2), metres(3, 1), metres(2, 1));
+    let light = narrow.zoomed(&wide, part).moved_to(place);
     // `None` would mean that the target is at the position of the light.
     light.aimed_at(target).unwrap_or(light).dimmed(part)
 }

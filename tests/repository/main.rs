@@ -7,3 +7,4 @@ mod imports;
 mod kept;
 mod listing;
 mod packed;
+mod used;

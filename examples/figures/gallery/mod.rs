@@ -11,6 +11,7 @@ mod picture;
 mod preview;
 mod region;
 mod scene;
+mod screens;
 mod svg;
 mod warn;
 
@@ -60,6 +61,7 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
         picture("gradient-banded.png", banded),
         picture("gradient-dithered.png", dithered),
         picture("gradient-error.png", error),
+        picture("screens.png", screens::picture()?),
         picture("preview.png", preview::picture()?),
         drawing("feasible-region.svg", region::svg()),
     ])
