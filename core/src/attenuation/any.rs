@@ -203,7 +203,7 @@ macro_rules! any_attenuation {
             /// Returns the numbers that the law is made from.
             #[cfg(feature = "arithmetic")]
             pub fn numbers(&self) -> impl Iterator<Item = f32> {
-                (0..).map_while(|place| match self {
+                (0..).map_while(move |place| match self {
                     $(Self::$variant(attenuation) => attenuation.law().number(place),)*
                 })
             }

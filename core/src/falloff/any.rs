@@ -124,7 +124,7 @@ macro_rules! any_falloff {
             /// Returns the numbers that the falloff is made from.
             #[cfg(feature = "arithmetic")]
             pub fn numbers(&self) -> impl Iterator<Item = f32> {
-                (0..).map_while(|place| match self {
+                (0..).map_while(move |place| match self {
                     $(Self::$variant(falloff) => falloff.number(place),)*
                 })
             }
