@@ -22,7 +22,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use luminaire::attenuation::{
     AnyAttenuation, CutAt, Decay, FilamentRange, InverseSquare, NoAttenuation, Polynomial, Windowed,
 };
-use luminaire::falloff::{AnyFalloff, IntegerPower, Linear, RealPower, Soft, Step};
+use luminaire::falloff::{AnyFalloff, Soft, Step};
 use luminaire::{Cone, SpotLight, Vec3};
 
 use crate::difference::Difference;
@@ -273,19 +273,6 @@ fn square(inner: f64, outer: f64, least: f64) -> Result<(Cone<AnyFalloff>, f64),
     let start = edge - (edge - versine(inner.min(outer))).max(least);
     let on_axis = if start < 0.0 { (edge / least).powi(2) } else { 1.0 };
     Ok((cone(Soft.into(), of_versine(start.max(0.0)), outer)?, on_axis))
-}
-
-/// Returns `t^p` as the cheapest falloff, for `p` in [0, 1024].
-fn power(exponent: f64) -> Result<AnyFalloff, Refusal> {
-    let exponent = exponent as f32;
-    let whole = exponent as u32;
-    Ok(match whole {
-        _ if whole as f32 != exponent => RealPower::new(exponent)?.into(),
-        0 => Step.into(),
-        1 => Linear.into(),
-        2 => Soft.into(),
-        _ => IntegerPower::new(whole)?.into(),
-    })
 }
 
 /// The units of a cone: its name, and what turns a number into a half angle in radians.

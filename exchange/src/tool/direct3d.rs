@@ -1,8 +1,10 @@
 //! Direct3D 9 (`D3DLIGHT9`, and *Attenuation and Spotlight Factor* of its programming guide): full angles in radians.
 
+use luminaire::falloff::AnyFalloff;
+
 use super::{
     FULL_RADIANS, Fall, HALF_TURN, Law, Rows, Spot, Tool, Writer, Written, cone, half, no_cone, polynomial,
-    power, row,
+    row,
 };
 use crate::difference::Difference;
 use crate::family::{Family, Free};
@@ -53,7 +55,7 @@ impl Tool for Direct3d {
         let exponent = record.within("falloff", 1.0, 0.0, 1_024.0)?;
         // A step has no inner angle.
         let inner = if exponent == 0.0 { outer } else { inner };
-        let cone = cone(power(exponent)?, inner, outer)?;
+        let cone = cone(AnyFalloff::power(exponent as f32)?, inner, outer)?;
         let is_boundless = exponent < 1.0 && inner < outer;
         let difference = if is_boundless { Difference::AT_THE_EDGE } else { Difference::default() };
         Ok(Spot { difference, ..Spot::new(record, cone, intensity, attenuation)? })

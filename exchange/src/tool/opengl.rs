@@ -3,7 +3,7 @@
 use luminaire::falloff::AnyFalloff;
 use luminaire::{Angle, Cone};
 
-use super::{Fall, Law, Rows, Spot, Tool, Writer, Written, no_cone, polynomial, power, row};
+use super::{Fall, Law, Rows, Spot, Tool, Writer, Written, no_cone, polynomial, row};
 use crate::difference::Difference;
 use crate::family::{Family, Free};
 use crate::lamp::Use;
@@ -48,7 +48,7 @@ impl Tool for OpenGl {
 /// Returns the cone of a power of the cosine that is cut off at a half angle in radians.
 pub(super) fn cut_off(exponent: f64, cutoff: f64) -> Result<(Cone<AnyFalloff>, Difference), Refusal> {
     let cutoff = full(cutoff);
-    let cone = match power(exponent)? {
+    let cone = match AnyFalloff::power(exponent as f32)? {
         step @ AnyFalloff::Step(_) => Cone::from_outer(step, cutoff)?,
         falloff => Cone::from_outer(falloff, Angle::degrees(180.0))?.with_cutoff(cutoff)?,
     };
