@@ -190,14 +190,12 @@ macro_rules! any_attenuation {
             /// Returns the row of the attenuation.
             #[cfg(feature = "arithmetic")]
             pub fn row(&self) -> &'static AttenuationRow {
-                let mut rows = Self::LIST.iter();
-                $(
-                    let row = rows.next();
-                    if let (Self::$variant(_), Some(row)) = (self, row) {
-                        return row;
-                    }
-                )*
-                &Self::LIST[0]
+                enum Place {
+                    $($variant,)*
+                }
+                match self {
+                    $(Self::$variant(_) => const { &Self::LIST[Place::$variant as usize] },)*
+                }
             }
 
             /// Returns the numbers that the law is made from.

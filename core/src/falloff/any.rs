@@ -111,14 +111,12 @@ macro_rules! any_falloff {
             /// Returns the row of the falloff.
             #[cfg(feature = "arithmetic")]
             pub fn row(&self) -> &'static FalloffRow {
-                let mut rows = Self::LIST.iter();
-                $(
-                    let row = rows.next();
-                    if let (Self::$variant(_), Some(row)) = (self, row) {
-                        return row;
-                    }
-                )*
-                &Self::LIST[0]
+                enum Place {
+                    $($variant,)*
+                }
+                match self {
+                    $(Self::$variant(_) => const { &Self::LIST[Place::$variant as usize] },)*
+                }
             }
 
             /// Returns the numbers that the falloff is made from.
