@@ -23,6 +23,8 @@ const METRE: i32 = 32;
 const PIXEL: Length = Length::from_bits((1 << 16) / METRE);
 /// Left, right, top and bottom of the window in pixels.
 const WINDOW: [i32; 4] = [24, 84, 18, 76];
+/// The centre of the moon in pixels, and its radius.
+const MOON: ([i32; 2], i32) = ([68, 32], 7);
 /// Side of the ball's picture in pixels, and its upper left corner.
 const BALL: usize = 64;
 const PLACE: [i32; 2] = [132, 66];
@@ -93,7 +95,9 @@ fn screen<P: Pixel + Copy + Default>(ball: &Ball) -> Result<Vec<P>, Error> {
     let ends = [top, bottom].map(|y| [0.0, y as f32]);
     let sky: Gradient<P> = Gradient::linear(&[night, dusk], ends[0], ends[1])?;
     let glow = Rgb::new(60, 62, 98);
-    let disk: Gradient<P, 64> = Gradient::radial(&[moon, moon, moon, glow], [68.0, 32.0], 7.0)?;
+    let (center, radius) = MOON;
+    let disk: Gradient<P, 64> =
+        Gradient::radial(&[moon, moon, moon, glow], center.map(|at| at as f32), radius as f32)?;
 
     let wall = Pool::new(&plaster, PIXEL);
     let [x, y] = PLACE;
@@ -107,9 +111,12 @@ fn screen<P: Pixel + Copy + Default>(ball: &Ball) -> Result<Vec<P>, Error> {
         }
         if (top..bottom).contains(&y) {
             sky.row(y, left, &mut row[left as usize..right as usize]);
-            if (25..39).contains(&y) {
-                let half = (49.0 - (y as f32 + 0.5 - 32.0).powi(2)).max(0.0).sqrt() as i32;
-                disk.row(y, 68 - half, &mut row[(68 - half) as usize..(68 + half) as usize]);
+            let [x, middle] = center;
+            if (middle - radius..middle + radius).contains(&y) {
+                // Half of the row's chord of the disk.
+                let square = (radius * radius) as f32 - ((y - middle) as f32 + 0.5).powi(2);
+                let half = square.max(0.0).sqrt() as i32;
+                disk.row(y, x - half, &mut row[(x - half) as usize..(x + half) as usize]);
             }
         }
         ball.row(&[light], y, 0, row);
