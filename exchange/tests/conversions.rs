@@ -120,8 +120,8 @@ fn unit(tool: &str) -> f64 {
     if tool == "unreal" { 0.01 } else { 1.0 }
 }
 
-/// Checks a light against a formula at angles and at distances from a 16th of its range on, and returns
-/// the largest difference in parts of the light on the axis.
+/// Checks a light and its stated difference against a formula at angles and at distances from a 16th of its range
+/// on, and returns the largest difference in parts of the light on the axis.
 fn check(rng: &mut Rng, tool: &str, lamp: &Lamp, formula: &dyn Fn(f64, f64) -> f64, allowed: f64) -> f64 {
     let range = match &lamp.light {
         AnyLight::Spot(spot) => spot.attenuation().range(),
@@ -129,6 +129,11 @@ fn check(rng: &mut Rng, tool: &str, lamp: &Lamp, formula: &dyn Fn(f64, f64) -> f
         AnyLight::Directional(_) => None,
     };
     let range = f64::from(range.unwrap_or(16.0));
+    // Over the distance a difference is the largest at the nearest distance that it compares, and no more is stated.
+    let (found, exact) =
+        (irradiance(&lamp.light, 0.0, range / 16.0), formula(0.0, range / 16.0 / unit(tool)));
+    let (stated, nearest) = (f64::from(lamp.difference.distance), (found - exact).abs() / found.max(exact));
+    assert!(stated <= 1.02 * nearest + 1e-6, "{tool}: {stated:e} is stated, expected at most {nearest:e}");
     let mut worst = 0.0_f64;
     for _ in 0..64 {
         let (angle, distance) =
