@@ -32,7 +32,7 @@ use std::{format, fs, println};
 
 use self::gappa::{Script, checked, coq, proved};
 use self::model::Constants;
-use super::{Arithmetic, Fx16, Fx32, Quick, Stages};
+use super::{Errors, Fx16, Fx32, Quick, Stages};
 
 /// A step of a fraction and of a scalar of 16 bits, and of 32 bits.
 const FINER: f64 = 1.0 / 32_768.0;

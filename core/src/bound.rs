@@ -34,7 +34,7 @@ use crate::{
     error::{Error, Expected, Parameter},
     falloff::{Curve, Falloff, Formula, STRIP, Soft},
     light::{DirectionalLight, PointLight, SpotLight, check_reach},
-    number::{Arithmetic, Fraction, Offset, Quick, Scalar, Stages},
+    number::{Fraction, Offset, Quick, Scalar, Stages, Types},
     trig::square_root,
     vec3::Vec3,
 };
@@ -218,7 +218,7 @@ fn largest<A: Attenuation>(
 ) -> f64 {
     let constants = attenuation.constants::<f32>();
     let nowhere = Vec3::default();
-    let offset = <f32 as Arithmetic>::Offset::between(nowhere, nowhere);
+    let offset = <f32 as Types>::Offset::between(nowhere, nowhere);
     let (mut from, mut most) = (near, 0.0_f64);
     while from <= far {
         let to = if from * LONGER < far { from * LONGER } else { far };

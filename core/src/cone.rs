@@ -232,7 +232,7 @@ impl<P: Falloff> Cone<P> {
         self.compile_with_error().map(|(cone, _)| cone)
     }
 
-    /// Compiles the cone, and also returns the cone's `Arithmetic::coarse_error`.
+    /// Compiles the cone, and also returns the cone's `Errors::coarse_error`.
     ///
     /// The coarse error selects between the coarse and the fine ramp.
     pub(crate) fn compile_with_error<S: Scalar>(&self) -> Result<(CompiledCone<S, P>, f32), Error> {
@@ -240,13 +240,13 @@ impl<P: Falloff> Cone<P> {
         Ok((self.compile_for(error), error))
     }
 
-    /// Compiles the cone for an `Arithmetic::coarse_error`.
+    /// Compiles the cone for an `Errors::coarse_error`.
     fn compile_for<S: Scalar>(&self, error: f32) -> CompiledCone<S, P> {
         let ramp = if error <= HALF_A_CODE { S::ramp } else { S::fine_ramp };
         CompiledCone::new(ramp(self.inner, self.outer, self.limit), self.falloff)
     }
 
-    /// Returns the `Arithmetic::coarse_error`, or an error if the format cannot hold the cone.
+    /// Returns the `Errors::coarse_error`, or an error if the format cannot hold the cone.
     fn checked_error<S: Scalar>(&self) -> Result<f32, Error> {
         self.check::<S>()?;
         Ok(S::coarse_error(&self.slopes(self.inner), self.outer, self.limit))

@@ -35,6 +35,7 @@ pub(crate) mod ramp;
 pub(crate) mod real;
 #[cfg(feature = "fixed")]
 pub(crate) mod root;
+mod set_up;
 #[cfg(feature = "fixed")]
 mod sphere;
 mod stages;
@@ -47,19 +48,21 @@ pub use self::types::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, W
 use self::types::{nearest, rounded};
 #[cfg(feature = "arithmetic")]
 pub use self::{
-    arithmetic::{Arithmetic, Fraction, Gain, Offset, OffsetAlong, Ray, Rise, Share, Slopes, Word},
+    arithmetic::{Fraction, Gain, Offset, OffsetAlong, Ray, Rise, Share, Types},
     real::RealExponent,
+    set_up::{Arithmetic, Directions, Errors, Lights, Places, Ramps, Slopes, Word},
     stages::{Rounding, Stages},
 };
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::{
-    arithmetic::{Arithmetic, Fraction, Gain, Offset, OffsetAlong, Ray, Rise, Share, Slopes, Word},
+    arithmetic::{Fraction, Gain, Offset, OffsetAlong, Ray, Rise, Share, Types},
     real::RealExponent,
+    set_up::{Arithmetic, Directions, Errors, Lights, Places, Ramps, Slopes, Word},
     stages::{Rounding, Stages},
 };
 pub(crate) use self::{
-    arithmetic::{HALF_A_CODE, STEPS},
     float::BRIGHTEST,
+    set_up::{HALF_A_CODE, STEPS},
     stages::KEPT,
 };
 pub use self::{knot::Knot, real::InversePower};
@@ -196,10 +199,41 @@ pub trait Scalar:
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }
 
-/// Declares that a fixed-point format has the conversions of [`Scalar`] without an import of that trait.
+/// Implements [`Scalar`] for a fixed-point format, and its conversions without an import of that trait.
 #[cfg(feature = "fixed")]
-macro_rules! conversions {
-    ($($name:ident)*) => {$(
+macro_rules! fixed_point {
+    ($($name:ident, $label:literal, $light:ident, farthest $farthest:literal;)*) => {$(
+        impl Scalar for $name {
+            type Length = Length;
+            type Unit = Fx32;
+            type Irradiance = $light;
+
+            const NAME: &'static str = $label;
+            const ZERO: Self = Self::ZERO;
+            const ONE: Self = Self::ONE;
+            const STEP: f32 = 1.0 / (1 << Self::FRACTION_BITS) as f32;
+            const FARTHEST: f32 = $farthest;
+
+            #[inline]
+            fn from_f32(value: f32) -> Self {
+                Self::from_f32(value)
+            }
+
+            fn to_f32(self) -> f32 {
+                self.to_f32()
+            }
+
+            #[inline]
+            fn length(value: f32) -> Length {
+                Length::from_f32(value)
+            }
+
+            #[inline]
+            fn light_to_f32(light: $light) -> f32 {
+                light.to_f32()
+            }
+        }
+
         impl $name {
             /// Returns the nearest length: see [`Length::from_f32`].
             pub const fn length(value: f32) -> Length {
@@ -227,7 +261,10 @@ macro_rules! conversions {
 }
 
 #[cfg(feature = "fixed")]
-conversions!(Fx16 Fx32);
+fixed_point! {
+    Fx16, "fx16", Light16, farthest 16_383.0;
+    Fx32, "fx32", Light32, farthest 32_639.0;
+}
 
 /// A number format with a quick evaluation, which has fewer instructions and a larger error:
 /// [`Fx16`].
@@ -251,10 +288,10 @@ pub trait Quick: Scalar {
     /// Converts an axis to the form that rays of the quick evaluation take.
     #[doc(hidden)]
     fn quick_axis(axis: Vec3<Self::Unit>) -> Vec3<Self::Unit>;
-    /// Compiles a ramp for versines of the quick evaluation: see `Arithmetic::ramp`.
+    /// Compiles a ramp for versines of the quick evaluation: see `Ramps::ramp`.
     #[doc(hidden)]
     fn quick_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
-    /// Returns the ramp of the cone between the cones of two ramps: see `Arithmetic::zoomed`.
+    /// Returns the ramp of the cone between the cones of two ramps: see `Ramps::zoomed`.
     #[doc(hidden)]
     fn quick_zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> (Self::Ramp, Self);
     /// Returns the axis of which [`quick_axis`](Self::quick_axis) made this one.
@@ -281,7 +318,7 @@ fn normal_along<S: Scalar>(direction: Vec3<S::Unit>) -> Vec3<S> {
 /// negative.
 ///
 /// The derivative of `c |c|` with respect to the cosine `c` is at most 2. So with a margin of 16
-/// steps (`Arithmetic::OUTSIDE_STEP`) the test rejects no point whose versine exceeds the outer
+/// steps (`Errors::OUTSIDE_STEP`) the test rejects no point whose versine exceeds the outer
 /// versine by up to 8 steps. In every format the error of a versine is less than 8 steps. The
 /// additional margin `squared_sine * EPSILON` covers the rounding of the squared sine, which is
 /// computed in `f32` for every format. The squared cosine is computed from the squared sine, because

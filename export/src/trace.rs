@@ -11,12 +11,12 @@ use std::marker::PhantomData;
 
 use luminaire::attenuation::{AnyAttenuation, Attenuation, WithAttenuation};
 use luminaire::falloff::{AnyFalloff, Curve, Falloff};
-use luminaire::number::{Arithmetic, Fraction, InversePower, Knot, Offset, Ray, RealExponent, Share};
+use luminaire::number::{Fraction, InversePower, Knot, Offset, Ray, RealExponent, Share, Types};
 use luminaire::{Scalar, Vec3};
 
 /// An operation on the results of earlier operations, which are given by their indices.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) enum Operation<S: Arithmetic> {
+pub(crate) enum Operation<S: Types> {
     /// The falloff's argument.
     Argument,
     /// `1 - x` of a fraction.
@@ -63,7 +63,7 @@ pub(crate) enum Operation<S: Arithmetic> {
     Decay(usize, InversePower),
 }
 
-impl<S: Arithmetic> Operation<S> {
+impl<S: Types> Operation<S> {
     /// Returns the indices of the operands.
     pub(crate) fn operands(&self) -> impl Iterator<Item = usize> {
         let (first, second) = match *self {
@@ -93,7 +93,7 @@ impl<S: Arithmetic> Operation<S> {
 
 /// The operations of a falloff or an attenuation in the format `S`, in the order in which the kernel computes them.
 #[derive(Clone, Debug)]
-pub(crate) struct Trace<S: Arithmetic> {
+pub(crate) struct Trace<S: Types> {
     /// The operations. The argument is that of the falloff, or the share that is attenuated.
     pub(crate) operations: Vec<Operation<S>>,
     /// The index of the result.
@@ -152,19 +152,19 @@ impl<S: Scalar> WithAttenuation for Attenuated<S> {
 
 /// A trace while it is recorded.
 #[derive(Debug)]
-struct Record<S: Arithmetic> {
+struct Record<S: Types> {
     operations: RefCell<Vec<Operation<S>>>,
     guards: RefCell<Vec<usize>>,
     ends: RefCell<Vec<usize>>,
 }
 
-impl<S: Arithmetic> Default for Record<S> {
+impl<S: Types> Default for Record<S> {
     fn default() -> Self {
         Self { operations: RefCell::default(), guards: RefCell::default(), ends: RefCell::default() }
     }
 }
 
-impl<S: Arithmetic> Record<S> {
+impl<S: Types> Record<S> {
     fn push(&self, operation: Operation<S>) -> Symbol<'_, S> {
         let mut operations = self.operations.borrow_mut();
         operations.push(operation);
@@ -185,9 +185,9 @@ impl<S: Arithmetic> Record<S> {
 
 /// The ray from a light to a point, whose operations are recorded.
 #[derive(Clone, Copy, Debug)]
-struct Way<'a, S: Arithmetic>(&'a Record<S>);
+struct Way<'a, S: Types>(&'a Record<S>);
 
-impl<'a, S: Arithmetic> Way<'a, S> {
+impl<'a, S: Types> Way<'a, S> {
     /// Records the light that arrives.
     fn ends_with(self, light: Operation<S>) -> S::Received {
         self.0.push(light);
@@ -195,7 +195,7 @@ impl<'a, S: Arithmetic> Way<'a, S> {
     }
 }
 
-impl<'a, S: Arithmetic> Ray<S> for Way<'a, S> {
+impl<'a, S: Types> Ray<S> for Way<'a, S> {
     type Fraction = Symbol<'a, S>;
     type Share = Symbol<'a, S>;
 
@@ -243,13 +243,13 @@ impl<'a, S: Arithmetic> Ray<S> for Way<'a, S> {
 
 /// The result of a recorded operation, or the constant 0.
 #[derive(Clone, Copy, Default, Debug)]
-enum Symbol<'a, S: Arithmetic> {
+enum Symbol<'a, S: Types> {
     #[default]
     Zero,
     Result(&'a Record<S>, usize),
 }
 
-impl<'a, S: Arithmetic> Symbol<'a, S> {
+impl<'a, S: Types> Symbol<'a, S> {
     fn index(self) -> usize {
         self.parts().1
     }
@@ -271,7 +271,7 @@ impl<'a, S: Arithmetic> Symbol<'a, S> {
     }
 }
 
-impl<S: Arithmetic> PartialEq for Symbol<'_, S> {
+impl<S: Types> PartialEq for Symbol<'_, S> {
     fn eq(&self, _: &Self) -> bool {
         false
     }
@@ -279,7 +279,7 @@ impl<S: Arithmetic> PartialEq for Symbol<'_, S> {
 
 /// A formula may test whether an intensity is above 0, and be 0 otherwise. The recorded branch is
 /// the one above 0; the test becomes the guard.
-impl<S: Arithmetic> PartialOrd for Symbol<'_, S> {
+impl<S: Types> PartialOrd for Symbol<'_, S> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let (record, index) = self.parts();
         assert!(matches!(other, Self::Zero), "a formula compares an intensity with 0 alone");
@@ -288,7 +288,7 @@ impl<S: Arithmetic> PartialOrd for Symbol<'_, S> {
     }
 }
 
-impl<S: Arithmetic> Fraction<S> for Symbol<'_, S> {
+impl<S: Types> Fraction<S> for Symbol<'_, S> {
     type Value = Self;
 
     fn complement(self) -> Self {
@@ -341,7 +341,7 @@ impl<S: Arithmetic> Fraction<S> for Symbol<'_, S> {
 }
 
 /// The operations on intensities, and on the shares of an attenuation.
-impl<S: Arithmetic> Share<S> for Symbol<'_, S> {
+impl<S: Types> Share<S> for Symbol<'_, S> {
     fn complement(self) -> Self {
         self.record(Operation::Rest)
     }

@@ -6,7 +6,7 @@
 //! the rows.
 
 use luminaire::falloff::{Cubic, Falloff, Hard, InvertedPower, Power, Smooth, Soft};
-use luminaire::number::{Arithmetic, Versine};
+use luminaire::number::{Ramps, Versine};
 use luminaire::{
     Cone, Fx16, Fx32, Rgb, Scalar,
     display::{Rgb565, encode_srgb},

@@ -16,7 +16,7 @@ use luminaire::{
         Polynomial, SmoothRange, Windowed,
     },
     falloff::{AnyFalloff, Falloff, Hard, Linear, Smooth, Soft},
-    number::Arithmetic,
+    number::Errors as _,
 };
 use std::f64::consts::FRAC_PI_2;
 use support::{

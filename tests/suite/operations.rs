@@ -11,7 +11,7 @@ use luminaire::{
     AmbientLight, Cone, DirectionalLight, Fx16, Fx32, Material, Rgb, Vec3,
     display::Exposure,
     falloff::{Linear, Soft},
-    number::{Arithmetic, Fraction, Gain, Light16, Light32, Offset, Ray, Share},
+    number::{Fraction, Gain, Light16, Light32, Lights, Offset, Ray, Share},
 };
 use support::{
     bounds,

@@ -1,7 +1,6 @@
 //! Results, as bits and as exact numbers.
 
-use luminaire::number::Arithmetic;
-use luminaire::number::{Light16, Light32};
+use luminaire::number::{Light16, Light32, Ramps};
 use luminaire::{Fx16, Fx32, Scalar};
 
 /// A result of a kernel.
@@ -155,7 +154,7 @@ mod tests {
             let [(first, exact), (last, _)] = pair else { panic!("an interval has two ends") };
             assert_eq!(*first, next, "an interval begins where the last has ended");
             assert!((exact - f64::from(outer) * f64::from(*first) / f64::from(edge)).abs() < 1e-8);
-            let rise = |bits| Fx16::rise(ramp, <Fx16 as Arithmetic>::Versine::from_bits(bits));
+            let rise = |bits| Fx16::rise(ramp, luminaire::number::Versine::from_bits(bits));
             let step = ((last - first) / 16).max(1) as usize;
             assert!((*first..=*last).step_by(step).all(|bits| rise(bits) == rise(*first)), "it is level");
             next = last + 1;

@@ -16,7 +16,13 @@ type Rows = &'static [(&'static str, &'static [&'static str])];
 const TYPES: Rows = &[
     ("Quick", &["QuickFormat"]),
     ("Scalar", &["Format"]),
+    ("Types", &["Format"]),
     ("Arithmetic", &["Format"]),
+    ("Directions", &["Format"]),
+    ("Places", &["Format"]),
+    ("Ramps", &["Format"]),
+    ("Errors", &["Format"]),
+    ("Lights", &["Format"]),
     ("Gain", &["Gain"]),
     ("Offset", &["Offset"]),
     ("Ray", &["Ray", "FineRay"]),
@@ -111,7 +117,21 @@ const PRIVATE: [&str; 8] = [
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.
-const OF_FORMATS: [&str; 8] = ["Scalar", "Arithmetic", "Quick", "Gain", "Offset", "Ray", "Share", "Fraction"];
+const OF_FORMATS: [&str; 13] = [
+    "Scalar",
+    "Arithmetic",
+    "Directions",
+    "Places",
+    "Ramps",
+    "Errors",
+    "Lights",
+    "Quick",
+    "Gain",
+    "Offset",
+    "Ray",
+    "Share",
+    "Fraction",
+];
 
 /// A public function.
 #[derive(Clone, Debug, PartialEq)]

@@ -347,7 +347,7 @@ impl<'a> Ray<f32> for Way<'a> {
         Vec3::default()
     }
 
-    fn rise(&self, _: Vec3<f32>, _: <f32 as crate::number::Arithmetic>::Ramp) -> Carried<'a> {
+    fn rise(&self, _: Vec3<f32>, _: <f32 as crate::number::Types>::Ramp) -> Carried<'a> {
         Carried::default()
     }
 

@@ -30,7 +30,7 @@ impl<P: Falloff> Cone<P> {
     /// Compiles this cone and another one, which takes the falloff of this one, so that all cones
     /// between them keep the accuracy of the format.
     ///
-    /// Also returns the largest `Arithmetic::coarse_error` of the cones.
+    /// Also returns the largest `Errors::coarse_error` of the cones.
     pub(crate) fn compile_zoom<S: Scalar>(
         &self,
         other: &Self,

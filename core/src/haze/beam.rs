@@ -10,7 +10,7 @@ use crate::{
     attenuation::{Attenuation, InverseSquare},
     cone::CompiledCone,
     falloff::{Falloff, Formula, Soft},
-    number::{Arithmetic, Offset, Share, float::clamp},
+    number::{Offset, Share, Types, float::clamp},
     shade::CompiledSpotLight,
     vec3::Vec3,
 };
@@ -187,8 +187,8 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
 
 /// Returns the offset from a light to some point at a distance.
 #[inline]
-fn at_distance(distance: f32) -> <f32 as Arithmetic>::Offset {
-    <f32 as Arithmetic>::Offset::between(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
+fn at_distance(distance: f32) -> <f32 as Types>::Offset {
+    <f32 as Types>::Offset::between(Vec3::new(0.0, 0.0, 0.0), Vec3::new(distance, 0.0, 0.0))
 }
 
 /// Returns the range of an attenuation, at most [`FARTHEST`].

@@ -233,7 +233,7 @@ impl IntegerCone {
         light.aimed_along(axis).ok_or(Refusal::Axis)
     }
 
-    /// Returns an upper bound of `Arithmetic::coarse_error` in units of half a linear code, with
+    /// Returns an upper bound of `Errors::coarse_error` in units of half a linear code, with
     /// [`ERROR_BITS`] fraction bits.
     fn coarse_error(self) -> Result<u32, Refusal> {
         let Self { inner, outer, .. } = self;
@@ -247,7 +247,7 @@ impl IntegerCone {
         // The reciprocal of the chord times 2^zoom, with 31 fraction bits.
         let up = 1 - (chord >> 31);
         let inverse = ((inverse_32(chord << up) >> (16 - up)) + 1) << 15;
-        // The terms of `Arithmetic::coarse_error`: of the direction, of the length, of its square and of
+        // The terms of `Errors::coarse_error`: of the direction, of the length, of its square and of
         // the argument. The last is that of the result, and of all roundings here.
         let direction = high_half(steepness << 8, ((4_629 << zoom) + 18_073) << 8);
         let direction = high_half(direction << 6, inverse) << 1;
@@ -350,7 +350,7 @@ const fn slope(steps: i32) -> f32 {
 }
 
 /// Returns the encoded distance within which points need the fine evaluation, for an error in units of half
-/// a linear code and an intensity with 16 fraction bits: see `Arithmetic::fine_below`.
+/// a linear code and an intensity with 16 fraction bits: see `Errors::fine_below`.
 fn fine_below(error: u32, intensity: u32) -> u32 {
     if error >= 1 << ERROR_BITS {
         return u32::MAX;

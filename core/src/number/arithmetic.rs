@@ -20,11 +20,11 @@
 //! - A NaN in a point, a normal, a versine or a gain gives zero light.
 //! - `ONE.times(x) == x` for x in `[0, 1]`.
 
-use super::{InversePower, Knot, RealExponent, Stages};
+use super::{InversePower, Knot, RealExponent};
 use crate::vec3::Vec3;
 
-/// Arithmetic of a number format: the high-level operations that the kernel is written in.
-pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> {
+/// The types of a number format.
+pub trait Types: Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> {
     /// [`super::Scalar::Length`].
     type Position: Copy + Default + PartialOrd + core::fmt::Debug;
     /// [`super::Scalar::Unit`].
@@ -59,254 +59,18 @@ pub trait Arithmetic: Copy + Default + PartialOrd + core::fmt::Debug + Share<Sel
             Self,
             Ray: Ray<Self, Fraction = Self::Fraction, Share = <Self::Fraction as Fraction<Self>>::Value>,
         >;
-    /// Upper bound of the error of the direction from a light to a point, in radians.
-    ///
-    /// A narrow cone magnifies this error. In `f32` about half of this bound is the rounding error
-    /// of `point - light`. The difference `point - light` is exact if both positions are multiples
-    /// of the same power of two.
-    const DIRECTION_ERROR: f32;
-    /// The shortest distance that is not zero.
-    const NEAREST: f64;
-    /// Step of the squared cosines that [`Offset::is_outside`] compares.
-    const OUTSIDE_STEP: f32;
-    /// Returns `steps / 16384` for `steps` in `[-16384, 16384]`: exact in every format.
-    fn from_steps(steps: i32) -> Self;
-    /// Converts an axis to a unit vector of the format. The given axis has length 1 within the
-    /// rounding error of `f32`.
-    fn axis(axis: Vec3<f32>) -> Vec3<Self::Direction>;
-    /// Returns the unit vector along a vector whose largest component is in `[1/2, 1]`.
-    ///
-    /// `unit` is the same vector, normalised in `f32`.
-    fn aim(_: Vec3<f32>, unit: Vec3<f32>) -> Vec3<Self::Direction> {
-        Self::axis(unit)
-    }
-    /// Returns the nearest versine in the scale of a ramp. Only a value beyond the end of the ramp
-    /// saturates.
-    fn versine(ramp: Self::Ramp, value: f32) -> Self::Versine;
-    /// Returns the nearest coefficient of a falloff; saturates at -4 and 4, and NaN becomes zero.
-    fn weight(value: f32) -> Self::Weight;
-    /// Returns the nearest gain; a negative value or NaN becomes zero.
-    fn gain(value: f32) -> Self::Gain;
-
-    /// Returns `self - other`; fixed point saturates.
-    fn minus(self, other: Self) -> Self;
-
-    /// Returns whether the offset has a direction: whether it is not zero, and in `f32` whether its
-    /// squared length is a normal number.
-    fn has_direction(offset: &Self::Offset) -> bool;
-    /// Computes the direction and the distance with the format's full precision.
-    fn fine_ray(offset: &Self::Offset) -> Self::FineRay;
-    /// Returns the centre and the radius of a sphere around the line between two points, and around
-    /// points within a step of it.
-    fn enclosing(a: Vec3<Self::Position>, b: Vec3<Self::Position>) -> (Vec3<Self::Position>, Self::Position);
-    /// Returns the tip of a cone, moved back along the axis by at least `radius / sin(angle)` with
-    /// the half angle. A sphere of this radius is outside the cone if its centre is outside the cone
-    /// with the moved tip.
-    ///
-    /// `bound` is that of [`Offset::is_outside`], from which the test removes the margin. The
-    /// result is `None` for a half angle of 90 degrees or more, for one that the margin hides, and
-    /// in fixed point if the tip moves by 8 km or more, or beyond the range of a length.
-    fn moved_back(
-        tip: Vec3<Self::Position>,
-        axis: Vec3<Self::Direction>,
-        bound: Self,
-        radius: Self::Position,
-    ) -> Option<Vec3<Self::Position>>;
-    /// Returns an offset along a vector of any length, for its direction.
-    fn offset_along(direction: Vec3<Self::Direction>) -> Self::Offset;
-    /// Compiles a ramp between two versines: `t` is 0 at `outer`, and 1 up to `inner`.
-    ///
-    /// From the versine `limit` outwards `t` is 0. With `limit == outer` the ramp has no cutoff.
-    /// With `inner == outer` the ramp is a step.
-    fn ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp;
-    /// Returns an upper bound of the rounding error of an intensity, without the effect of the
-    /// direction's error.
-    ///
-    /// The bound holds for a cone of any angle. The bound covers the errors of the direction's
-    /// length, of the versines computed at set-up, of the falloff's argument `t` and of the falloff
-    /// itself. The bound is infinite if the format cannot keep the error within half a linear code
-    /// (1/510 of full scale) at any angle.
-    fn rounding(edge: &Slopes) -> f32;
-    /// Returns an upper bound of the intensity error of the coarse evaluation, including the
-    /// direction's error.
-    ///
-    /// The cone spans versines from 0 to `outer` and is evaluated up to the versine `limit`. If the
-    /// bound exceeds half a linear code, the cone needs a [`fine_ramp`](Self::fine_ramp). The bound
-    /// is zero in a format that has only one evaluation.
-    fn coarse_error(_edge: &Slopes, _outer: f32, _limit: f32) -> f32 {
-        0.0
-    }
-    /// Compiles the ramp of [`ramp`](Self::ramp), but for evaluation with [`Fine`](Self::Fine)
-    /// fractions only.
-    fn fine_ramp(inner: f32, outer: f32, limit: f32) -> Self::Ramp {
-        Self::ramp(inner, outer, limit)
-    }
-    /// Returns the ramp of the cone between the cones of two ramps, and the bound of this cone for
-    /// [`Offset::is_outside`].
-    ///
-    /// The roots of the three versines of a cone are interpolated. `part` is between 0 and 1; for
-    /// any other part the ramp is an unspecified one. If one of the ramps is a
-    /// [`fine_ramp`](Self::fine_ramp), then so is the result.
-    fn zoomed(from: Self::Ramp, to: Self::Ramp, part: Self) -> (Self::Ramp, Self);
-    /// Returns the falloff's argument `t` at a versine, in `[0, 1]`.
-    ///
-    /// `t` is exactly 0 from the ramp's limit on, and otherwise exactly 1 up to the inner versine.
-    /// Between the two versines `t` is monotone.
-    fn rise(ramp: Self::Ramp, versine: Self::Versine) -> Rise<Self>;
-    /// Returns the distance from a light within which points need the fine evaluation.
-    ///
-    /// The result is encoded for [`Offset::is_near`]. The light at a point is a share (falloff
-    /// times cosine) times a gain. The gain magnifies the error of the share. Below the returned
-    /// distance, the light may be wrong by half a linear code. `error` is the
-    /// [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without a cone.
-    /// `intensity` is the gain at distance 1, and `intensity` times `d^-growth` the gain at a distance
-    /// `d`.
-    fn fine_below(_error: f32, _intensity: f32, _growth: f32) -> u32 {
-        0
-    }
-    /// Returns the distance that [`fine_below`](Self::fine_below) encodes; infinity if all points need
-    /// the fine evaluation.
-    fn fine_within(_error: f32, _intensity: f32, _growth: f32) -> f64 {
-        0.0
-    }
-    /// Returns the errors of the stages of the evaluation at a distance, the coarse one if the format
-    /// has two.
-    fn stages(distance: f64) -> Stages;
-    /// Returns the errors of the stages of the fine evaluation, up to a distance.
-    fn fine_stages(far: f64) -> Stages {
-        Self::stages(far)
-    }
-    /// Returns the next distance from which on the errors of the stages may be larger.
-    fn larger_errors_from(_distance: f64) -> f64 {
-        f64::INFINITY
-    }
-    /// Returns the factor by which a ramp magnifies differences of directions, for a cone that ends at
-    /// this versine.
-    fn magnification(limit: f32) -> f64;
-    /// Returns whether `light` exceeds full scale for every possible error of `share`.
-    ///
-    /// `light` is the product of `share`, window included, and a gain. If `light` exceeds full scale, the fine
-    /// evaluation would give the same clipped result.
-    #[inline]
-    fn is_clipped(_share: Self, _light: Self::Received) -> bool {
-        false
-    }
-    /// Compiles the frame of a projected square from three unit vectors and the size of the square.
-    ///
-    /// The vectors point right, down and along the axis, and are orthogonal within the rounding
-    /// error of `f32`. `tangent` is half the side of the square at distance 1 along the axis.
-    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Self::Frame;
-    /// Returns the column and the row of a point on the square that a light projects, and the depth.
-    ///
-    /// Column and row are in units of `1 / STEPS` of a side, rounded down, in `[-STEPS, 2 STEPS)`.
-    fn place(
-        frame: &Self::Frame,
-        light: Vec3<Self::Position>,
-        point: Vec3<Self::Position>,
-    ) -> ([i32; 2], Self::Position);
-
-    /// Converts a weighted sum of bytes to a value, where the weights sum to 2^24 and byte 255
-    /// means 1.
-    ///
-    /// The result is exactly 0 if all bytes are 0, and exactly 1 if all bytes are 255 or the sum is
-    /// larger. Any other result is within one step of the exact value.
-    fn weighted_byte(sum: u32) -> Self;
-
-    /// Returns the versine of the angle between two unit directions, in the scale of a ramp.
-    ///
-    /// The versine is half the squared difference of the directions.
-    fn versine_between(a: Vec3<Self::Direction>, b: Vec3<Self::Direction>, ramp: Self::Ramp)
-    -> Self::Versine;
-    /// Returns `(1 - versine)^exponent` by repeated squaring, and zero from a right angle on.
-    ///
-    /// The base `1 - versine` is the cosine. Fixed point computes with `1 - cosine`, because
-    /// `1 - cosine` keeps its leading bits near the axis. The versine is in the scale of a ramp
-    /// from 0 to 1.
-    fn power(versine: Self::Versine, exponent: u32) -> Self;
-    /// Converts a surface normal to the number type of directions.
-    fn normal_unit(normal: Vec3<Self>) -> Vec3<Self::Direction>;
-    /// Rounds a unit direction to a surface normal.
-    fn unit_normal(unit: Vec3<Self::Direction>) -> Vec3<Self>;
-    /// Returns a vector in proportion to three bytes.
-    fn unit_of_bytes(bytes: [i8; 3]) -> Vec3<Self::Direction>;
-    /// Reflects a direction `d` in the surface with the normal `n`: `d - 2 (d.n) n`.
-    fn mirror(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Vec3<Self::Direction>;
-    /// Returns the unit vector along `b - a`, for two unit directions.
-    ///
-    /// For equal directions the result is (nearly) zero, and so not close to any unit direction.
-    fn direction_between(a: Vec3<Self::Direction>, b: Vec3<Self::Direction>) -> Vec3<Self::Direction>;
-    /// Returns the cosine of the angle of incidence of light in a unit direction. The result is
-    /// zero if the surface faces away.
-    fn incidence(direction: Vec3<Self::Direction>, normal: Vec3<Self>) -> Self;
-
-    /// Returns a length times a whole number; wraps in fixed point.
-    fn length_times(length: Self::Position, count: i32) -> Self::Position;
-    /// Multiplies a channel of light by the same channel of a colour.
-    fn filter(light: Self::Received, color: Self) -> Self::Received;
-    /// Returns the mean of two lights, in fixed point rounded down.
-    fn mean_light(a: Self::Received, b: Self::Received) -> Self::Received;
-    /// Converts a light to a gain.
-    fn light_to_gain(light: Self::Received) -> Self::Gain;
-    /// Multiplies a light by a gain; a gain of one changes no bit.
-    fn amplify(light: Self::Received, gain: Self::Gain) -> Self::Received;
-    /// Clips a light to full scale.
-    fn clip(light: Self::Received) -> Self;
-    /// Returns a light in steps of 2^-14 of full scale, truncated; saturates.
-    fn light_steps(light: Self::Received) -> u32;
-    /// Returns the value as the word that the format stores.
-    fn word(self) -> Word;
-}
-
-/// A scalar as the word that its format stores, for comparisons with the display tables.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Word {
-    /// An `f32`.
-    Single(f32),
-    /// An integer in units of 2^-14.
-    #[cfg(feature = "fixed")]
-    Steps14(i16),
-    /// An integer in units of 2^-30.
-    #[cfg(feature = "fixed")]
-    Steps30(i32),
-}
-
-/// Number of coordinate steps per side of a projected square.
-pub(crate) const STEPS: i32 = 1 << 16;
-
-/// Half a linear code, 1/510: the largest permitted error of an intensity.
-pub(crate) const HALF_A_CODE: f32 = 1.0 / 510.0;
-
-/// Upper bounds of the derivatives of a cone's intensity, by which errors of the arguments are
-/// magnified.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Slopes {
-    /// Derivative with respect to the angle off axis, where the angle is in units of the outer half
-    /// angle.
-    ///
-    /// A relative error `e` of the versine changes the intensity by at most `angle * e / 2`.
-    pub angle: f32,
-    /// Derivative with respect to the argument `t` of the falloff.
-    pub fraction: f32,
-}
-
-impl Slopes {
-    /// The values used for a step, whose true derivatives are infinite.
-    ///
-    /// With these values, the bound of half a linear code (1/510) for the intensity error limits
-    /// the error of the step's position to 1/510 of the half angle.
-    pub const STEP: Self = Self { angle: 1.0, fraction: 0.0 };
 }
 
 /// Argument `t` of a falloff, with as many bits as the cone needs.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
-pub enum Rise<S: Arithmetic> {
+pub enum Rise<S: Types> {
     /// A fraction with one bit more than a scalar.
     Coarse(S::Fraction),
     /// A fraction with the format's full precision.
     Fine(S::Fine),
 }
 
-impl<S: Arithmetic> Rise<S> {
+impl<S: Types> Rise<S> {
     /// Returns the nearest scalar.
     #[inline]
     pub(crate) fn scalar(self) -> S {
@@ -320,7 +84,7 @@ impl<S: Arithmetic> Rise<S> {
 /// Vector from a light to a point, and the square root that gives its length.
 ///
 /// A format has one type of offset for each of its evaluations, standard and [quick](super::Quick).
-pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
+pub trait Offset<S: Types>: Copy + core::fmt::Debug {
     /// Direction and distance, available after the square root.
     type Ray: Ray<S>;
     /// Inner product of a surface normal and the vector back to the light. The scale and the sign
@@ -334,7 +98,7 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
     /// Returns the offset from a light to a point.
     fn between(light: Vec3<S::Position>, point: Vec3<S::Position>) -> Self;
     /// Returns whether the offset is so short that the whole evaluation must be fine: see
-    /// [`Arithmetic::fine_below`].
+    /// [`Errors::fine_below`].
     #[inline]
     fn is_near(&self, _fine_below: u32) -> bool {
         false
@@ -384,7 +148,7 @@ pub trait Offset<S: Arithmetic>: Copy + core::fmt::Debug {
 }
 
 /// An offset that shares most of its computation with those to other points of a row.
-pub trait OffsetAlong<S: Arithmetic>: Offset<S> {
+pub trait OffsetAlong<S: Types>: Offset<S> {
     /// What the offsets to the points of a stretch share. The points differ in x alone.
     type Stretch: Copy + core::fmt::Debug;
 
@@ -401,7 +165,7 @@ pub trait OffsetAlong<S: Arithmetic>: Offset<S> {
 /// A point at the light itself, or so far away that the squared distance overflows, has no
 /// direction. Such a point gets zero light, because its [`cosine`](Ray::cosine) is zero or its
 /// versine is outside every cone.
-pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
+pub trait Ray<S: Types>: Copy + core::fmt::Debug {
     /// Type of the falloff's argument `t`, and of the cosine of the angle of incidence.
     type Fraction: Fraction<S, Value = Self::Share>;
     /// Result type of falloffs and attenuations.
@@ -465,10 +229,10 @@ pub trait Ray<S: Arithmetic>: Copy + core::fmt::Debug {
 /// point a fraction has at least one bit more than a scalar. The extra bit costs nothing, because a
 /// product of fractions needs no wider integer than a product of scalars.
 ///
-/// Only [`Arithmetic::rise`], [`Ray::rise`] and [`Ray::cosine`] create fractions, so the argument of
+/// Only [`Ramps::rise`], [`Ray::rise`] and [`Ray::cosine`] create fractions, so the argument of
 /// a falloff is in range for every input. In the descriptions of the functions, this fraction is
 /// `t`, and `u = 1 - t`.
-pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
+pub trait Fraction<S: Types>: Copy + PartialOrd + core::fmt::Debug {
     /// Result type of a falloff: a scalar, or a number with more bits if a scalar has too few.
     type Value: Share<S>;
 
@@ -513,7 +277,7 @@ pub trait Fraction<S: Arithmetic>: Copy + PartialOrd + core::fmt::Debug {
 }
 
 /// A factor of a light in `[0, 1]`, such as a falloff: a scalar, or a number with more bits.
-pub trait Share<S: Arithmetic>: Copy + Default + PartialOrd + core::fmt::Debug {
+pub trait Share<S: Types>: Copy + Default + PartialOrd + core::fmt::Debug {
     /// Converts a scalar in `[0, 1]` exactly.
     fn of_scalar(scalar: S) -> Self;
     /// Returns the nearest scalar.
@@ -537,7 +301,7 @@ pub trait Share<S: Arithmetic>: Copy + Default + PartialOrd + core::fmt::Debug {
 ///
 /// Fixed point rounds every result to the nearest mantissa, of 16 bits in [`Fx16`](super::Fx16) and
 /// 28 bits in [`Fx32`](super::Fx32). Rounding to nearest keeps monotone functions monotone.
-pub trait Gain<S: Arithmetic>: Copy + PartialEq + core::fmt::Debug {
+pub trait Gain<S: Types>: Copy + PartialEq + core::fmt::Debug {
     /// Returns the product.
     fn times(self, other: Self) -> Self;
     /// Returns the sum.

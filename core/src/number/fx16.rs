@@ -19,7 +19,7 @@
 //! | light | [`Ray::light`] | share times gain over `\|v\|^2`, 14 | 3.1e-4, relative |
 //!
 //! The errors are those that `fx16/tests.rs`, `root.rs`, `ramp.rs` and, over all stages,
-//! `tests/suite/operations.rs` test. `Arithmetic::coarse_error` adds them to the bound of a cone. A
+//! `tests/suite/operations.rs` test. `Errors::coarse_error` adds them to the bound of a cone. A
 //! cone or a light that would magnify them beyond half a linear code has the *fine* evaluation, whose
 //! stages are those of [`Fx32`](super::fx32) with the conversions below. The *quick* evaluation
 //! replaces the stages from the offset to the versine by cheaper ones.

@@ -32,7 +32,7 @@ mod tests;
 
 pub use self::frame::Frame32;
 use super::{
-    Arithmetic, Fraction, Fx32, Gain, InversePower, Knot, Length, Light32, Offset, Ray, RealExponent, Share,
+    Fraction, Fx32, Gain, InversePower, Knot, Length, Light32, Offset, Ray, RealExponent, Share, Types,
     Versine, Weight16, Weight32, cold_path,
     knot::neighbours,
     mantissa_and_shift,
@@ -379,7 +379,7 @@ impl From<Weight32> for Slope {
     }
 }
 
-impl<S: Arithmetic<Weight: Into<Slope>>> Fraction<S> for Fine
+impl<S: Types<Weight: Into<Slope>>> Fraction<S> for Fine
 where
     Self: Share<S>,
 {

@@ -18,7 +18,7 @@ pub(super) fn enclosing(a: Vec3<Length>, b: Vec3<Length>) -> (Vec3<Length>, Leng
     (a.zip(b, |a, b| Length::from_bits(a + b)), Length::from_bits(radius as i32))
 }
 
-/// Returns the tip of a cone moved back along the axis: see `Arithmetic::moved_back`. The squared
+/// Returns the tip of a cone moved back along the axis: see `Places::moved_back`. The squared
 /// sine of the half angle has 30 fraction bits.
 pub(super) fn moved_back(
     tip: Vec3<Length>,

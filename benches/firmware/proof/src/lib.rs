@@ -34,19 +34,19 @@ mod arithmetic {
     use luminaire::number;
 
     /// A gain of the format.
-    pub type Gain = <Format as number::Arithmetic>::Gain;
+    pub type Gain = <Format as number::Types>::Gain;
     /// The offset from a light to a point.
-    pub type Offset = <Format as number::Arithmetic>::Offset;
+    pub type Offset = <Format as number::Types>::Offset;
     /// An offset after the square root.
     pub type Ray = <Offset as number::Offset<Format>>::Ray;
     /// A ray with more bits.
-    pub type FineRay = <Format as number::Arithmetic>::FineRay;
+    pub type FineRay = <Format as number::Types>::FineRay;
     /// A share of a light with more bits than a scalar.
     pub type FineShare = <FineRay as number::Ray<Format>>::Share;
     /// The argument of a profile.
-    pub type Fraction = <Format as number::Arithmetic>::Fraction;
+    pub type Fraction = <Format as number::Types>::Fraction;
     /// An argument of a profile with more bits.
-    pub type FineFraction = <Format as number::Arithmetic>::Fine;
+    pub type FineFraction = <Format as number::Types>::Fine;
 }
 #[cfg(feature = "arithmetic")]
 pub use arithmetic::*;

@@ -7,8 +7,8 @@ use super::{
 };
 use crate::{
     number::{
-        Arithmetic, Fx16, Fx32, HALF_A_CODE, KEPT, Length, Light16, Offset, Ray, Rise, Scalar, Slopes,
-        Stages, Versine, Weight16, Word,
+        Arithmetic, Directions, Errors, Fx16, Fx32, HALF_A_CODE, KEPT, Length, Light16, Lights, Offset,
+        Places, Ramps, Ray, Rise, Scalar, Slopes, Stages, Types, Versine, Weight16, Word,
         fx32::{Fine, FineRay},
         raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
@@ -17,37 +17,6 @@ use crate::{
     trig,
     vec3::Vec3,
 };
-
-impl Scalar for Fx16 {
-    type Length = Length;
-    type Unit = Fx32;
-    type Irradiance = Light16;
-
-    const NAME: &'static str = "fx16";
-    const ZERO: Self = Self::ZERO;
-    const ONE: Self = Self::ONE;
-    const STEP: f32 = 1.0 / (1 << Self::FRACTION_BITS) as f32;
-    const FARTHEST: f32 = 16_383.0;
-
-    #[inline]
-    fn from_f32(value: f32) -> Self {
-        Self::from_f32(value)
-    }
-
-    fn to_f32(self) -> f32 {
-        self.to_f32()
-    }
-
-    #[inline]
-    fn length(value: f32) -> Length {
-        Length::from_f32(value)
-    }
-
-    #[inline]
-    fn light_to_f32(light: Light16) -> f32 {
-        light.to_f32()
-    }
-}
 
 /// Returns the squared distance within which points need the fine evaluation; infinity for all points.
 fn fine_squared(error: f32, intensity: f32, growth: f32) -> f32 {
@@ -75,7 +44,7 @@ fn fine_squared(error: f32, intensity: f32, growth: f32) -> f32 {
     trig::real_power(squared.into(), f64::from(2.0 / growth)) as f32
 }
 
-impl Arithmetic for Fx16 {
+impl Types for Fx16 {
     type Position = Length;
     type Direction = Fx32;
     type Received = Light16;
@@ -88,21 +57,12 @@ impl Arithmetic for Fx16 {
     type Frame = Frame16;
     type Gain = Gain16;
     type Offset = Offset16;
-    const DIRECTION_ERROR: f32 = 1.55e-5;
-    const NEAREST: f64 = 1.0 / 65_536.0;
-    const OUTSIDE_STEP: f32 = Self::STEP;
+}
 
+impl Arithmetic for Fx16 {
     #[inline]
     fn from_steps(steps: i32) -> Self {
         Self::from_bits(steps as i16)
-    }
-
-    fn axis(axis: Vec3<f32>) -> Vec3<Fx32> {
-        axis.map(Fx32::from_f32)
-    }
-
-    fn versine(ramp: FixedRamp, value: f32) -> Versine {
-        ramp.versine(value)
     }
 
     fn weight(value: f32) -> Weight16 {
@@ -119,6 +79,29 @@ impl Arithmetic for Fx16 {
     }
 
     #[inline]
+    fn weighted_byte(sum: u32) -> Self {
+        // `257 / 2^16 = (1 - 2^-16) / 255`. The difference from `1 / 255` changes the result by at
+        // most a quarter of a step, so the rounding still gives exactly 1 if all bytes are 255.
+        Self::from_bits((((sum >> 10) * 257 + (1 << 15)) >> 16).min(1 << 14) as i16)
+    }
+
+    #[inline]
+    fn word(self) -> Word {
+        Word::Steps14(self.to_bits())
+    }
+}
+
+impl Directions for Fx16 {
+    fn axis(axis: Vec3<f32>) -> Vec3<Fx32> {
+        axis.map(Fx32::from_f32)
+    }
+
+    #[inline]
+    fn offset_along(direction: Vec3<Fx32>) -> Offset16 {
+        Offset16::new(direction.map(Fx32::to_bits))
+    }
+
+    #[inline]
     fn has_direction(offset: &Offset16) -> bool {
         offset.way != Vec3::default()
     }
@@ -129,138 +112,10 @@ impl Arithmetic for Fx16 {
         FineRay::new(whole, root::inverse_sqrt_16(offset.squared()), offset.bits)
     }
 
-    fn enclosing(a: Vec3<Length>, b: Vec3<Length>) -> (Vec3<Length>, Length) {
-        sphere::enclosing(a, b)
-    }
-
-    fn moved_back(tip: Vec3<Length>, axis: Vec3<Fx32>, bound: Self, radius: Length) -> Option<Vec3<Length>> {
-        let squared_sine = factor(Self::ONE.minus(bound).minus(Self::from_bits(OUTSIDE + 1)));
-        (bound > Self::ZERO).then(|| sphere::moved_back(tip, axis, squared_sine << 16, radius)).flatten()
-    }
-
     #[inline]
-    fn offset_along(direction: Vec3<Fx32>) -> Offset16 {
-        Offset16::new(direction.map(Fx32::to_bits))
-    }
-
-    fn ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
-        FixedRamp::new(inner, outer, limit)
-    }
-
-    /// Returns zero if the fine evaluation stays within half a linear code, else infinity.
-    ///
-    /// The rounding error of the fine evaluation need not be added to the direction's error.
-    /// [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the error of the coarse direction. The error
-    /// of the fine direction is smaller by more than the rounding error.
-    fn rounding(edge: &Slopes) -> f32 {
-        const ROOM: f32 = 0.99 * HALF_A_CODE;
-        let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
-        if fine <= ROOM { 0.0 } else { f32::INFINITY }
-    }
-
-    /// Adds the error terms of the coarse evaluation:
-    ///
-    /// - The relative error of a versine is at most 2.3e-4. This error comes from the rounding of
-    ///   the reciprocal length, from the table of reciprocal lengths and from the truncated bits of
-    ///   the offset, each at most 9e-5. A versine also has an absolute error of half the square of
-    ///   2.3e-4.
-    /// - The three components of the difference between direction and axis are rounded to integers:
-    ///   together an error of 0.87 units in length.
-    /// - The remaining error of the direction is 1.36e-5 radians.
-    /// - The falloff's argument `t` and each product of a power are rounded to 15 fraction bits.
-    ///   The ramp computes with 16 bits.
-    ///
-    /// The terms do not have their maxima at the same point: searches find errors below the
-    /// bound, which is 0.9 of the sum of the terms.
-    fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
-        const LENGTH: f32 = 2.3e-4;
-        const MET: f32 = 0.9;
-        let limit = if limit < outer { limit } else { outer };
-        let direction = 1.36e-5 + 0.87 / (1_u32 << (14 + zoom(limit))) as f32;
-        // The chord `2 sin(theta / 2)` is not longer than the arc `theta`. So the bound of a narrow
-        // cone's derivative with respect to the angle, taken with respect to the chord, also holds
-        // for a wide cone.
-        let chord = trig::sqrt(2.0 * outer);
-        let versine =
-            edge.angle * (direction / chord + LENGTH / 2.0) + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
-        MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP)
-    }
-
-    fn fine_ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
-        FixedRamp::new(inner, outer, limit).into_fine()
-    }
-
-    fn zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
-        let (ramp, chords) = from.between(to, thirty_two_bits(part), MOST_ZOOM);
-        (ramp, outside_bound(chords))
-    }
-
-    #[inline]
-    fn rise(ramp: FixedRamp, versine: Versine) -> Rise<Self> {
-        match ramp.within(versine) {
-            Some(t) => Rise::Coarse(t),
-            // For a fine ramp `within` returns `None`, because the `width` of a fine ramp is 0.
-            None if ramp.fine > 0 => Rise::Fine(ramp.rise_finely(versine)),
-            None => Rise::Coarse(ramp.end(versine)),
-        }
-    }
-
-    fn fine_below(error: f32, intensity: f32, growth: f32) -> u32 {
-        let squared = fine_squared(error, intensity, growth);
-        if squared == f32::INFINITY {
-            return u32::MAX;
-        }
-        if squared == 0.0 {
-            return 0;
-        }
-        // The squared distance, in units of the square of 2^-16 (the step of a length).
-        let squared = ((squared * (1_u64 << 32) as f32) as u64).min((1 << 62) - 1);
-        let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);
-        bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
-    }
-
-    fn fine_within(error: f32, intensity: f32, growth: f32) -> f64 {
-        trig::sqrt(fine_squared(error, intensity, growth)).into()
-    }
-
-    fn stages(distance: f64) -> Stages {
-        errors::coarse(errors::bits_at(distance))
-    }
-
-    fn larger_errors_from(distance: f64) -> f64 {
-        errors::more_bits_from(distance)
-    }
-
-    fn fine_stages(far: f64) -> Stages {
-        if far < 256.0 { errors::FINE } else { errors::FAR }
-    }
-
-    fn magnification(limit: f32) -> f64 {
-        f64::from(1_u32 << zoom(limit))
-    }
-
-    #[inline]
-    fn is_clipped(share: Self, light: Light16) -> bool {
-        // The relative error of a share of 1/32 or more is at most 6 %, so light above 1.125
-        // exceeds full scale.
-        let [least_share, least_light] = KEPT;
-        i32::from(share.to_bits()) > least_share as i32 && light.to_bits() > least_light
-    }
-
-    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Frame16 {
-        Frame16::new(vectors, tangent)
-    }
-
-    #[inline(always)]
-    fn place(frame: &Frame16, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
-        frame.place(light, point)
-    }
-
-    #[inline]
-    fn weighted_byte(sum: u32) -> Self {
-        // `257 / 2^16 = (1 - 2^-16) / 255`. The difference from `1 / 255` changes the result by at
-        // most a quarter of a step, so the rounding still gives exactly 1 if all bytes are 255.
-        Self::from_bits((((sum >> 10) * 257 + (1 << 15)) >> 16).min(1 << 14) as i16)
+    fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
+        // Half the difference of two components always fits 32 bits.
+        Offset16::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().direction()
     }
 
     #[inline]
@@ -307,12 +162,6 @@ impl Arithmetic for Fx16 {
         })
     }
 
-    #[inline]
-    fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
-        // Half the difference of two components always fits 32 bits.
-        Offset16::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().direction()
-    }
-
     /// The sum wraps for vectors that are not of unit length, which is defined behaviour.
     #[inline]
     fn incidence(direction: Vec3<Fx32>, normal: Vec3<Self>) -> Self {
@@ -322,12 +171,150 @@ impl Arithmetic for Fx16 {
         let cosine = (1_i32 << 13).wrapping_sub(along) >> 14;
         Self::from_bits(cosine.clamp(0, 1 << 14) as i16)
     }
+}
+
+impl Places for Fx16 {
+    fn enclosing(a: Vec3<Length>, b: Vec3<Length>) -> (Vec3<Length>, Length) {
+        sphere::enclosing(a, b)
+    }
+
+    fn moved_back(tip: Vec3<Length>, axis: Vec3<Fx32>, bound: Self, radius: Length) -> Option<Vec3<Length>> {
+        let squared_sine = factor(Self::ONE.minus(bound).minus(Self::from_bits(OUTSIDE + 1)));
+        (bound > Self::ZERO).then(|| sphere::moved_back(tip, axis, squared_sine << 16, radius)).flatten()
+    }
 
     #[inline]
     fn length_times(length: Length, count: i32) -> Length {
         Length::from_bits(length.to_bits().wrapping_mul(count))
     }
 
+    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Frame16 {
+        Frame16::new(vectors, tangent)
+    }
+
+    #[inline(always)]
+    fn place(frame: &Frame16, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
+        frame.place(light, point)
+    }
+}
+
+impl Ramps for Fx16 {
+    fn ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
+        FixedRamp::new(inner, outer, limit)
+    }
+
+    fn fine_ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
+        FixedRamp::new(inner, outer, limit).into_fine()
+    }
+
+    fn zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
+        let (ramp, chords) = from.between(to, thirty_two_bits(part), MOST_ZOOM);
+        (ramp, outside_bound(chords))
+    }
+
+    fn versine(ramp: FixedRamp, value: f32) -> Versine {
+        ramp.versine(value)
+    }
+
+    #[inline]
+    fn rise(ramp: FixedRamp, versine: Versine) -> Rise<Self> {
+        match ramp.within(versine) {
+            Some(t) => Rise::Coarse(t),
+            // For a fine ramp `within` returns `None`, because the `width` of a fine ramp is 0.
+            None if ramp.fine > 0 => Rise::Fine(ramp.rise_finely(versine)),
+            None => Rise::Coarse(ramp.end(versine)),
+        }
+    }
+}
+
+impl Errors for Fx16 {
+    const DIRECTION_ERROR: f32 = 1.55e-5;
+    const NEAREST: f64 = 1.0 / 65_536.0;
+    const OUTSIDE_STEP: f32 = Self::STEP;
+
+    /// Returns zero if the fine evaluation stays within half a linear code, else infinity.
+    ///
+    /// The rounding error of the fine evaluation need not be added to the direction's error.
+    /// [`DIRECTION_ERROR`](Self::DIRECTION_ERROR) is the error of the coarse direction. The error
+    /// of the fine direction is smaller by more than the rounding error.
+    fn rounding(edge: &Slopes) -> f32 {
+        const ROOM: f32 = 0.99 * HALF_A_CODE;
+        let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
+        if fine <= ROOM { 0.0 } else { f32::INFINITY }
+    }
+
+    /// Adds the error terms of the coarse evaluation:
+    ///
+    /// - The relative error of a versine is at most 2.3e-4. This error comes from the rounding of
+    ///   the reciprocal length, from the table of reciprocal lengths and from the truncated bits of
+    ///   the offset, each at most 9e-5. A versine also has an absolute error of half the square of
+    ///   2.3e-4.
+    /// - The three components of the difference between direction and axis are rounded to integers:
+    ///   together an error of 0.87 units in length.
+    /// - The remaining error of the direction is 1.36e-5 radians.
+    /// - The falloff's argument `t` and each product of a power are rounded to 15 fraction bits.
+    ///   The ramp computes with 16 bits.
+    ///
+    /// The terms do not have their maxima at the same point: searches find errors below the
+    /// bound, which is 0.9 of the sum of the terms.
+    fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
+        const LENGTH: f32 = 2.3e-4;
+        const MET: f32 = 0.9;
+        let limit = if limit < outer { limit } else { outer };
+        let direction = 1.36e-5 + 0.87 / (1_u32 << (14 + zoom(limit))) as f32;
+        // The chord `2 sin(theta / 2)` is not longer than the arc `theta`. So the bound of a narrow
+        // cone's derivative with respect to the angle, taken with respect to the chord, also holds
+        // for a wide cone.
+        let chord = trig::sqrt(2.0 * outer);
+        let versine =
+            edge.angle * (direction / chord + LENGTH / 2.0) + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
+        MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP)
+    }
+
+    fn fine_below(error: f32, intensity: f32, growth: f32) -> u32 {
+        let squared = fine_squared(error, intensity, growth);
+        if squared == f32::INFINITY {
+            return u32::MAX;
+        }
+        if squared == 0.0 {
+            return 0;
+        }
+        // The squared distance, in units of the square of 2^-16 (the step of a length).
+        let squared = ((squared * (1_u64 << 32) as f32) as u64).min((1 << 62) - 1);
+        let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);
+        bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
+    }
+
+    fn fine_within(error: f32, intensity: f32, growth: f32) -> f64 {
+        trig::sqrt(fine_squared(error, intensity, growth)).into()
+    }
+
+    #[inline]
+    fn is_clipped(share: Self, light: Light16) -> bool {
+        // The relative error of a share of 1/32 or more is at most 6 %, so light above 1.125
+        // exceeds full scale.
+        let [least_share, least_light] = KEPT;
+        i32::from(share.to_bits()) > least_share as i32 && light.to_bits() > least_light
+    }
+
+    fn stages(distance: f64) -> Stages {
+        errors::coarse(errors::bits_at(distance))
+    }
+
+    fn fine_stages(far: f64) -> Stages {
+        if far < 256.0 { errors::FINE } else { errors::FAR }
+    }
+
+    fn larger_errors_from(distance: f64) -> f64 {
+        errors::more_bits_from(distance)
+    }
+
+    fn magnification(limit: f32) -> f64 {
+        f64::from(1_u32 << zoom(limit))
+    }
+}
+
+impl Lights for Fx16 {
     #[inline]
     fn filter(light: Light16, color: Self) -> Light16 {
         let color = factor(color);
@@ -366,10 +353,5 @@ impl Arithmetic for Fx16 {
     #[inline]
     fn light_steps(light: Light16) -> u32 {
         light.to_bits()
-    }
-
-    #[inline]
-    fn word(self) -> Word {
-        Word::Steps14(self.to_bits())
     }
 }

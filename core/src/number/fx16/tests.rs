@@ -3,7 +3,7 @@
 use super::*;
 use crate::{
     falloff::{Cubic, Curve, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft},
-    number::{Arithmetic, HALF_A_CODE, Scalar, proofs::model::Constants},
+    number::{Arithmetic, Directions, Errors, HALF_A_CODE, Scalar, proofs::model::Constants},
 };
 
 extern crate std;

@@ -3,7 +3,7 @@
 use super::Offset32;
 use crate::{
     number::{
-        Arithmetic, Fx32, Length, Offset, STEPS, mantissa_and_shift,
+        Directions, Fx32, Length, Offset, STEPS, mantissa_and_shift,
         root::{inverse_28, wide},
     },
     vec3::Vec3,

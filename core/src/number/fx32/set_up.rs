@@ -4,45 +4,14 @@
 use super::{Fine, FineRay, Frame32, Gain32, Offset32, errors, versine};
 use crate::{
     number::{
-        Arithmetic, Fx32, Length, Light32, Offset, Rise, Scalar, Slopes, Stages, Versine, Weight32, Word,
-        raised,
+        Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Ramps, Rise, Slopes,
+        Stages, Types, Versine, Weight32, Word, raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
         root::{self, high_half, wide},
         rounded, sphere,
     },
     vec3::Vec3,
 };
-
-impl Scalar for Fx32 {
-    type Length = Length;
-    type Unit = Self;
-    type Irradiance = Light32;
-
-    const NAME: &'static str = "fx32";
-    const ZERO: Self = Self::ZERO;
-    const ONE: Self = Self::ONE;
-    const STEP: f32 = 1.0 / (1 << Self::FRACTION_BITS) as f32;
-    const FARTHEST: f32 = 32_639.0;
-
-    #[inline]
-    fn from_f32(value: f32) -> Self {
-        Self::from_f32(value)
-    }
-
-    fn to_f32(self) -> f32 {
-        self.to_f32()
-    }
-
-    #[inline]
-    fn length(value: f32) -> Length {
-        Length::from_f32(value)
-    }
-
-    #[inline]
-    fn light_to_f32(light: Light32) -> f32 {
-        light.to_f32()
-    }
-}
 
 /// Returns the inner product of a direction and a normal, with 58 fraction bits.
 #[inline]
@@ -76,7 +45,7 @@ impl Offset32 {
 /// states the reason, and one step for the rounding of the squared cosine.
 const OUTSIDE: i32 = (16 + 1) << 16;
 
-impl Arithmetic for Fx32 {
+impl Types for Fx32 {
     type Position = Length;
     type Direction = Self;
     type Received = Light32;
@@ -89,41 +58,12 @@ impl Arithmetic for Fx32 {
     type Frame = Frame32;
     type Gain = Gain32;
     type Offset = Offset32;
-    // The components of a direction are within one step of 2^-30 and those of an axis within half a
-    // step, up to a common factor: together they turn by `1.5 sqrt(3) / 2^30 = 2.42e-9`. Two errors
-    // of a versine are largest, relative to the outer versine, in the narrowest cone, a step with a
-    // half angle `a` of 1.35e-6: half the square of the difference of the two lengths, at most 2.4e-8,
-    // is as much as a turn by `(2.4e-8)^2 / 2 a = 2.13e-10`, and the last place of the versine by
-    // `3 / 2^59 a = 4e-12`. The constant does not include the halving of an offset with a component
-    // of more than 32,768 units, which turns the direction by 0.71 steps more.
-    const DIRECTION_ERROR: f32 = 2.65e-9;
-    const NEAREST: f64 = 1.0 / 65_536.0;
-    const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
+}
 
+impl Arithmetic for Fx32 {
     #[inline]
     fn from_steps(steps: i32) -> Self {
         Self::from_bits(steps << 16)
-    }
-
-    /// Uses all bits of the components, and normalises the axis with 64-bit products.
-    fn axis(axis: Vec3<f32>) -> Vec3<Self> {
-        Offset32::new(axis.map(|c| Self::from_f32(c).to_bits())).unit()
-    }
-
-    fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Self> {
-        Self::axis(toward)
-    }
-
-    fn stages(_: f64) -> Stages {
-        errors::STAGES
-    }
-
-    fn magnification(limit: f32) -> f64 {
-        f64::from(1_u32 << zoom(limit))
-    }
-
-    fn versine(ramp: FixedRamp, value: f32) -> Versine {
-        ramp.versine(value)
     }
 
     fn weight(value: f32) -> Weight32 {
@@ -140,6 +80,34 @@ impl Arithmetic for Fx32 {
     }
 
     #[inline]
+    fn weighted_byte(sum: u32) -> Self {
+        /// `2^38 / 255`. The product of this constant and the sum has at most 63 bits.
+        const INVERSE: u64 = 1_077_952_576;
+        Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
+    }
+
+    #[inline]
+    fn word(self) -> Word {
+        Word::Steps30(self.to_bits())
+    }
+}
+
+impl Directions for Fx32 {
+    /// Uses all bits of the components, and normalises the axis with 64-bit products.
+    fn axis(axis: Vec3<f32>) -> Vec3<Self> {
+        Offset32::new(axis.map(|c| Self::from_f32(c).to_bits())).unit()
+    }
+
+    fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Self> {
+        Self::axis(toward)
+    }
+
+    #[inline]
+    fn offset_along(direction: Vec3<Self>) -> Offset32 {
+        Offset32::new(direction.map(Self::to_bits))
+    }
+
+    #[inline]
     fn has_direction(offset: &Offset32) -> bool {
         offset.way != Vec3::default()
     }
@@ -149,60 +117,10 @@ impl Arithmetic for Fx32 {
         offset.ray()
     }
 
-    fn enclosing(a: Vec3<Length>, b: Vec3<Length>) -> (Vec3<Length>, Length) {
-        sphere::enclosing(a, b)
-    }
-
-    fn moved_back(tip: Vec3<Length>, axis: Vec3<Self>, bound: Self, radius: Length) -> Option<Vec3<Length>> {
-        let squared_sine = Self::ONE.minus(bound).minus(Self::from_bits(OUTSIDE + 1));
-        let squared_sine = squared_sine.to_bits().max(0) as u32;
-        (bound > Self::ZERO).then(|| sphere::moved_back(tip, axis, squared_sine, radius)).flatten()
-    }
-
     #[inline]
-    fn offset_along(direction: Vec3<Self>) -> Offset32 {
-        Offset32::new(direction.map(Self::to_bits))
-    }
-
-    fn ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
-        FixedRamp::new(inner, outer, limit)
-    }
-
-    /// Adds the other error terms:
-    ///
-    /// - The versines computed at set-up are `f32`, with a relative error of at most 4e-7.
-    /// - The length of a direction has an error of at most 2.4e-8.
-    /// - A versine is rounded down by less than 3 units of its last place, 1.2e-8 of the outer versine.
-    /// - The falloff's argument `t` and the products after it have 31 fraction bits.
-    fn rounding(edge: &Slopes) -> f32 {
-        const LENGTH: f32 = 2.4e-8;
-        edge.angle * (0.21e-6 + LENGTH / 2.0 + 0.6e-8) + edge.fraction * 3e-9 + 3.0 * LENGTH
-    }
-
-    fn zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
-        let (ramp, chords) = from.between(to, (part.to_bits() as u32) << 2, MOST_ZOOM);
-        (ramp, Self::from_bits(chords.squared_cosine() as i32 - OUTSIDE))
-    }
-
-    #[inline]
-    fn rise(ramp: FixedRamp, versine: Versine) -> Rise<Self> {
-        Rise::Coarse(ramp.rise_finely(versine))
-    }
-
-    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Frame32 {
-        Frame32::new(vectors, tangent)
-    }
-
-    #[inline]
-    fn place(frame: &Frame32, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
-        frame.place(light, point)
-    }
-
-    #[inline]
-    fn weighted_byte(sum: u32) -> Self {
-        /// `2^38 / 255`. The product of this constant and the sum has at most 63 bits.
-        const INVERSE: u64 = 1_077_952_576;
-        Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
+    fn direction_between(a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
+        // Half the difference of two components always fits 32 bits.
+        Offset32::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().unit()
     }
 
     #[inline]
@@ -248,15 +166,21 @@ impl Arithmetic for Fx32 {
     }
 
     #[inline]
-    fn direction_between(a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
-        // Half the difference of two components always fits 32 bits.
-        Offset32::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().unit()
-    }
-
-    #[inline]
     fn incidence(direction: Vec3<Self>, normal: Vec3<Self>) -> Self {
         let cosine = ((1 << 27) - inner(direction, normal)) >> 28;
         Self::from_bits(cosine.clamp(0, 1 << 30) as i32)
+    }
+}
+
+impl Places for Fx32 {
+    fn enclosing(a: Vec3<Length>, b: Vec3<Length>) -> (Vec3<Length>, Length) {
+        sphere::enclosing(a, b)
+    }
+
+    fn moved_back(tip: Vec3<Length>, axis: Vec3<Self>, bound: Self, radius: Length) -> Option<Vec3<Length>> {
+        let squared_sine = Self::ONE.minus(bound).minus(Self::from_bits(OUTSIDE + 1));
+        let squared_sine = squared_sine.to_bits().max(0) as u32;
+        (bound > Self::ZERO).then(|| sphere::moved_back(tip, axis, squared_sine, radius)).flatten()
     }
 
     #[inline]
@@ -264,6 +188,69 @@ impl Arithmetic for Fx32 {
         Length::from_bits(length.to_bits().wrapping_mul(count))
     }
 
+    fn frame(vectors: [Vec3<f32>; 3], tangent: f32) -> Frame32 {
+        Frame32::new(vectors, tangent)
+    }
+
+    #[inline]
+    fn place(frame: &Frame32, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
+        frame.place(light, point)
+    }
+}
+
+impl Ramps for Fx32 {
+    fn ramp(inner: f32, outer: f32, limit: f32) -> FixedRamp {
+        FixedRamp::new(inner, outer, limit)
+    }
+
+    fn zoomed(from: FixedRamp, to: FixedRamp, part: Self) -> (FixedRamp, Self) {
+        let (ramp, chords) = from.between(to, (part.to_bits() as u32) << 2, MOST_ZOOM);
+        (ramp, Self::from_bits(chords.squared_cosine() as i32 - OUTSIDE))
+    }
+
+    fn versine(ramp: FixedRamp, value: f32) -> Versine {
+        ramp.versine(value)
+    }
+
+    #[inline]
+    fn rise(ramp: FixedRamp, versine: Versine) -> Rise<Self> {
+        Rise::Coarse(ramp.rise_finely(versine))
+    }
+}
+
+impl Errors for Fx32 {
+    // The components of a direction are within one step of 2^-30 and those of an axis within half a
+    // step, up to a common factor: together they turn by `1.5 sqrt(3) / 2^30 = 2.42e-9`. Two errors
+    // of a versine are largest, relative to the outer versine, in the narrowest cone, a step with a
+    // half angle `a` of 1.35e-6: half the square of the difference of the two lengths, at most 2.4e-8,
+    // is as much as a turn by `(2.4e-8)^2 / 2 a = 2.13e-10`, and the last place of the versine by
+    // `3 / 2^59 a = 4e-12`. The constant does not include the halving of an offset with a component
+    // of more than 32,768 units, which turns the direction by 0.71 steps more.
+    const DIRECTION_ERROR: f32 = 2.65e-9;
+    const NEAREST: f64 = 1.0 / 65_536.0;
+    const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
+
+    /// Adds the other error terms:
+    ///
+    /// - The versines computed at set-up are `f32`, with a relative error of at most 4e-7.
+    /// - The length of a direction has an error of at most 2.4e-8.
+    /// - A versine is rounded down by less than 3 units of its last place, 1.2e-8 of the outer versine.
+    /// - The falloff's argument `t` and the products after it have 31 fraction bits.
+    fn rounding(edge: &Slopes) -> f32 {
+        const LENGTH: f32 = 2.4e-8;
+        edge.angle * (0.21e-6 + LENGTH / 2.0 + 0.6e-8) + edge.fraction * 3e-9 + 3.0 * LENGTH
+    }
+
+    fn stages(_: f64) -> Stages {
+        errors::STAGES
+    }
+
+    fn magnification(limit: f32) -> f64 {
+        f64::from(1_u32 << zoom(limit))
+    }
+}
+
+impl Lights for Fx32 {
     #[inline]
     fn filter(light: Light32, color: Self) -> Light32 {
         let color = u64::from(color.to_bits().max(0) as u32);
@@ -302,10 +289,5 @@ impl Arithmetic for Fx32 {
     #[inline]
     fn light_steps(light: Light32) -> u32 {
         (light.to_bits() >> 16).try_into().unwrap_or(u32::MAX)
-    }
-
-    #[inline]
-    fn word(self) -> Word {
-        Word::Steps30(self.to_bits())
     }
 }

@@ -1,7 +1,7 @@
 //! Errors of the stages, over every argument where that is possible.
 
 use super::{set_up::inner, *};
-use crate::number::{Fx16, fx16::Gain16, proofs::model::Constants};
+use crate::number::{Directions, Fx16, fx16::Gain16, proofs::model::Constants};
 
 extern crate std;
 

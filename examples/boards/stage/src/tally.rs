@@ -4,7 +4,7 @@ use core::slice;
 
 use luminaire::{
     Fx16, Scalar, Vec3,
-    number::{Arithmetic, Light16, Offset},
+    number::{Light16, Offset, Types},
 };
 
 use super::camera::steps;
@@ -33,8 +33,8 @@ impl Tally {
         const PLACE: Vec3<i32> = Vec3::new(steps(LIGHT[0]), steps(LIGHT[1]), steps(LIGHT[2]));
         let place = PLACE.map(<Fx16 as Scalar>::Length::from_bits);
         for (site, light) in sites.iter().zip(lights) {
-            let facing = <Fx16 as Arithmetic>::Offset::between(place, site.point).facing(site.normal);
-            let group = if <Fx16 as Arithmetic>::Offset::faces_away(facing) {
+            let facing = <Fx16 as Types>::Offset::between(place, site.point).facing(site.normal);
+            let group = if <Fx16 as Types>::Offset::faces_away(facing) {
                 &mut self.facing_away
             } else if !is_reached(key, site) {
                 &mut self.outside

@@ -7,7 +7,7 @@ use luminaire::dynamic::Effects;
 #[cfg(not(any(feature = "f32", feature = "fx32")))]
 use luminaire::light::QuickSpotLight;
 use luminaire::light::{CompiledSpotLight, LightModel, SurfacePoint};
-use luminaire::number::Arithmetic;
+use luminaire::number::{Arithmetic, Lights};
 use luminaire::{
     Angle, Cone, Scalar, SpotLight,
     attenuation::{InverseSquare, NoAttenuation},
