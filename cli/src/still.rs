@@ -2,6 +2,7 @@
 
 use luminaire::display::encode_srgb;
 use luminaire::dynamic::AnyLight;
+use luminaire::light::LightModel;
 use luminaire::{Rgb, Vec3};
 use luminaire_exchange::Refusal;
 
@@ -9,7 +10,7 @@ use crate::arguments::Still;
 use crate::source::save;
 
 /// The side of the picture in pixels.
-const SIDE: u32 = 512;
+const SIDE: usize = 512;
 
 /// Writes the picture of a light. Returns whether none was refused.
 pub(crate) fn still(options: &Still) -> Result<bool, Refusal> {
@@ -61,17 +62,20 @@ fn wall(light: &AnyLight, throw: f64) -> Result<Vec<u8>, Refusal> {
     let across = across.map(|c| c / length);
     let up = [y * across[2] - z * across[1], z * across[0] - x * across[2], x * across[1] - y * across[0]];
     let (throw, reach) = (throw as f32, throw as f32 * half.to_radians().tan());
-    let normal = Vec3::new(-x, -y, -z);
+    let origin = <[f32; 3]>::from(position);
+    let place = |pixel: usize| (2.0 * (pixel as f32 + 0.5) / SIDE as f32 - 1.0) * reach;
+    let normals = Vec3::new(-x, -y, -z).map(|c| [c; SIDE]);
     let color: Rgb<f32> = light.color();
     let mut pixels = Vec::new();
     for row in 0..SIDE {
-        for column in 0..SIDE {
-            let place = |pixel: u32| (2.0 * (pixel as f32 + 0.5) / SIDE as f32 - 1.0) * reach;
-            let (u, v) = (place(column), -place(row));
-            let origin = <[f32; 3]>::from(position);
-            let point: [f32; 3] =
-                std::array::from_fn(|i| origin[i] + throw * [x, y, z][i] + u * across[i] + v * up[i]);
-            let irradiance = lit.irradiance(point.into(), normal);
+        let coordinates = |i: usize| -> [f32; SIDE] {
+            let middle = origin[i] + throw * [x, y, z][i];
+            std::array::from_fn(|column| middle + place(column) * across[i] - place(row) * up[i])
+        };
+        let points = Vec3::new(coordinates(0), coordinates(1), coordinates(2));
+        let mut arrived = [0.0; SIDE];
+        lit.irradiance_each(columns(&points), columns(&normals), &mut arrived);
+        for irradiance in arrived {
             pixels.extend(
                 [color.red, color.green, color.blue].map(|channel| encode_srgb(irradiance * channel)),
             );
@@ -80,10 +84,14 @@ fn wall(light: &AnyLight, throw: f64) -> Result<Vec<u8>, Refusal> {
     Ok(pixels)
 }
 
+fn columns(of: &Vec3<[f32; SIDE]>) -> Vec3<&[f32]> {
+    Vec3::new(&of.x, &of.y, &of.z)
+}
+
 /// Returns the pixels as a PNG.
 fn png(pixels: &[u8]) -> Result<Vec<u8>, Refusal> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, SIDE, SIDE);
+    let mut encoder = png::Encoder::new(&mut bytes, SIDE as u32, SIDE as u32);
     encoder.set_color(png::ColorType::Rgb);
     let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(pixels));
     written.map_err(|error| Refusal::new("picture", "wall", error))?;

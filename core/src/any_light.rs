@@ -3,8 +3,6 @@
 mod each;
 mod hazy;
 
-pub use self::each::SurfacePoints;
-
 use crate::{
     attenuation::{AnyAttenuation, Attenuation},
     color::Rgb,
@@ -13,9 +11,9 @@ use crate::{
     falloff::{AnyFalloff, Falloff},
     light::{DirectionalLight, PointLight, SpotLight},
     number::Scalar,
+    points::{SurfacePoint, SurfacePoints},
     shade::{
-        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint,
-        sealed::Sealed,
+        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, sealed::Sealed,
     },
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
@@ -197,27 +195,9 @@ impl<S: Scalar> CompiledAnyLight<S> {
     /// [`CompiledMaterial::reflect`](crate::light::CompiledMaterial::reflect) returns the light
     /// that a surface reflects.
     ///
-    /// This function branches per point; [`evaluate_each`](Self::evaluate_each) branches once for
-    /// many points.
+    /// This function branches per point; [`LightModel::evaluate_each`] branches once for many points.
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
-    }
-
-    /// Computes the irradiance at each of many surface points, like
-    /// [`CompiledSpotLight::irradiance_each`], and branches once on the kind of light.
-    pub fn irradiance_each(
-        &self,
-        points: Vec3<&[S::Length]>,
-        normals: Vec3<&[S]>,
-        lights: &mut [S::Irradiance],
-    ) {
-        any!(self, Self, light => light.irradiance_each(points, normals, lights));
-    }
-
-    /// Adds the irradiance at each of many surface points, times the light's colour, to `sums`, like
-    /// [`CompiledSpotLight::add_each`], and branches once on the kind of light.
-    pub fn add_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, sums: Rgb<&mut [S::Irradiance]>) {
-        any!(self, Self, light => light.add_each(points, normals, sums));
     }
 
     /// Evaluates the light at a surface point with the specular lobe `H`, before the light's
@@ -236,8 +216,6 @@ impl<S: Scalar> CompiledAnyLight<S> {
     }
 }
 
-/// The trait's methods branch per point: slower than
-/// [`evaluate_each`](CompiledAnyLight::evaluate_each), with bit-identical results.
 impl<S: Scalar> Sealed for CompiledAnyLight<S> {}
 
 impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
@@ -253,6 +231,15 @@ impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
         skips: bool,
     ) -> Incident<S::Irradiance> {
         Self::evaluate::<H>(self, surface, highlight, skips)
+    }
+
+    fn evaluate_each<H: SpecularLobe, const N: usize>(
+        &self,
+        surfaces: &SurfacePoints<'_, S, N>,
+        highlight: &H::Constants<S>,
+        arrivals: &mut Incident<[S::Irradiance; N]>,
+    ) {
+        each::evaluate_each::<S, H, N>(self, surfaces, highlight, arrivals);
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

@@ -27,11 +27,7 @@ pub use self::{
     sprite::Sprite,
 };
 
-use crate::{
-    number::Scalar,
-    row::{Points, Row},
-    vec3::Vec3,
-};
+use crate::{number::Scalar, points::Points, row::Row, vec3::Vec3};
 
 /// The number of pixels whose light is in memory at a time.
 const BLOCK: usize = 64;

@@ -162,7 +162,7 @@
 //! |---|---|
 //! | `fixed` (default) | [`Fx16`] and [`Fx32`], on the types of the crate `fixed` |
 //! | `libm` (default) | trigonometry for set-up and a square root, bit-identical on every target |
-//! | `native` (default) | the square root of an Arm floating point unit, and AVX2 for slices where the processor has it, both bit-identical, by the unsafe code of the crate `luminaire-native` |
+//! | `native` (default) | the square root of an Arm floating point unit, bit-identical, by the unsafe code of the crate `luminaire-native` |
 //! | `std` | the processor's square root, bit-identical to that of `libm` |
 //! | `micromath` | square roots and sines without `libm` and `std`: angles within 0.13 %, so results differ from those of the other features |
 //! | `bytemuck` | [`Vec3`], [`Rgb`], pixels and fixed-point numbers cast to bytes; the only unsafe code |
@@ -174,7 +174,7 @@
 //! | `arithmetic` | the arithmetic of the number formats, for tests and cost measurements: may change in any version |
 
 // Modules, lowest first: `error`, `search`, `source`, `stored`, `model`, `models`, `trig`, `vec3`, `angle`, `effect`,
-// `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `interop`, `shade`, `batch`,
+// `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `points`, `interop`, `shade`,
 // `haze`, `material`, `row`, `draw`, `light`, `any_light`, `bound`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
 
@@ -195,7 +195,6 @@ mod shade;
 mod angle;
 mod any_light;
 pub mod attenuation;
-mod batch;
 pub mod bound;
 pub mod codegen;
 mod color;
@@ -217,6 +216,7 @@ pub mod models;
 mod models;
 pub mod number;
 mod plan;
+mod points;
 pub mod projector;
 mod row;
 mod search;

@@ -14,10 +14,10 @@ pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::Poin
 pub use crate::{
     cone::CompiledCone,
     material::CompiledMaterial,
-    row::{AlongX, Points, Row},
+    points::{AlongX, Faced, Points, SurfacePoint, SurfacePoints},
+    row::Row,
     shade::{
-        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel,
-        QuickSpotLight, SurfacePoint,
+        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, QuickSpotLight,
     },
 };
 

@@ -5,7 +5,8 @@ use crate::{
     display::clip,
     error::{Error, Expected, Parameter},
     number::Scalar,
-    shade::{LightModel, SurfacePoint},
+    points::SurfacePoint,
+    shade::LightModel,
     specular::{NoSpecular, SpecularLobe},
 };
 
@@ -195,24 +196,6 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
     ) -> Rgb<S> {
         let reflected = lights.iter().map(|light| self.reflect(surface, light));
         clip::<S>(reflected.fold(self.glow(ambient), |sum, light| sum + light))
-    }
-
-    /// Writes the [`color`](Self::color) of each surface point, such as a vertex of a mesh, up to
-    /// the length of the shorter slice.
-    ///
-    /// A renderer without light interpolates the colours of the vertices. A light between two vertices is
-    /// lost: [`SpotLight::interpolation_bound`](crate::SpotLight::interpolation_bound) bounds the error for a spacing, and the guide's chapter
-    /// `scanline` has the spacings of some cones.
-    pub fn color_each<L: LightModel<S>>(
-        &self,
-        surfaces: &[SurfacePoint<S>],
-        lights: &[L],
-        ambient: Rgb<S::Irradiance>,
-        colors: &mut [Rgb<S>],
-    ) {
-        for (color, surface) in colors.iter_mut().zip(surfaces) {
-            *color = self.color(surface, lights, ambient);
-        }
     }
 
     #[inline]

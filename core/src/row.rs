@@ -5,8 +5,8 @@ use core::ops::Range;
 use crate::{
     color::Rgb,
     number::Scalar,
-    shade::{LightModel, SurfacePoint},
-    specular::NoSpecular,
+    points::{AlongX, Faced, Points},
+    shade::LightModel,
     vec3::Vec3,
 };
 
@@ -45,74 +45,6 @@ const LEAST: usize = 16;
 pub struct Row<S: Scalar, F> {
     normal: Vec3<S>,
     points: F,
-}
-
-/// The points of a [`Row`]: a function from an index to a point, or [`AlongX`].
-#[doc(hidden)]
-pub trait Points<S: Scalar> {
-    /// Returns the point of an index.
-    fn at(&self, index: usize) -> Vec3<S::Length>;
-
-    /// Sets the irradiance from a light at the points from an index on, with the normal of each index.
-    #[inline]
-    fn fill<L: LightModel<S>>(
-        &self,
-        light: &L,
-        normal: impl Fn(usize) -> Vec3<S>,
-        first: usize,
-        arrived: &mut [S::Irradiance],
-    ) {
-        for (i, arrived) in arrived.iter_mut().enumerate() {
-            let index = first.wrapping_add(i);
-            let surface = SurfacePoint::matte(self.at(index), normal(index));
-            *arrived = light.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
-        }
-    }
-
-    /// Returns the points of every `N`-th index from an index on.
-    #[inline(always)]
-    fn every<const N: usize>(&self, first: usize) -> impl Points<S> {
-        move |i: usize| self.at(first.wrapping_add(i.wrapping_mul(N)))
-    }
-}
-
-impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Points<S> for F {
-    #[inline]
-    fn at(&self, index: usize) -> Vec3<S::Length> {
-        self(index)
-    }
-}
-
-/// The points of [`Row::along_x`].
-#[derive(Clone, Copy, Debug)]
-pub struct AlongX<T, F> {
-    y: T,
-    z: T,
-    x: F,
-}
-
-impl<S: Scalar, F: Fn(usize) -> S::Length> Points<S> for AlongX<S::Length, F> {
-    #[inline]
-    fn at(&self, index: usize) -> Vec3<S::Length> {
-        Vec3 { x: (self.x)(index), y: self.y, z: self.z }
-    }
-
-    #[inline(always)]
-    fn fill<L: LightModel<S>>(
-        &self,
-        light: &L,
-        normal: impl Fn(usize) -> Vec3<S>,
-        first: usize,
-        arrived: &mut [S::Irradiance],
-    ) {
-        let x = |i: usize| (self.x)(first.wrapping_add(i));
-        light.fill_along([self.y, self.z], x, |i| normal(first.wrapping_add(i)), arrived);
-    }
-
-    #[inline(always)]
-    fn every<const N: usize>(&self, first: usize) -> impl Points<S> {
-        AlongX { y: self.y, z: self.z, x: move |i: usize| (self.x)(first.wrapping_add(i.wrapping_mul(N))) }
-    }
 }
 
 impl<S: Scalar, F: Fn(usize) -> Vec3<S::Length>> Row<S, F> {
@@ -164,10 +96,7 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
     /// [`can_reach`](crate::light::CompiledSpotLight::can_reach) does not skip. Of other lights
     /// than spotlights it is the whole row.
     pub fn reach<L: LightModel<S>>(&self, light: &L, length: usize) -> Range<usize> {
-        let start = first_reached(light, length, |i| self.points.at(i));
-        let mirrored = |i| self.points.at((length - 1).wrapping_sub(i));
-        let beyond = first_reached(light, length.saturating_sub(start), mirrored);
-        start..length - beyond
+        reached(light, length, |i| self.points.at(i))
     }
 
     /// Sets `arrived` to the irradiance from a light at the points from index `first` on, not yet multiplied
@@ -177,7 +106,7 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
     /// [`reach`](Self::reach).
     #[inline(always)]
     pub fn fill<L: LightModel<S>>(&self, light: &L, first: usize, arrived: &mut [S::Irradiance]) {
-        self.points.fill(light, |_| self.normal, first, arrived);
+        self.fill_facing(light, |_| self.normal, first, arrived);
     }
 
     /// Sets `arrived` as [`fill`](Self::fill) does, with a normal for each index in place of the row's: that of
@@ -190,7 +119,7 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
         first: usize,
         arrived: &mut [S::Irradiance],
     ) {
-        self.points.fill(light, normal, first, arrived);
+        light.fill(&Faced::<_, _> { points: &self.points, normal, first }, arrived);
     }
 
     /// Sets `arrived` as [`fill`](Self::fill) does at every `N`-th point from index `first` on, and linearly
@@ -233,7 +162,8 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
             let from = first.wrapping_add(i * RUNS * N);
             let last = points.len().div_ceil(N);
             let ends = evaluated.get_mut(..=last).unwrap_or_default();
-            self.points.every::<N>(from).fill(light, |_| self.normal, 0, ends);
+            let every = Faced::<_, _, N> { points: &self.points, normal: |_| self.normal, first: from };
+            light.fill(&every, ends);
             for (run, ends) in points.chunks_mut(N).zip(ends.windows(2)) {
                 if let [from, to] = *ends {
                     set_between::<S>(from, to, run, N);
@@ -248,30 +178,32 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
     /// The sum is bit-identical to that of `irradiance`, [`Rgb::lit`] and addition over all
     /// lights.
     #[inline]
-    pub fn light<L: LightModel<S>, T, const N: usize>(
+    pub fn light<L: LightModel<S>, T>(
         &self,
-        lights: &[L; N],
+        lights: &[L],
         pixels: &mut [T],
         mut show: impl FnMut(&mut T, usize, Rgb<S::Irradiance>),
     ) {
-        let mut reaches = [const { 0..0 }; N];
-        for (reach, light) in reaches.iter_mut().zip(lights) {
-            *reach = self.reach(light, pixels.len());
-        }
-        for (column, pixel) in pixels.iter_mut().enumerate() {
-            let mut sum = Rgb::default();
-            for (light, reach) in lights.iter().zip(&reaches) {
-                if reach.contains(&column) {
-                    let surface = SurfacePoint::matte(self.points.at(column), self.normal);
-                    let [color, _] = light.colors();
-                    let arrived = light.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
-                    if arrived != S::Irradiance::default() {
-                        sum += Rgb::lit::<S>(arrived, color);
+        for (block, pixels) in pixels.chunks_mut(MOST).enumerate() {
+            let (first, dark) = (block * MOST, S::Irradiance::default());
+            let mut sums = [Rgb::new(dark, dark, dark); MOST];
+            for light in lights {
+                let points = |i: usize| self.points.at(first.wrapping_add(i));
+                let lit = reached(light, pixels.len(), points);
+                let mut arrived = [dark; MOST];
+                let arrived = arrived.get_mut(..lit.len()).unwrap_or_default();
+                self.fill(light, first + lit.start, arrived);
+                let [color, _] = light.colors();
+                for (sum, &mut arrived) in sums.get_mut(lit).unwrap_or_default().iter_mut().zip(arrived) {
+                    if arrived != dark {
+                        *sum += Rgb::lit::<S>(arrived, color);
                     }
                 }
             }
-            if sum != Rgb::default() {
-                show(pixel, column, sum);
+            for (i, (pixel, sum)) in pixels.iter_mut().zip(sums).enumerate() {
+                if sum != Rgb::default() {
+                    show(pixel, first + i, sum);
+                }
             }
         }
     }
@@ -299,6 +231,17 @@ fn set_between<S: Scalar>(from: S::Irradiance, to: S::Irradiance, run: &mut [S::
             set(run, &[a, b, c, d, e, f, g, h]);
         }
     }
+}
+
+/// Returns a range of indices of points on a line outside which no point receives this light.
+fn reached<S: Scalar, L: LightModel<S>>(
+    light: &L,
+    length: usize,
+    point: impl Fn(usize) -> Vec3<S::Length>,
+) -> Range<usize> {
+    let start = first_reached(light, length, &point);
+    let mirrored = |i| point((length - 1).wrapping_sub(i));
+    start..length - first_reached(light, length.saturating_sub(start), mirrored)
 }
 
 /// Returns the first index of points on a line that a light can reach, or `length`.

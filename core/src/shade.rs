@@ -19,35 +19,10 @@ use crate::{
     cone::CompiledCone,
     falloff::Falloff,
     number::{Fraction, Offset, Ray, Scalar, Share},
+    points::{Faced, Points, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
-
-/// A surface point, with its normal and the direction to the eye.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct SurfacePoint<S: Scalar> {
-    /// The position, in the unit of the lights' positions.
-    pub point: Vec3<S::Length>,
-    /// The normal, of unit length.
-    pub normal: Vec3<S>,
-    /// The direction from the point to the eye, of unit length. Unused for a matte surface.
-    pub view: Vec3<S::Unit>,
-}
-
-impl<S: Scalar> SurfacePoint<S> {
-    /// Creates a point of a matte surface, which looks the same from every side.
-    #[inline]
-    pub fn matte(point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
-        Self { point, normal, view: Vec3::default() }
-    }
-
-    /// Creates a point that is seen by an eye. The direction to the eye takes one square root per
-    /// point, whatever the number of lights.
-    #[inline]
-    pub fn seen_from(eye: Vec3<S::Length>, point: Vec3<S::Length>, normal: Vec3<S>) -> Self {
-        Self { point, normal, view: S::Offset::between(point, eye).ray().direction() }
-    }
-}
 
 /// Light that arrives at a surface, not yet multiplied by the light's colours; 1 is full scale.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
@@ -109,21 +84,39 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
         highlight: &H::Constants<S>,
         skips: bool,
     ) -> Incident<S::Irradiance>;
-    /// Sets the diffuse light at points of a matte surface, those of [`evaluate`](Self::evaluate).
+    /// Evaluates the light at `N` surface points with the specular lobe `H`, each bit-identical to a single
+    /// point. A lobe of [`NoSpecular`] leaves `arrivals.specular` unchanged.
     ///
-    /// The points have the same y and z. Their x rises or falls with the index.
+    /// Fixed point computes the points one by one and returns 0 for unreachable points before the
+    /// square root; the result is bit-identical. `f32` has no such early-out, because a branch
+    /// would prevent vector instructions.
+    fn evaluate_each<H: SpecularLobe, const N: usize>(
+        &self,
+        surfaces: &SurfacePoints<'_, S, N>,
+        highlight: &H::Constants<S>,
+        arrivals: &mut Incident<[S::Irradiance; N]>,
+    ) {
+        let Incident { diffuse, specular } = arrivals;
+        each::<S, H, Self, N>(self, surfaces, highlight, diffuse, specular);
+    }
+    /// Computes the irradiance at each of many surface points.
+    ///
+    /// Each result is bit-identical to a call of [`irradiance`](Self::irradiance). Points and normals are
+    /// structures of arrays, one slice per component. The shortest slice determines the
+    /// number of points; elements of `lights` beyond this number are not changed.
+    fn irradiance_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]) {
+        slices(self, points, normals, lights);
+    }
+    /// Sets the diffuse light at points of matte surfaces, those of [`evaluate`](Self::evaluate).
     #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     #[inline]
-    fn fill_along(
+    fn fill<F: Points<S>, const STEP: usize>(
         &self,
-        [y, z]: [S::Length; 2],
-        x: impl Fn(usize) -> S::Length,
-        normal: impl Fn(usize) -> Vec3<S>,
+        surfaces: &Faced<'_, F, impl Fn(usize) -> Vec3<S>, STEP>,
         arrived: &mut [S::Irradiance],
     ) {
         for (i, arrived) in arrived.iter_mut().enumerate() {
-            let surface = SurfacePoint::matte(Vec3 { x: x(i), y, z }, normal(i));
-            *arrived = self.evaluate::<NoSpecular>(&surface, &(), true).diffuse;
+            *arrived = self.evaluate::<NoSpecular>(&surfaces.at(i), &(), true).diffuse;
         }
     }
     /// Returns `false` only if no point within `radius` of `center` receives light.
@@ -135,6 +128,72 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
 pub(crate) mod sealed {
     /// Keeps other crates from implementing [`LightModel`](super::LightModel).
     pub trait Sealed {}
+}
+
+/// Evaluates a light at each point. The outputs are separate arguments, so that the compiler
+/// knows that the outputs do not alias the inputs.
+#[inline(never)]
+fn each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
+    light: &L,
+    surfaces: &SurfacePoints<'_, S, N>,
+    highlight: &H::Constants<S>,
+    diffuse: &mut [S::Irradiance; N],
+    specular: &mut [S::Irradiance; N],
+) {
+    let (surfaces, highlight) = (*surfaces, *highlight);
+    for i in 0..N {
+        let arrival = light.evaluate::<H>(&surfaces.at(i), &highlight, S::SKIPS);
+        diffuse[i] = arrival.diffuse;
+        if H::SHINES {
+            specular[i] = arrival.specular;
+        }
+    }
+}
+
+/// Number of points that a call with slices evaluates together.
+const BLOCK: usize = 32;
+
+/// Computes the irradiance at each of many surface points: whole blocks together, and the rest one by one.
+fn slices<S: Scalar, L: LightModel<S>>(
+    light: &L,
+    points: Vec3<&[S::Length]>,
+    normals: Vec3<&[S]>,
+    lights: &mut [S::Irradiance],
+) {
+    let count = points.x.len().min(points.y.len()).min(points.z.len()).min(lights.len());
+    let count = normals.x.len().min(normals.y.len()).min(normals.z.len()).min(count);
+    let (dark, views) = ([S::Irradiance::default(); BLOCK], [S::Unit::default(); BLOCK]);
+    let mut arrivals = Incident { diffuse: dark, specular: dark };
+    let blocks = lights.get_mut(..count).unwrap_or_default().chunks_mut(BLOCK);
+    for (lights, first) in blocks.zip((0..).step_by(BLOCK)) {
+        match (lights.first_chunk_mut(), block(points, first), block(normals, first)) {
+            (Some(lights), Some(point), Some(normal)) => {
+                let surfaces = SurfacePoints { point, normal, view: Vec3::new(&views, &views, &views) };
+                light.evaluate_each::<NoSpecular, BLOCK>(&surfaces, &(), &mut arrivals);
+                *lights = arrivals.diffuse;
+            }
+            _ => {
+                for (i, arrived) in (first..).zip(lights) {
+                    *arrived = light.irradiance(nth(points, i), nth(normals, i));
+                }
+            }
+        }
+    }
+}
+
+/// Returns a whole block of three columns, from an index on.
+#[inline]
+fn block<T>(columns: Vec3<&[T]>, first: usize) -> Option<Vec3<&[T; BLOCK]>> {
+    fn column<T>(column: &[T], first: usize) -> Option<&[T; BLOCK]> {
+        column.get(first..)?.first_chunk()
+    }
+    Some(Vec3::new(column(columns.x, first)?, column(columns.y, first)?, column(columns.z, first)?))
+}
+
+/// Returns the vector of an index of three columns, which hold its components.
+#[inline]
+fn nth<T: Copy + Default>(columns: Vec3<&[T]>, index: usize) -> Vec3<T> {
+    columns.map(|column| column.get(index).copied().unwrap_or_default())
 }
 
 /// Returns the specular lobe if the light hits the front of a surface, else zero.

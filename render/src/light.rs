@@ -20,8 +20,8 @@ use crate::{
 use glam::Vec2;
 use luminaire::{
     Angle, Rgb, Scalar, Vec3,
-    dynamic::{CompiledAnyLight, RenderPlan, SurfacePoints},
-    light::{Incident, SurfacePoint},
+    dynamic::{CompiledAnyLight, RenderPlan},
+    light::{Incident, LightModel, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
 };
 

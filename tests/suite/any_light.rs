@@ -9,13 +9,13 @@ use luminaire::{
         AnyAttenuation, CutAt, Decay, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial,
         SmoothRange, Windowed,
     },
-    dynamic::{AnyLight, CompiledAnyLight, Effect, Effects, RenderPlan, SurfacePoints},
+    dynamic::{AnyLight, CompiledAnyLight, Effect, Effects, RenderPlan},
     falloff::{
         AnyFalloff, Falloff, FalloffVisitor, FittedFalloff, InvertedPower, Linear, ListedFalloff, Power,
         Soft, SoftOrHard,
     },
     haze::{Haze, ViewRay, ViewRays},
-    light::{Incident, SurfacePoint},
+    light::{Incident, LightModel, SurfacePoint, SurfacePoints},
     projector::{Fixture, Gobo, Projection},
     specular::{NoSpecular, Phong, SpecularLobe},
 };

@@ -1,12 +1,10 @@
-//! Rows of pixels and vertices: the same bits as point by point, and no lit point is skipped.
+//! Rows of pixels: the same bits as point by point, and no lit point is skipped.
 
 use fastrand::Rng;
 use luminaire::{
-    AmbientLight, Angle, Cone, Fx16, Fx32, Material, Rgb, SpotLight,
-    display::clip,
+    Angle, Cone, Fx16, Fx32, SpotLight,
     falloff::{AnyFalloff, Cubic, Falloff, Hard, RealPower, Soft, Step},
-    light::{CompiledSpotLight, Row, SurfacePoint},
-    specular::BlinnPhong,
+    light::{CompiledSpotLight, Row},
 };
 use support::{
     assert_that,
@@ -159,39 +157,4 @@ fn interpolation_keeps_its_bound() {
     }
     println!("{most:.3?} of the bound");
     assert!(most[0] > 0.5 && most[1] > 0.8, "{most:?}");
-}
-
-fn assert_vertices<S: Format>() {
-    let mut rng = Rng::with_seed(24);
-    let material = Material::new(Rgb::new(0.8, 0.5, 0.2)).expect("a sound colour");
-    let material = material.with_highlight(BlinnPhong, Rgb::new(0.3, 0.3, 0.3), 20).expect("a sound lobe");
-    let material = material.compile::<S>();
-    let ambient = AmbientLight::new(Rgb::new(0.1, 0.1, 0.2)).expect("a sound light").compile::<S>();
-    let cone = Cone::from_field(Soft, Angle::degrees(100.0)).expect("a sound cone");
-    let light =
-        |rng: &mut Rng| -> SpotLight<Soft> { sweep::spot(rng, cone).with_intensity(400.0).expect("sound") };
-    let lights = [(); 4].map(|()| light(&mut rng).compile::<S>().expect("held"));
-    let vertices: Vec<_> = (0..500)
-        .map(|_| {
-            let [eye, point] = [(); 2].map(|()| sweep::single(sweep::position(&mut rng)).map(S::length));
-            let normal = sweep::single(sweep::direction(&mut rng)).map(S::from_f32);
-            SurfacePoint::seen_from(eye, point, normal)
-        })
-        .collect();
-    let mut colors = vec![Rgb::default(); 400];
-    material.color_each(&vertices, &lights, ambient, &mut colors);
-    let glow = clip::<S>(material.glow(ambient));
-    let mut lit = 0;
-    for (color, vertex) in colors.into_iter().zip(&vertices) {
-        let sum =
-            lights.iter().fold(material.glow(ambient), |sum, light| sum + material.reflect(vertex, light));
-        assert_eq!(color, clip::<S>(sum), "{vertex:?}");
-        lit += u32::from(color != glow);
-    }
-    assert_that!((40..400).contains(&lit), lit);
-}
-
-#[test]
-fn vertices_have_the_light_of_their_points() {
-    in_every_format!(assert_vertices);
 }

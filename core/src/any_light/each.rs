@@ -16,33 +16,11 @@ use crate::{
     cone::CompiledCone,
     falloff::{AnyFalloff, Falloff, WithFalloff, with_falloff},
     number::{Offset, Scalar, Share},
-    shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel, SurfacePoint},
+    points::SurfacePoints,
+    shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel},
     specular::SpecularLobe,
     vec3::{Vec3, nth},
 };
-
-/// Surface points as a structure of arrays: see [`SurfacePoint`].
-#[derive(Clone, Copy, Debug)]
-pub struct SurfacePoints<'a, S: Scalar, const N: usize> {
-    /// The positions of the points.
-    pub point: Vec3<&'a [S::Length; N]>,
-    /// The normals, of unit length.
-    pub normal: Vec3<&'a [S; N]>,
-    /// The directions from the points to the eye, of unit length. Unused for matte surfaces.
-    pub view: Vec3<&'a [S::Unit; N]>,
-}
-
-impl<S: Scalar, const N: usize> SurfacePoints<'_, S, N> {
-    /// Returns point `i`; for `i >= N`, a point with all components 0.
-    #[inline]
-    pub fn at(&self, i: usize) -> SurfacePoint<S> {
-        SurfacePoint {
-            point: self.point.map(|column| nth(column, i)),
-            normal: self.normal.map(|column| nth(column, i)),
-            view: self.view.map(|column| nth(column, i)),
-        }
-    }
-}
 
 /// The inputs and outputs of a loop.
 struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
@@ -51,26 +29,18 @@ struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
     arrivals: &'a mut Incident<[S::Irradiance; N]>,
 }
 
-impl<S: Scalar> CompiledAnyLight<S> {
-    /// Evaluates the light at `N` points with the specular lobe `H`, bit-identical to
-    /// [`evaluate`](Self::evaluate). A lobe of [`NoSpecular`](crate::specular::NoSpecular) leaves
-    /// `arrivals.specular` unchanged.
-    ///
-    /// Fixed point computes the points one by one and returns 0 for unreachable points before the
-    /// square root; the result is bit-identical. `f32` has no such early-out, because a branch
-    /// would prevent vector instructions.
-    pub fn evaluate_each<H: SpecularLobe, const N: usize>(
-        &self,
-        surfaces: &SurfacePoints<'_, S, N>,
-        highlight: &H::Constants<S>,
-        arrivals: &mut Incident<[S::Irradiance; N]>,
-    ) {
-        let mut each = Loop::<S, H, N> { surfaces, highlight, arrivals };
-        match self {
-            Self::Directional(light) => each.light(light),
-            Self::Point(light) => each.point(light),
-            Self::Spot(light) => each.spot(light),
-        }
+/// Evaluates a light of any kind: see [`LightModel::evaluate_each`].
+pub(super) fn evaluate_each<S: Scalar, H: SpecularLobe, const N: usize>(
+    light: &CompiledAnyLight<S>,
+    surfaces: &SurfacePoints<'_, S, N>,
+    highlight: &H::Constants<S>,
+    arrivals: &mut Incident<[S::Irradiance; N]>,
+) {
+    let mut each = Loop::<S, H, N> { surfaces, highlight, arrivals };
+    match light {
+        CompiledAnyLight::Directional(light) => each.light(light),
+        CompiledAnyLight::Point(light) => each.point(light),
+        CompiledAnyLight::Spot(light) => each.spot(light),
     }
 }
 
@@ -93,8 +63,7 @@ enum Plain {
 
 impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
     fn light<L: LightModel<S>>(&mut self, light: &L) {
-        let Incident { diffuse, specular } = self.arrivals;
-        light_each::<S, H, L, N>(light, self.surfaces, self.highlight, diffuse, specular);
+        light.evaluate_each::<H, N>(self.surfaces, self.highlight, self.arrivals);
     }
 
     fn point(&mut self, light: &CompiledPointLight<S, AnyAttenuation>) {
@@ -104,7 +73,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
             Some(Plain::InverseSquare) => {
                 self.light(&CompiledPointLight::<S>::from_parts(position, (), intensity, fine_below, colors));
             }
-            _ if !S::Offset::ROOTS_FIRST => self.light(light),
+            _ if S::SKIPS => self.light(light),
             Some(Plain::Unattenuated) => {
                 let light = CompiledPointLight::<S, NoAttenuation>::from_parts(
                     position,
@@ -124,7 +93,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
     }
 
     fn spot(&mut self, light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>) {
-        if S::Offset::ROOTS_FIRST {
+        if !S::SKIPS {
             return with_falloff(light.cone.falloff, light.cone.curve, Spot { each: self, light });
         }
         let Some(Plain::InverseSquare) = plain(&light.attenuation) else { return self.light(light) };
@@ -216,26 +185,6 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> WithConstants<S> for Fall<'_, '
         attenuate_each::<S, A, N>(position, constants, self.intensity, surfaces.point, diffuse);
         if H::SHINES {
             attenuate_each::<S, A, N>(position, constants, self.intensity, surfaces.point, specular);
-        }
-    }
-}
-
-/// Evaluates the light at each point. The outputs are separate arguments, so that the compiler
-/// knows that the outputs do not alias the inputs.
-#[inline(never)]
-fn light_each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
-    light: &L,
-    surfaces: &SurfacePoints<'_, S, N>,
-    highlight: &H::Constants<S>,
-    diffuse: &mut [S::Irradiance; N],
-    specular: &mut [S::Irradiance; N],
-) {
-    let (surfaces, highlight) = (*surfaces, *highlight);
-    for i in 0..N {
-        let arrival = light.evaluate::<H>(&surfaces.at(i), &highlight, !S::Offset::ROOTS_FIRST);
-        diffuse[i] = arrival.diffuse;
-        if H::SHINES {
-            specular[i] = arrival.specular;
         }
     }
 }

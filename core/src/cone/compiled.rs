@@ -51,6 +51,15 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
         }
     }
 
+    /// Computes the intensity at each of many versines, up to the length of the shorter slice.
+    ///
+    /// Each result is bit-identical to [`at`](Self::at).
+    pub fn at_each(&self, versines: &[S::Versine], intensities: &mut [S]) {
+        for (intensity, &versine) in intensities.iter_mut().zip(versines) {
+            *intensity = self.at(versine);
+        }
+    }
+
     /// Returns the cone with another falloff.
     #[inline]
     pub fn with_falloff<Q: Falloff>(&self, falloff: Q) -> CompiledCone<S, Q> {

@@ -91,10 +91,6 @@ pub trait Offset<S: Types>: Copy + core::fmt::Debug {
     /// of the inner product depend on the format.
     type Facing: Copy + core::fmt::Debug;
 
-    /// Whether a loop over many points first computes all reciprocal lengths with
-    /// [`reciprocal`](Self::reciprocal), without early-outs.
-    const ROOTS_FIRST: bool = false;
-
     /// Returns the offset from a light to a point.
     fn between(light: Vec3<S::Position>, point: Vec3<S::Position>) -> Self;
     /// Returns whether the offset is so short that the whole evaluation must be fine: see
@@ -133,18 +129,6 @@ pub trait Offset<S: Types>: Copy + core::fmt::Debug {
     fn squared_distance(&self) -> S::Gain;
     /// Computes the direction and the distance, with one square root.
     fn ray(&self) -> Self::Ray;
-    /// Returns the reciprocal of the length; zero if the offset has no direction, or if
-    /// `ROOTS_FIRST` is false.
-    #[inline]
-    fn reciprocal(&self) -> f32 {
-        0.0
-    }
-    /// Returns the result of [`ray`](Self::ray), but reuses the reciprocal length returned by
-    /// [`reciprocal`](Self::reciprocal).
-    #[inline]
-    fn ray_of(&self, _reciprocal: f32) -> Self::Ray {
-        self.ray()
-    }
 }
 
 /// An offset that shares most of its computation with those to other points of a row.

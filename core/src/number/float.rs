@@ -64,7 +64,6 @@ pub struct FloatRay {
 impl Offset<f32> for FloatOffset {
     type Ray = FloatRay;
     type Facing = f32;
-    const ROOTS_FIRST: bool = true;
 
     /// Returns the vector from a point back to the light.
     #[inline]
@@ -99,21 +98,12 @@ impl Offset<f32> for FloatOffset {
         self.squared
     }
 
-    #[inline]
-    fn ray(&self) -> FloatRay {
-        self.ray_of(self.reciprocal())
-    }
-
     /// A point whose squared distance is less than any normal number counts as on the light: its
     /// direction is zero. If the squared distance overflows f32, the reciprocal is zero as well, so
     /// no light arrives.
     #[inline]
-    fn reciprocal(&self) -> f32 {
-        trig::inverse_sqrt(self.squared)
-    }
-
-    #[inline]
-    fn ray_of(&self, reciprocal: f32) -> FloatRay {
+    fn ray(&self) -> FloatRay {
+        let reciprocal = trig::inverse_sqrt(self.squared);
         FloatRay { back: self.back.map(|c| c * reciprocal), squared: self.squared, reciprocal }
     }
 }
@@ -417,7 +407,7 @@ impl Vec3<f32> {
     /// Returns the reciprocal of the length; zero if the squared length is not a normal number.
     #[inline]
     pub fn reciprocal_length(self) -> f32 {
-        FloatOffset::between(Vec3::default(), self).reciprocal()
+        FloatOffset::between(Vec3::default(), self).ray().reciprocal
     }
 
     /// Returns the vector scaled to unit length; zero if its squared length is not a normal number.

@@ -8,6 +8,10 @@ use crate::vec3::Vec3;
 /// What the kernel asks of a number format beside the stages of a point. These are its numbers; the supertraits
 /// have the rest, in the order in which a light is set up.
 pub trait Arithmetic: Directions + Places + Ramps + Errors + Lights {
+    /// Whether a loop over many points rejects those without light before the root. `f32` does not: without
+    /// branches, compilers vectorise the loop.
+    const SKIPS: bool = true;
+
     /// Returns `steps / 16384` for `steps` in `[-16384, 16384]`: exact in every format.
     fn from_steps(steps: i32) -> Self;
     /// Returns the nearest coefficient of a falloff; saturates at -4 and 4, and NaN becomes zero.

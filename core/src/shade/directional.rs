@@ -1,9 +1,10 @@
 //! Directional lights, compiled.
 
-use super::{Incident, LightModel, SurfacePoint, lobe, sealed::Sealed};
+use super::{Incident, LightModel, lobe, sealed::Sealed};
 use crate::{
     color::Rgb,
     number::Scalar,
+    points::SurfacePoint,
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };

@@ -1,11 +1,12 @@
 //! Point lights, compiled.
 
-use super::{Incident, LightModel, SurfacePoint, lobe, sealed::Sealed};
+use super::{Incident, LightModel, lobe, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     falloff::SoftOrHard,
     number::{Fraction, Offset, Ray, Scalar, Share},
+    points::SurfacePoint,
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -53,7 +54,7 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
 
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
-    /// `fine_below` is the result of `Arithmetic::fine_below`; the colours are the diffuse and the
+    /// `fine_below` is the result of `Errors::fine_below`; the colours are the diffuse and the
     /// specular colour.
     pub const fn from_parts(
         position: Vec3<S::Length>,

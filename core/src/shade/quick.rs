@@ -2,13 +2,14 @@
 
 use core::ops::Range;
 
-use super::{Incident, LightModel, SurfacePoint, lobe, reaches, sealed::Sealed};
+use super::{Incident, LightModel, lobe, reaches, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
     falloff::{Falloff, Soft},
     number::{Fraction, Offset, OffsetAlong, Quick, Ray, Share},
+    points::{Faced, Points, SurfacePoint},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -130,28 +131,33 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
     /// The points of a stretch share most of the computation of their offsets. In the inner loop that part, and
     /// what the evaluation computes of it, is constant.
     #[inline(always)]
-    fn fill_along(
+    fn fill<F: Points<S>, const STEP: usize>(
         &self,
-        [y, z]: [S::Length; 2],
-        x: impl Fn(usize) -> S::Length,
-        normal: impl Fn(usize) -> Vec3<S>,
+        surfaces: &Faced<'_, F, impl Fn(usize) -> Vec3<S>, STEP>,
         mut arrived: &mut [S::Irradiance],
     ) {
-        let light = |i: usize, offset: &S::QuickOffset| {
-            self.at::<NoSpecular>(offset, (normal(i), Vec3::default()), &(), true).diffuse
+        let light = |offset: &S::QuickOffset, surface: SurfacePoint<S>| {
+            self.at::<NoSpecular>(offset, (surface.normal, Vec3::default()), &(), true).diffuse
         };
+        let single = |i| {
+            let surface = surfaces.at(i);
+            light(&S::QuickOffset::between(self.position, surface.point), surface)
+        };
+        if !F::ALONG_X {
+            return arrived.iter_mut().enumerate().for_each(|(i, to)| *to = single(i));
+        }
+        let x = |i| surfaces.at(i).point.x;
         let mut start = 0;
         while !arrived.is_empty() {
-            let here = Vec3 { x: x(start), y, z };
-            let stretch = S::QuickOffset::stretch(self.position, here);
+            let stretch = S::QuickOffset::stretch(self.position, surfaces.at(start).point);
             let end = start + arrived.len();
             let count = first_not(start..end, |i| S::QuickOffset::is_in(&stretch, x(i))) - start;
             let Some((part, rest)) = arrived.split_at_mut_checked(count.max(1)) else { return };
             if count == 0 {
-                part.fill_with(|| light(start, &S::QuickOffset::between(self.position, here)));
+                part.fill_with(|| single(start));
             } else {
-                for (i, to) in part.iter_mut().enumerate() {
-                    *to = light(start + i, &S::QuickOffset::along(&stretch, x(start + i)));
+                for (i, to) in (start..).zip(part.iter_mut()) {
+                    *to = light(&S::QuickOffset::along(&stretch, x(i)), surfaces.at(i));
                 }
             }
             start += part.len();

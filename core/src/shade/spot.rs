@@ -1,12 +1,13 @@
 //! Spotlights, compiled.
 
-use super::{Incident, LightModel, SurfacePoint, lobe, reaches, sealed::Sealed};
+use super::{Incident, LightModel, lobe, reaches, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
     falloff::{Falloff, Soft},
     number::{Fraction, Offset, Ray, Scalar, Share},
+    points::SurfacePoint,
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -181,7 +182,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
     /// `outside` is the bound for rejecting points outside the cone, and `fine_below` is the result
-    /// of `Arithmetic::fine_below`. The colours are the diffuse and the specular colour.
+    /// of `Errors::fine_below`. The colours are the diffuse and the specular colour.
     #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
     pub const fn from_parts(
         position: Vec3<S::Length>,

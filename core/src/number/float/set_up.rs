@@ -56,6 +56,8 @@ impl Types for f32 {
 }
 
 impl Arithmetic for f32 {
+    const SKIPS: bool = false;
+
     #[inline]
     fn from_steps(steps: i32) -> Self {
         steps as f32 * (1.0 / 16_384.0)
