@@ -27,43 +27,6 @@ pub fn sqrt(x: f32) -> Option<f32> {
     };
 }
 
-/// Runs a function with the vectors of the processor: on x86-64 with AVX2 where the processor has it, elsewhere
-/// with the vectors of the target that the program is compiled for.
-///
-/// `work` and the functions that it calls are compiled for both if they are inlined: a closure and its
-/// callees need `#[inline(always)]`. The results have the same bits, because no instruction of AVX2 rounds
-/// other than those of SSE2 and Rust fuses no multiplication with an addition.
-///
-/// ```
-/// let (numbers, mut sum) = ([3; 64], [0; 64]);
-/// luminaire_native::with_vectors(#[inline(always)] || {
-///     sum.iter_mut().zip(&numbers).for_each(|(sum, number)| *sum += number)
-/// });
-/// assert_eq!(sum, numbers);
-/// ```
-#[inline(always)]
-pub fn with_vectors<R>(work: impl FnOnce() -> R) -> R {
-    #[cfg(target_arch = "x86_64")]
-    if avx2::get() {
-        // SAFETY: the processor has the instructions.
-        return unsafe { with_avx2(work) };
-    }
-    work()
-}
-
-#[cfg(target_arch = "x86_64")]
-cpufeatures::new!(avx2, "avx2");
-
-/// Runs a function compiled for AVX2.
-///
-/// # Safety
-/// The processor has AVX2.
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-unsafe fn with_avx2<R>(work: impl FnOnce() -> R) -> R {
-    work()
-}
-
 /// The square root of C.
 ///
 /// LLVM knows the function by its name: it writes `vsqrt.f32` in place, and calls the function only for

@@ -52,17 +52,7 @@ const PROJECTS: [New; 6] = [
         kernel: "",
         beside: "",
         target: "x86_64-unknown-linux-gnu",
-        added: &[
-            "az",
-            "bytemuck",
-            "cfg-if",
-            "cpufeatures",
-            "fixed",
-            "half",
-            "libm",
-            "luminaire-native",
-            "typenum",
-        ],
+        added: &["az", "bytemuck", "cfg-if", "fixed", "half", "libm", "luminaire-native", "typenum"],
     },
     New {
         title: "firmware beside embedded-graphics",
