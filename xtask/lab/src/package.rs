@@ -27,7 +27,8 @@ const CRATES: [(&str, &[&str]); 5] = [
 ];
 
 /// The examples of the kernel.
-const EXAMPLES: [&str; 6] = ["hello", "wall", "moving_light", "paper", "embedded_graphics", "data_sheet"];
+const EXAMPLES: [&str; 7] =
+    ["hello", "wall", "moving_light", "beacon", "paper", "embedded_graphics", "data_sheet"];
 
 /// The warnings that are accepted: one until the project has an address to name, and one for each test
 /// that needs the repository and is not packed.
