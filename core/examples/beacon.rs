@@ -72,8 +72,8 @@ fn turned(lamp: Light, [east, south]: [i16; 2]) -> Light {
 fn seen(light: &Light, harbour: &Harbour) -> (Picture, usize) {
     const RADIUS: Length = Fx16::length(2.9);
     let (mut picture, mut lit) = ([[0; COLUMNS as usize]; ROWS as usize], 0);
-    for top in (0..ROWS).step_by(TILE[1].into()) {
-        for left in (0..COLUMNS).step_by(TILE[0].into()) {
+    for top in (0..ROWS).step_by(TILE[1] as usize) {
+        for left in (0..COLUMNS).step_by(TILE[0] as usize) {
             let is_reached = light.can_reach(place([left + TILE[0] / 2, top + TILE[1] / 2]), RADIUS);
             let lights: &[Light] = if is_reached { &[*light] } else { &[] };
             lit += lights.len();

@@ -30,8 +30,8 @@ fn main() -> Result<(), luminaire::Error> {
         [light.error_bound::<Fx16>(6.0..=7.0)?, light.quick_error_bound::<Fx16>(6.0..=7.0)?];
     println!("in 16 bits, a pixel is off by at most {:.2} codes", standard.codes());
     println!("with the quick evaluation, by at most {:.2}", quick.codes());
-    if let Some(between) = light.interpolation_bound(0.05, 6.0) {
-        println!("between points 5 cm apart, a straight line is off by at most {:.2}", 255.0 * between);
+    if let Some(between) = light.interpolation_bound(0.02, 6.0) {
+        println!("between points 2 cm apart, a straight line is off by at most {:.2}", 255.0 * between);
     }
     Ok(())
 }

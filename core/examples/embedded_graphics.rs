@@ -24,7 +24,7 @@ fn draw<D: DrawTarget<Color = Rgb565>, F: Falloff>(
     let area = display.bounding_box();
     let pixels = area.points().map(|at| {
         let point = Vec3::new(metres(at.x), metres(at.y), Length::ZERO);
-        let color = clip::<Fx16>(Rgb::lit(light.irradiance(point, NORMAL), light.color()));
+        let color = clip(Rgb::lit(light.irradiance(point, NORMAL), light.color()));
         display::Rgb565::from_linear_dithered_fast(color, at.x as u32, at.y as u32).into()
     });
     display.fill_contiguous(&area, pixels)

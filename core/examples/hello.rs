@@ -10,7 +10,7 @@ fn main() -> Result<(), luminaire::Error> {
 
     // A point on the floor where the beam angle ends, and its normal.
     let light = lit.irradiance(Fx16::point([0.343, 0.0, 0.0]), Fx16::normal([0.0, 1.0, 0.0]));
-    let pixel = display::Rgb565::from_linear(display::clip::<Fx16>(Rgb::lit(light, lit.color())));
+    let pixel = display::Rgb565::from_linear(display::clip(Rgb::lit(light, lit.color())));
     println!("{light:.3} of full scale, {:#06x} as RGB565", pixel.0);
     Ok(())
 }

@@ -56,7 +56,7 @@ fn scanline(light: &Light, row: i32, codes: &mut [u8]) {
     const UP: Vec3<Fx16> = Fx16::normal([0.0, 1.0, 0.0]);
     for (column, code) in (0..).zip(codes) {
         let point = Vec3::new(metres(column, 8), Length::ZERO, metres(row, 4));
-        let color = clip::<Fx16>(Rgb::lit(light.irradiance(point, UP), light.color()));
+        let color = clip(Rgb::lit(light.irradiance(point, UP), light.color()));
         *code = encode_srgb(color.green);
     }
 }

@@ -45,7 +45,7 @@ fn paper(light: &Light, exposure: &CompiledExposure<Fx16>, y: i32) -> [u8; BYTES
 
     let mut pixels = [Gray2::default(); COLUMNS];
     for ((x, pixel), arrived) in (0..).zip(&mut pixels).zip(arrived) {
-        let color = clip::<Fx16>(exposure.expose(Rgb::lit(arrived, light.color())));
+        let color = clip(exposure.expose(Rgb::lit(arrived, light.color())));
         *pixel = Gray2::from_luminance_dithered(color.green, x, y as u32);
     }
     let mut bytes = [0; BYTES];

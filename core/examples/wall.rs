@@ -42,6 +42,6 @@ fn scanline(lights: &[Light], row: i32, pixels: &mut [u16]) {
         for light in lights {
             sum += Rgb::lit(light.irradiance(point, NORMAL), light.color());
         }
-        *pixel = Rgb565::from_linear(clip::<Fx16>(sum)).0;
+        *pixel = Rgb565::from_linear(clip(sum)).0;
     }
 }

@@ -44,7 +44,7 @@
 //! for lit in &lights {
 //!     sum += Rgb::lit(lit.irradiance(point, normal), lit.color());
 //! }
-//! let pixel = Rgb565::from_linear(clip::<Fx16>(sum));
+//! let pixel = Rgb565::from_linear(clip(sum));
 //! # assert_eq!(pixel.to_codes().red, 255);
 //! # Ok::<(), luminaire::Error>(())
 //! ```

@@ -195,7 +195,7 @@ impl<S: Scalar, H: SpecularLobe> CompiledMaterial<S, H> {
         ambient: Rgb<S::Irradiance>,
     ) -> Rgb<S> {
         let reflected = lights.iter().map(|light| self.reflect(surface, light));
-        clip::<S>(reflected.fold(self.glow(ambient), |sum, light| sum + light))
+        clip(reflected.fold(self.glow(ambient), |sum, light| sum + light))
     }
 
     #[inline]

@@ -118,7 +118,8 @@ pub trait Scalar:
     /// A component of a unit vector, at the format's finest resolution.
     type Unit: Source + Copy + Default + PartialEq + core::fmt::Debug;
     /// Irradiance at a surface, at least 0; 1 is full scale.
-    type Irradiance: Source
+    type Irradiance: Irradiance<Scalar = Self>
+        + Source
         + Copy
         + Default
         + PartialOrd
@@ -199,6 +200,12 @@ pub trait Scalar:
     fn light_to_f32(light: Self::Irradiance) -> f32;
 }
 
+/// The irradiance of a number format: [`Scalar::Irradiance`].
+pub trait Irradiance: Copy + PartialOrd {
+    /// The format.
+    type Scalar: Scalar<Irradiance = Self>;
+}
+
 /// Implements [`Scalar`] for a fixed-point format, and its conversions without an import of that trait.
 #[cfg(feature = "fixed")]
 macro_rules! fixed_point {
@@ -232,6 +239,10 @@ macro_rules! fixed_point {
             fn light_to_f32(light: $light) -> f32 {
                 light.to_f32()
             }
+        }
+
+        impl Irradiance for $light {
+            type Scalar = $name;
         }
 
         impl $name {

@@ -36,7 +36,7 @@ const LEAST: usize = 16;
 /// });
 /// let mut pixels = [0; 320];
 /// row.light(&lights, &mut pixels, |pixel, column, light| {
-///     *pixel = Rgb565::from_linear_dithered(clip::<Fx16>(light), column as u32, 0).0.to_be();
+///     *pixel = Rgb565::from_linear_dithered(clip(light), column as u32, 0).0.to_be();
 /// });
 /// assert!(pixels[64] != 0 && pixels[224] != 0 && pixels[144] == 0);
 /// # Ok::<(), luminaire::Error>(())

@@ -59,7 +59,7 @@ fn by_the_kernel(light: Rgb<u32>, place: u32, palette: &Palette<'_>) -> Vec<u32>
         each(|x, y| P::dithered(color, x, y).to_bits())
     }
     let sum = light.map(Light16::from_bits);
-    let color = clip::<Fx16>(sum);
+    let color = clip(sum);
     let (red, x, y) = (color.red, place, place >> 3);
     let mut words = vec![
         all::<Rgb888>(color),
@@ -130,7 +130,7 @@ fn strips(count: u32, rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
             strip = strip.with_limit(most, channel, idle);
         }
         let lights: Vec<_> =
-            lights.iter().map(|light| clip::<Fx16>(Rgb::from(light.map(Light16::from_bits)))).collect();
+            lights.iter().map(|light| clip(Rgb::from(light.map(Light16::from_bits)))).collect();
         let mut dithers: Vec<Rgb<TemporalDither<8>>> =
             (0..leds as u16).map(|led| [0, 1, 2].map(|c| TemporalDither::new(3 * led + c)).into()).collect();
         let mut bytes = vec![0; 3 * lights.len()];

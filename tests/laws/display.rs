@@ -17,7 +17,7 @@ pub fn fitting_keeps_what_fits<S: Format>(words: &[u32]) {
     let light = Rgb::new(red, green, blue);
     let exposure = Exposure::factor(1.0).expect("one is accepted").compile::<S>();
     assert_eq!(exposure.expose(light), light);
-    let (clipped, kept) = (clip::<S>(light), compress_keep_hue::<S>(light));
+    let (clipped, kept) = (clip(light), compress_keep_hue(light));
     let all = |color: Rgb<S>| [color.red, color.green, color.blue].map(S::exact);
     let lights = [red, green, blue].map(S::exact_light);
     let brightest = lights.into_iter().fold(0.0, f64::max);

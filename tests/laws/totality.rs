@@ -102,7 +102,7 @@ fn assert_shown<S: Format>(words: &mut Words<'_>, light: Rgb<S::Irradiance>) {
     let Ok(exposure) = Exposure::factor(words.number(0.0, 4.0)) else { return };
     let exposed = exposure.compile::<S>().expose(light);
     exposed.map(assert_sound::<S>);
-    for fitted in [clip::<S>(exposed), compress_keep_hue::<S>(exposed)] {
+    for fitted in [clip(exposed), compress_keep_hue(exposed)] {
         fitted.map(|channel| assert_within_one(channel, "channel"));
         let codes = fitted.map(encode_srgb);
         let Rgb { red, green, blue } = Rgb565::from_linear(fitted).to_codes();

@@ -120,7 +120,7 @@ fn assert_shades<S: Raw, L: LightModel<S>, H: SpecularLobe>(
     let exposure = CompiledExposure::<S>::from_parts(S::any_gain(rng));
     for reflected in [material.reflect(surface, light), material.reflect_unskipped(surface, light)] {
         let exposed = exposure.expose(material.glow(ambient) + reflected);
-        for channel in [compress_keep_hue::<S>(exposed).red, S::clip(exposed.green)] {
+        for channel in [compress_keep_hue(exposed).red, S::clip(exposed.green)] {
             assert_that!((0.0..=1.0).contains(&channel.exact()), material, light, surface, channel);
         }
     }

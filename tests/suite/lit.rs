@@ -281,7 +281,7 @@ fn lit_errors<S: Format>() -> [f64; 2] {
             let to_eye = (eye - site).normalize();
             let exact = classic.light(exact_spot.arriving(site), to_light, to_eye, exact_normal.normalize());
             linear = linear.max((S::exact_light(light.red) - exact).abs());
-            let code = f64::from(encode_srgb(clip::<S>(light).red));
+            let code = f64::from(encode_srgb(clip(light).red));
             codes = codes.max((code - oracle::srgb_code(exact.min(1.0))).abs());
         }
     }

@@ -29,13 +29,13 @@ impl Shown for f64 {
 
 impl Shown for Light16 {
     fn code(self) -> u8 {
-        encode_srgb(clip::<Fx16>(Rgb::new(self, self, self)).red)
+        encode_srgb(clip(Rgb::new(self, self, self)).red)
     }
 }
 
 impl Shown for Light32 {
     fn code(self) -> u8 {
-        encode_srgb(clip::<Fx32>(Rgb::new(self, self, self)).red)
+        encode_srgb(clip(Rgb::new(self, self, self)).red)
     }
 }
 

@@ -85,7 +85,7 @@ fn leds() {
                 let arrived = light.irradiance_facing(*place);
                 if arrived == Light16::ZERO { sum } else { sum + Rgb::lit(arrived, light.color()) }
             };
-            *lit = clip::<Fx16>(opaque(&LAMPS).iter().fold(Rgb::default(), add));
+            *lit = clip(opaque(&LAMPS).iter().fold(Rgb::default(), add));
         }
         STRIP.write(&lit, &mut dithers, &mut bytes);
         bytes.iter().fold(0, |sum: u32, byte| sum.wrapping_mul(3) ^ u32::from(*byte))

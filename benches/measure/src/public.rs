@@ -16,6 +16,7 @@ type Rows = &'static [(&'static str, &'static [&'static str])];
 const TYPES: Rows = &[
     ("Quick", &["QuickFormat"]),
     ("Scalar", &["Format"]),
+    ("Irradiance", &["Irradiance"]),
     ("Types", &["Format"]),
     ("Arithmetic", &["Format"]),
     ("Directions", &["Format"]),

@@ -10,18 +10,18 @@
 
 use crate::{
     color::Rgb,
-    number::{Gain, Scalar},
+    number::{Gain, Irradiance, Lights},
 };
 
 /// Clips each channel to full scale.
 ///
 /// ```
 /// use luminaire::{Rgb, display::clip};
-/// assert_eq!(clip::<f32>(Rgb::new(4.0, 2.0, 0.5)), Rgb::new(1.0, 1.0, 0.5));
+/// assert_eq!(clip(Rgb::new(4.0, 2.0, 0.5)), Rgb::new(1.0, 1.0, 0.5));
 /// ```
 #[inline]
-pub fn clip<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
-    light.map(S::clip)
+pub fn clip<I: Irradiance>(light: Rgb<I>) -> Rgb<I::Scalar> {
+    light.map(I::Scalar::clip)
 }
 
 /// Scales the channels in proportion, so that the largest is at most full scale.
@@ -32,12 +32,12 @@ pub fn clip<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
 ///
 /// ```
 /// use luminaire::{Rgb, display::compress_keep_hue};
-/// assert_eq!(compress_keep_hue::<f32>(Rgb::new(4.0, 2.0, 0.5)), Rgb::new(1.0, 0.5, 0.125));
+/// assert_eq!(compress_keep_hue(Rgb::new(4.0, 2.0, 0.5)), Rgb::new(1.0, 0.5, 0.125));
 /// ```
 #[inline]
-pub fn compress_keep_hue<S: Scalar>(light: Rgb<S::Irradiance>) -> Rgb<S> {
-    let brighter = |a: S::Irradiance, b: S::Irradiance| if a > b { a } else { b };
+pub fn compress_keep_hue<I: Irradiance>(light: Rgb<I>) -> Rgb<I::Scalar> {
+    let brighter = |a: I, b: I| if a > b { a } else { b };
     let brightest = brighter(brighter(light.red, light.green), light.blue);
-    let gain = S::light_to_gain(brightest).inverse_capped();
-    light.map(|channel| S::clip(S::amplify(channel, gain)))
+    let gain = I::Scalar::light_to_gain(brightest).inverse_capped();
+    light.map(|channel| I::Scalar::clip(I::Scalar::amplify(channel, gain)))
 }

@@ -157,7 +157,7 @@ impl Encoder {
 
     /// Returns the codes of a linear colour, without dither.
     pub(crate) fn code(&self, color: Rgb<f32>) -> Rgb<u8> {
-        let color = if self.display.keeps_hue { compress_keep_hue::<f32>(color) } else { color };
+        let color = if self.display.keeps_hue { compress_keep_hue(color) } else { color };
         self.nearest(color)
     }
 
@@ -215,7 +215,7 @@ fn is_overexposed(Rgb { red, green, blue }: &Radiance) -> bool {
 fn keep_hue(radiance: &Radiance) -> Radiance {
     let mut kept = *radiance;
     for lane in 0..LANES {
-        let Rgb { red, green, blue } = compress_keep_hue::<f32>(linear(radiance, lane));
+        let Rgb { red, green, blue } = compress_keep_hue(linear(radiance, lane));
         (kept.red[lane], kept.green[lane], kept.blue[lane]) = (red, green, blue);
     }
     kept

@@ -56,7 +56,7 @@ impl Strip {
                 }
                 _ => sum,
             };
-            clip::<S>(lights.iter().fold(Rgb::default(), add))
+            clip(lights.iter().fold(Rgb::default(), add))
         });
         let arrived: Vec<_> = arrived.collect();
         let phase = |led: usize| [0, 1, 2].map(|channel| TemporalDither::new((3 * led + channel) as u16));

@@ -178,7 +178,7 @@ fn every_output_shows_the_pixels_of_the_kernel() -> Result<(), Error> {
             for (i, found) in codes.chunks_exact(4).enumerate().step_by(7) {
                 let (x, y) = (i % width, i / width);
                 let linear = renderer.linear(x, y).unwrap();
-                let color = if keeps_hue { compress_keep_hue::<f32>(linear) } else { linear };
+                let color = if keeps_hue { compress_keep_hue(linear) } else { linear };
                 let place = is_dithered.then_some((x as u32, y as u32));
                 let expected = match output {
                     Output::Gray1 => shown::<Gray1>(color, place),

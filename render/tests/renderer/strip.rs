@@ -17,7 +17,7 @@ fn by_the_kernel<S: Format>(strip: &Strip, lights: &[AnyLight]) -> Result<Vec<Rg
             let CompiledAnyLight::Spot(spot) = spot else { panic!("{spot:?}") };
             sum += Rgb::lit(spot.irradiance_facing(place.map(S::length)), spot.color());
         }
-        lit.push(clip::<S>(sum));
+        lit.push(clip(sum));
     }
     let leds = lit.len();
     let phases = |led: usize| Rgb::from([0, 1, 2].map(|c| TemporalDither::new((3 * led + c) as u16)));

@@ -27,5 +27,5 @@ const HAS_FLOOD: bool = false;
 /// Writes a pixel to where a display would be.
 #[inline(never)]
 fn show(light: Light) {
-    core::hint::black_box(clip::<Format>(EXPOSURE.expose(light)).map(encode_srgb));
+    core::hint::black_box(clip(EXPOSURE.expose(light)).map(encode_srgb));
 }

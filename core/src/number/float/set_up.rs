@@ -4,8 +4,8 @@
 use super::{FloatFrame, FloatOffset, FloatRamp, FloatRay, clamp, errors, positive};
 use crate::{
     number::{
-        Arithmetic, Directions, Errors, Lights, Offset, Places, Ramps, Ray, Rise, Scalar, Share, Slopes,
-        Stages, Types, Word, outside_bound, raised,
+        Arithmetic, Directions, Errors, Irradiance, Lights, Offset, Places, Ramps, Ray, Rise, Scalar, Share,
+        Slopes, Stages, Types, Word, outside_bound, raised,
     },
     trig,
     vec3::Vec3,
@@ -38,6 +38,10 @@ impl Scalar for f32 {
     fn light_to_f32(light: f32) -> f32 {
         light
     }
+}
+
+impl Irradiance for f32 {
+    type Scalar = f32;
 }
 
 impl Types for f32 {

@@ -20,6 +20,6 @@ pub fn scanline(row: i32, pixels: &mut [u16]) {
             sum += Rgb::lit(light.irradiance(point, NORMAL), light.color());
         }
         // Most displays take the high byte first.
-        *pixel = Rgb565::from_linear(clip::<Fx16>(sum)).0.to_be();
+        *pixel = Rgb565::from_linear(clip(sum)).0.to_be();
     }
 }

@@ -18,14 +18,14 @@ pub(super) fn expose<S: Format>(case: &mut Case<'_>) -> Outcome {
 /// Light clipped to full scale.
 pub(super) fn clip<S: Format>(case: &mut Case<'_>) -> Outcome {
     let light = case.light::<S>("light");
-    case.give_color(luminaire::display::clip::<S>(light));
+    case.give_color(luminaire::display::clip(light));
     Ok(())
 }
 
 /// Light scaled to full scale, with its hue kept.
 pub(super) fn compress_keep_hue<S: Format>(case: &mut Case<'_>) -> Outcome {
     let light = case.light::<S>("light");
-    case.give_color(luminaire::display::compress_keep_hue::<S>(light));
+    case.give_color(luminaire::display::compress_keep_hue(light));
     Ok(())
 }
 

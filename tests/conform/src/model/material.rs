@@ -67,7 +67,7 @@ pub(super) fn lit_point<S: Format>(case: &mut Case<'_>) -> Outcome {
     let surface = SurfacePoint::seen_from(eye, point, normal);
     let light = material.glow(sky) + material.reflect(&surface, &spot);
     case.give_color(light);
-    let shown = compress_keep_hue::<S>(exposure.expose(light));
+    let shown = compress_keep_hue(exposure.expose(light));
     case.give_color(shown.map(encode_srgb));
     case.give(Rgb565::from_linear(shown).0);
     Ok(())

@@ -21,11 +21,11 @@ effects! { each;
 
     /// What is over full scale becomes full scale.
     "clip", light, [];
-    fn clip(light: Light) -> Color { luminaire::display::clip::<Format>(light) }
+    fn clip(light: Light) -> Color { luminaire::display::clip(light) }
 
     /// What is over full scale is scaled to it, and its hue stays.
     "keep hue", light, [] over "clip";
-    fn keep_hue(light: Light) -> Color { luminaire::display::compress_keep_hue::<Format>(light) }
+    fn keep_hue(light: Light) -> Color { luminaire::display::compress_keep_hue(light) }
 
     /// Codes of eight bits for a display.
     "sRGB", color, [];
