@@ -32,7 +32,7 @@ use crate::{
     any_light::AnyLight,
     attenuation::{Attenuation, NoAttenuation},
     error::{Error, Expected, Parameter},
-    falloff::{Curve, Falloff, Formula, STRIP, Soft},
+    falloff::{CompiledFalloff, Falloff, Formula, STRIP, Soft},
     light::{DirectionalLight, PointLight, SpotLight, check_reach},
     number::{Fraction, Offset, Quick, Scalar, Stages, Types},
     trig::square_root,

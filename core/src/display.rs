@@ -47,7 +47,7 @@ mod rgb565;
 mod srgb;
 
 #[cfg(all(feature = "arithmetic", feature = "fixed"))]
-pub(crate) use self::{curve::Law, dither::code_lights, srgb::code_thresholds};
+pub(crate) use self::{curve::Encoding, dither::code_lights, srgb::code_thresholds};
 pub use self::{
     curve::{Gamma22, Gamma28, Linear, Srgb},
     dither::{encode_srgb_dithered, encode_srgb_dithered_each, threshold},

@@ -23,8 +23,8 @@
 
 mod any;
 mod choice;
+mod compiled;
 mod cubic;
-mod curve;
 pub(crate) mod fit;
 mod formula;
 mod integer;
@@ -55,12 +55,12 @@ pub use self::{
     any::{
         FalloffRow, FalloffVisitor, ListedFalloff, WithFalloff, constant_falloffs, falloffs, with_falloff,
     },
-    curve::Curve,
+    compiled::CompiledFalloff,
 };
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::{
     any::{WithFalloff, with_falloff},
-    curve::Curve,
+    compiled::CompiledFalloff,
 };
 pub use crate::number::Knot;
 
@@ -73,7 +73,7 @@ pub use crate::number::Knot;
 /// For any other curve use a [`Table`].
 pub trait Falloff: Copy + core::fmt::Debug + Source {
     /// The falloff with its coefficients in the format `S`; `Self` if it has no coefficients.
-    type Compiled<S: Scalar>: Curve<S> + From<Self> + Source;
+    type Compiled<S: Scalar>: CompiledFalloff<S> + From<Self> + Source;
 
     /// Converts the coefficients to the format `S`, once per light.
     fn compile<S: Scalar>(self) -> Self::Compiled<S> {

@@ -2,14 +2,14 @@
 
 mod fixture;
 mod gobo;
-mod place;
+mod projected;
 mod projection;
 mod shadow;
 
 pub use self::{
     fixture::Fixture,
     gobo::{CompiledGobo, Gobo},
-    place::ProjectedPoint,
+    projected::ProjectedPoint,
     projection::{CompiledProjection, Projection},
     shadow::Shadow,
 };

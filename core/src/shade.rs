@@ -245,7 +245,7 @@ fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
         let cosine = ray.cosine(facing, normal);
         lobe = self::lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.value().scalar());
         let (shares, light) =
-            along::<S, P, A, H, _>((attenuation, intensity), cone, (offset, &ray), cosine, lobe);
+            along_ray::<S, P, A, H, _>((attenuation, intensity), cone, (offset, &ray), cosine, lobe);
         let is_enough = |share, light| {
             !is_always_fine && S::is_clipped(A::windowed(attenuation, offset, &ray, share).scalar(), light)
         };
@@ -262,7 +262,7 @@ fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
     // larger error than a finer direction would remove.
     let ray = S::fine_ray(offset);
     let cosine = ray.cosine(facing, normal);
-    let (_, fine) = along::<S, P, A, H, _>((attenuation, intensity), cone, (offset, &ray), cosine, lobe);
+    let (_, fine) = along_ray::<S, P, A, H, _>((attenuation, intensity), cone, (offset, &ray), cosine, lobe);
     let [keeps_diffuse, keeps_specular] = keeps;
     Incident {
         diffuse: if keeps_diffuse { coarse.diffuse } else { fine.diffuse },
@@ -272,7 +272,7 @@ fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
 
 /// Returns the light along a ray: as shares of the intensity, and as irradiances.
 #[inline(always)] // `lit-table` on Cortex-M0: +29 instructions without.
-fn along<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe, R: Ray<S>>(
+fn along_ray<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe, R: Ray<S>>(
     (attenuation, intensity): (&A::Constants<S>, S::Gain),
     cone: Option<Aimed<'_, S, P>>,
     (offset, ray): (&S::Offset, &R),
@@ -280,7 +280,7 @@ fn along<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe, R: Ray<S>>(
     lobe: S,
 ) -> (Incident<R::Share>, Incident<S::Irradiance>) {
     let light = |share| A::light(attenuation, offset, ray, share, intensity);
-    let falloff = cone.map(|(cone, axis)| cone.toward(ray, axis));
+    let falloff = cone.map(|(cone, axis)| cone.at_ray(ray, axis));
     let share = falloff.map_or(cosine.value(), |falloff| cosine.times_value(falloff));
     let diffuse = Incident { diffuse: share, specular: R::Share::default() };
     let lit = Incident { diffuse: light(share), specular: S::Irradiance::default() };

@@ -178,7 +178,7 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
     let moved: AnyLight = match light {
         AnyLight::Spot(spot) => {
             let position = place.position.map_or(spot.position(), Into::into);
-            let axis = place.axis.map_or(spot.toward(), Into::into);
+            let axis = place.axis.map_or(spot.given_axis(), Into::into);
             SpotLight::new(position, axis, spot.cone())?.with_attenuation(spot.attenuation()).into()
         }
         AnyLight::Point(point) => {
@@ -186,7 +186,7 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
             PointLight::new(position)?.with_attenuation(point.attenuation()).into()
         }
         AnyLight::Directional(sun) => {
-            DirectionalLight::new(place.axis.map_or(sun.toward(), Into::into))?.into()
+            DirectionalLight::new(place.axis.map_or(sun.given_direction(), Into::into))?.into()
         }
     };
     let [color, specular] = colors;

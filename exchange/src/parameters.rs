@@ -42,9 +42,9 @@ impl Parameters {
         let list = |numbers: [f32; 3]| numbers.map(|number| format!("{number:?}")).join(",");
         let Rgb { red, green, blue } = lamp.light.color();
         let (position, axis) = match &lamp.light {
-            AnyLight::Spot(spot) => (Some(spot.position()), Some(spot.toward())),
+            AnyLight::Spot(spot) => (Some(spot.position()), Some(spot.given_axis())),
             AnyLight::Point(point) => (Some(point.position()), None),
-            AnyLight::Directional(sun) => (None, Some(sun.toward())),
+            AnyLight::Directional(sun) => (None, Some(sun.given_direction())),
         };
         let mut text = format!("# system: {}\n# name: {}\n", self.tool, printable(&lamp.name));
         text += &format!("# kind: {}\n", kind(&lamp.light));

@@ -198,7 +198,7 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
     match light {
         AnyLight::Spot(spot) => {
             described.position = Some(spot.position().into());
-            described.axis = Some(spot.toward().into());
+            described.axis = Some(spot.given_axis().into());
             described.cone = Some(shape(&spot.cone()));
             described.attenuation = Some(law(&spot.attenuation()));
         }
@@ -206,7 +206,7 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
             described.position = Some(point.position().into());
             described.attenuation = Some(law(&point.attenuation()));
         }
-        AnyLight::Directional(directional) => described.axis = Some(directional.toward().into()),
+        AnyLight::Directional(directional) => described.axis = Some(directional.given_direction().into()),
     }
     described
 }

@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 use std::marker::PhantomData;
 
 use luminaire::attenuation::{AnyAttenuation, Attenuation, WithAttenuation};
-use luminaire::falloff::{AnyFalloff, Curve, Falloff};
+use luminaire::falloff::{AnyFalloff, CompiledFalloff, Falloff};
 use luminaire::number::{Fraction, InversePower, Knot, Offset, Ray, RealExponent, Share, Types};
 use luminaire::{Scalar, Vec3};
 
@@ -215,11 +215,11 @@ impl<'a, S: Types> Ray<S> for Way<'a, S> {
         unreachable!("an operation of surfaces")
     }
 
-    fn near(&self, gain: S::Gain) -> Symbol<'a, S> {
+    fn range_share(&self, gain: S::Gain) -> Symbol<'a, S> {
         self.0.push(Operation::Near(gain))
     }
 
-    fn squared_near<O: Offset<S>>(&self, _: &O, gain: S::Gain) -> Symbol<'a, S> {
+    fn squared_range_share<O: Offset<S>>(&self, _: &O, gain: S::Gain) -> Symbol<'a, S> {
         self.0.push(Operation::SquaredNear(gain))
     }
 
@@ -335,7 +335,7 @@ impl<S: Types> Fraction<S> for Symbol<'_, S> {
         self.record(|x| Operation::Sample(x, samples.to_vec()))
     }
 
-    fn along(self, knots: &[Knot]) -> Self {
+    fn sample_knots(self, knots: &[Knot]) -> Self {
         self.record(|x| Operation::Along(x, knots.to_vec()))
     }
 }

@@ -68,7 +68,7 @@ fn error_of_points<S: Format>(side: usize, half_degrees: f32) -> f64 {
         for _ in 0..4_000 {
             let place = [rng.f64(), rng.f64(), sweep::distance(&mut rng)];
             let point = sweep::single(sweep::on_grid(square.point(place))).map(S::length);
-            let [column, row, _] = square.place(S::exact_point(point));
+            let [column, row, _] = square.project(S::exact_point(point));
             let exact = transmission(side, &transmissions, [column, row]);
             worst = worst.max((gobo.at(point).exact() - exact).abs());
         }

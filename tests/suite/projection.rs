@@ -56,12 +56,12 @@ fn errors<S: Format>(half_degrees: f32) -> [f64; 2] {
         for _ in 0..2_000 {
             let place = [rng.f64(), rng.f64(), sweep::distance(&mut rng)];
             let point = sweep::single(sweep::on_grid(square.point(place))).map(S::length);
-            let [column, row, depth] = square.place(S::exact_point(point));
+            let [column, row, depth] = square.project(S::exact_point(point));
             // The quantum of a length may be larger than the side of the narrowest square.
             if ![column, row].iter().all(|place| (-0.9..1.9).contains(place)) {
                 continue;
             }
-            let found = compiled.place(point);
+            let found = compiled.project(point);
             for (found, exact) in [(found.column, column), (found.row, row)] {
                 worst_place = worst_place.max(((f64::from(found) + 0.5) / SIDE - exact).abs());
             }
@@ -143,7 +143,7 @@ fn quarters_of_a_turn_are_exact() {
             for _ in 0..10_000 {
                 let place = [rng.f64(), rng.f64(), 3.0];
                 let point = sweep::single(exact.point(place)).map(S::length);
-                let (before, after) = (from.place(point), to.place(point));
+                let (before, after) = (from.project(point), to.project(point));
                 // A row counted from the top becomes a column counted from the left, and a column
                 // becomes a row counted from the bottom, which is rounded in the other direction.
                 assert_that!((after.column - before.row).abs() <= 1, before, after);
@@ -168,8 +168,8 @@ fn places_off_the_square_are_off_it() {
                 let direction = sweep::direction(&mut rng);
                 let point = exact.position + 4.0 * direction;
                 let point = sweep::single(point).map(S::length);
-                let [column, row, depth] = exact.place(S::exact_point(point));
-                let place = compiled.place(point);
+                let [column, row, depth] = exact.project(S::exact_point(point));
+                let place = compiled.project(point);
                 let is_inside = |margin: f64| {
                     depth > 0.0 && [column, row].iter().all(|place| (-margin..1.0 + margin).contains(place))
                 };
@@ -225,8 +225,8 @@ fn every_bit_pattern_has_a_place() {
             let real = Projection::of(&light).and_then(|square| square.compile::<S>()).expect("held");
             for _ in 0..20 {
                 let point = vector(&mut rng, S::length_from_bits);
-                assert_sound(any.place(point));
-                let place = real.place(point);
+                assert_sound(any.project(point));
+                let place = real.project(point);
                 assert_sound(place);
                 let depth = S::exact_length(place.depth);
                 assert_that!((0.0..f64::INFINITY).contains(&depth), point, place);
@@ -243,7 +243,7 @@ fn what_has_no_place_is_off_the_square() {
         let light = spot([0.0, 0.0, 2.0], [0.0, 0.0, -1.0], 160.0);
         let compiled = Projection::of(&light).and_then(|square| square.compile::<S>()).expect("held");
         for &[x, y, z] in points {
-            let place = compiled.place(Vec3::new(x, y, z).map(S::length));
+            let place = compiled.project(Vec3::new(x, y, z).map(S::length));
             assert_that!(!place.is_inside(), x, y, z, place);
             assert_eq!(place.depth, S::Length::default());
         }
@@ -253,8 +253,8 @@ fn what_has_no_place_is_off_the_square() {
     assert_none::<f32>(&[[f32::NAN, 0.0, 0.0], [0.0, 0.0, f32::NEG_INFINITY], [f32::NAN; 3]]);
     // On the axis of a light that points down, and as far away as numbers allow.
     let square = square([0.0, -1.0, 0.0]).compile::<f32>().expect("held");
-    assert!(square.place(Vec3::new(0.0, -1e30, 0.0)).is_inside());
-    assert!(!square.place(Vec3::new(f32::INFINITY, -1.0, 0.0)).is_inside());
+    assert!(square.project(Vec3::new(0.0, -1e30, 0.0)).is_inside());
+    assert!(!square.project(Vec3::new(f32::INFINITY, -1.0, 0.0)).is_inside());
 }
 
 /// The square encloses the lit part of the cone: a cutoff, as in OpenGL's cones, makes it smaller.

@@ -104,7 +104,7 @@ fn assert_point_is_place<S: Format>() {
         for _ in 0..2_000 {
             let point = Vec3::new(rng.f32(), rng.f32(), rng.f32()).map(|c| S::length(20.0 * c - 10.0));
             let visibility = shadow.visibility(point);
-            assert_eq!(visibility, shadow.at(&shadow.projection().place(point)));
+            assert_eq!(visibility, shadow.at(&shadow.projection().project(point)));
             partial += usize::from(visibility > S::ZERO && visibility < S::ONE);
         }
     }

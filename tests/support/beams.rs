@@ -52,7 +52,7 @@ pub fn errors<S: Format>(half_degrees: f64, count: usize) -> Errors {
         let cosine_form = (cosine_form::<S>(ray.direction(), axis, outer) - exact).abs();
         found.cosine_form = found.cosine_form.max(oracle::counted(cosine_form));
         if let (Some(falloff), Some(worst)) = (&falloff, &mut found.versine_form) {
-            *worst = worst.max(oracle::counted((falloff.toward(&ray, axis).scalar().exact() - exact).abs()));
+            *worst = worst.max(oracle::counted((falloff.at_ray(&ray, axis).scalar().exact() - exact).abs()));
         }
     }
     found

@@ -48,7 +48,7 @@ impl Square {
     }
 
     /// The ways from the left and the top edge to a point, in sides, and its depth.
-    pub fn place(&self, point: DVec3) -> [f64; 3] {
+    pub fn project(&self, point: DVec3) -> [f64; 3] {
         let way = point - self.position;
         let depth = way.dot(self.axis);
         let side = 2.0 * self.tangent * depth;

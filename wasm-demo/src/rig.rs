@@ -187,9 +187,9 @@ impl Rig {
                 SpotLight::new(point.position(), way, cone)?.with_attenuation(point.attenuation())
             }
             AnyLight::Directional(sun) => {
-                let free = Surfaces::of(&self.setup.scene).first(target, sun.toward());
+                let free = Surfaces::of(&self.setup.scene).first(target, sun.given_direction());
                 let distance = self.setup.camera.distance().min(0.9 * free.unwrap_or(FARTHEST));
-                let position = target.zip(sun.toward(), |to, toward| to + distance * toward);
+                let position = target.zip(sun.given_direction(), |to, toward| to + distance * toward);
                 SpotLight::new(position, sun.direction(), cone)?.with_attenuation(InverseSquare.into())
             }
         };

@@ -204,7 +204,12 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
         ray: &R,
         share: R::Share,
     ) -> R::Share {
-        A::windowed::<S, O, R>(inner, offset, ray, W::dim::<S, _>(share, ray.squared_near(offset, *squared)))
+        A::windowed::<S, O, R>(
+            inner,
+            offset,
+            ray,
+            W::dim::<S, _>(share, ray.squared_range_share(offset, *squared)),
+        )
     }
 
     #[inline(always)] // `lit-gltf-range` on Cortex-M0: +31 instructions without.
@@ -215,7 +220,7 @@ impl<W: Window, A: Attenuation> Attenuation for Ranged<W, A> {
         share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        let share = W::dim::<S, _>(share, ray.squared_near(offset, *squared));
+        let share = W::dim::<S, _>(share, ray.squared_range_share(offset, *squared));
         A::light::<S, O, R>(inner, offset, ray, share, intensity)
     }
 }

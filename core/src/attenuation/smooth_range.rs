@@ -67,8 +67,8 @@ impl Attenuation for SmoothRange {
         share: R::Share,
         intensity: S::Gain,
     ) -> S::Irradiance {
-        let smooth = ray.near(constants[0]).complement().smooth();
-        let is_beyond = ray.squared_near(offset, constants[1]).is_one();
+        let smooth = ray.range_share(constants[0]).complement().smooth();
+        let is_beyond = ray.squared_range_share(offset, constants[1]).is_one();
         let smooth = if is_beyond { R::Share::default() } else { smooth };
         dimmed::<S, _>(share, smooth).light(intensity)
     }

@@ -270,7 +270,7 @@ impl Fraction<f32> for Carried<'_> {
         }))
     }
 
-    fn along(self, knots: &[Knot]) -> Self {
+    fn sample_knots(self, knots: &[Knot]) -> Self {
         self.interpolated(knots.iter().enumerate().map(|(i, knot)| {
             let (start, value, slope) = knot.to_bits();
             let end = knots.get(i + 1).map_or(65_536.0, |next| f64::from(next.to_bits().0));
@@ -355,11 +355,11 @@ impl<'a> Ray<f32> for Way<'a> {
         Carried::default()
     }
 
-    fn near(&self, gain: f32) -> Carried<'a> {
+    fn range_share(&self, gain: f32) -> Carried<'a> {
         self.share(|distance| distance * f64::from(gain))
     }
 
-    fn squared_near<O: Offset<f32>>(&self, _: &O, gain: f32) -> Carried<'a> {
+    fn squared_range_share<O: Offset<f32>>(&self, _: &O, gain: f32) -> Carried<'a> {
         self.share(|distance| distance * distance * f64::from(gain))
     }
 

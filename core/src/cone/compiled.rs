@@ -1,7 +1,7 @@
 //! Compiled cones.
 
 use crate::{
-    falloff::{Curve, Falloff, Soft},
+    falloff::{CompiledFalloff, Falloff, Soft},
     number::{Ray, Rise, Scalar, Share},
     vec3::Vec3,
 };
@@ -33,7 +33,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
 
     /// Returns the intensity in the direction of a ray from the light, for a light with this axis.
     #[inline(always)] // `lit-hotspot` on Cortex-M0: +73 instructions without.
-    pub fn toward<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
+    pub fn at_ray<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
         self.curve.intensity(ray.rise(axis, self.ramp))
     }
 

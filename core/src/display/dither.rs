@@ -20,7 +20,7 @@
 use core::marker::PhantomData;
 
 use super::{
-    curve::{Formula, Law, Srgb, linear},
+    curve::{Encoding, Srgb, Transfer, linear},
     srgb::{curve, nearest_integer},
 };
 use crate::number::{Scalar, Word, float::clamp};
@@ -105,13 +105,13 @@ static EIGHT_BIT_STEPS: [(f32, f32); 256] = {
 /// The result is the upper code if the value is more than `threshold / 128` of the way from the
 /// light of the lower code to the light of the upper code.
 #[inline]
-pub(super) fn dithered<S: Scalar, L: Law, const LAST: usize>(linear: S, threshold: u8) -> u8 {
+pub(super) fn dithered<S: Scalar, L: Encoding, const LAST: usize>(linear: S, threshold: u8) -> u8 {
     dithered_word::<L, LAST>(linear.word(), threshold)
 }
 
 /// Returns the code of [`dithered`] for the linear value in a word.
 #[inline(always)] // A format has one kind of word: the other arms are removed before a caller inlines this.
-pub(super) fn dithered_word<L: Law, const LAST: usize>(linear: Word, threshold: u8) -> u8 {
+pub(super) fn dithered_word<L: Encoding, const LAST: usize>(linear: Word, threshold: u8) -> u8 {
     match linear {
         Word::Single(linear) => dithered_float::<L, LAST>(linear, threshold),
         #[cfg(feature = "fixed")]
@@ -166,21 +166,21 @@ const fn rank(x: usize, y: usize) -> u8 {
 pub(super) const BITS: u32 = 24;
 
 /// Returns the light of a code in `[0, last]`, as the nearest multiple of 2^-24.
-pub(super) const fn light(formula: Formula, code: usize, last: usize) -> u32 {
-    (linear(formula, code as f64 / last as f64) * (1 << BITS) as f64 + 0.5) as u32
+pub(super) const fn light(transfer: Transfer, code: usize, last: usize) -> u32 {
+    (linear(transfer, code as f64 / last as f64) * (1 << BITS) as f64 + 0.5) as u32
 }
 
 /// Tables of the light of a curve's codes up to `LAST`.
 struct CodeLight<L, const LAST: usize>(PhantomData<L>);
 
-impl<L: Law, const LAST: usize> CodeLight<L, LAST> {
+impl<L: Encoding, const LAST: usize> CodeLight<L, LAST> {
     /// The light of the codes from 1 on, in units of 2^-24.
     #[cfg(feature = "fixed")]
     const STEPS: [u32; LAST] = {
         let mut table = [0; LAST];
         let mut code = 0;
         while code < LAST {
-            table[code] = light(L::FORMULA, code + 1, LAST);
+            table[code] = light(L::TRANSFER, code + 1, LAST);
             code += 1;
         }
         table
@@ -192,7 +192,7 @@ impl<L: Law, const LAST: usize> CodeLight<L, LAST> {
         let mut table = [0.0; LAST];
         let mut code = 0;
         while code < LAST {
-            table[code] = light(L::FORMULA, code, LAST) as f32 / (1 << BITS) as f32;
+            table[code] = light(L::TRANSFER, code, LAST) as f32 / (1 << BITS) as f32;
             code += 1;
         }
         table
@@ -201,7 +201,7 @@ impl<L: Law, const LAST: usize> CodeLight<L, LAST> {
 
 /// Returns the light of the codes from 1 on, in units of 2^-24.
 #[cfg(all(feature = "arithmetic", feature = "fixed"))]
-pub(crate) const fn code_lights<L: Law, const LAST: usize>() -> &'static [u32] {
+pub(crate) const fn code_lights<L: Encoding, const LAST: usize>() -> &'static [u32] {
     &CodeLight::<L, LAST>::STEPS
 }
 
@@ -223,7 +223,7 @@ pub(super) fn steps<const LAST: usize>(value: f32, fraction: u32) -> u32 {
 /// the value is past the threshold.
 #[cfg(feature = "fixed")]
 #[inline]
-fn dithered_fixed<L: Law, const LAST: usize>(linear: u32, threshold: u8) -> u8 {
+fn dithered_fixed<L: Encoding, const LAST: usize>(linear: u32, threshold: u8) -> u8 {
     let mut left = CodeLight::<L, LAST>::STEPS.as_slice();
     let (mut code, mut here, mut next) = (0, 0, 1 << BITS);
     // One iteration per bit of the code: a constant, so the compiler unrolls the loop.
@@ -247,10 +247,10 @@ fn dithered_fixed<L: Law, const LAST: usize>(linear: u32, threshold: u8) -> u8 {
 /// The result equals that of `dithered_fixed` for the same value. The only exceptions are values so
 /// near a threshold, within a relative 2^-24, that the products in the comparison round.
 #[inline]
-fn dithered_float<L: Law, const LAST: usize>(linear: f32, threshold: u8) -> u8 {
+fn dithered_float<L: Encoding, const LAST: usize>(linear: f32, threshold: u8) -> u8 {
     let linear = clamp(linear);
     let light = |code: usize| CodeLight::<L, LAST>::FLOAT.get(code).copied().unwrap_or(1.0);
-    let code = if let Formula::Srgb = L::FORMULA {
+    let code = if let Transfer::Srgb = L::TRANSFER {
         let near = (curve(linear, LAST as f32) + 0.5) as i32 as usize;
         near.saturating_sub(usize::from(linear < light(near))).min(LAST - 1)
     } else {

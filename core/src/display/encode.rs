@@ -1,7 +1,7 @@
 //! Codes of eight bits for what applies a curve to them.
 
 use super::{
-    curve::{Gamma22, Gamma28, Law, Linear, Srgb},
+    curve::{Encoding, Gamma22, Gamma28, Linear, Srgb},
     dither::{dithered, threshold},
     srgb::nearest_code,
 };
@@ -19,7 +19,7 @@ use crate::number::Scalar;
 /// assert_eq!([Linear::encode(light), Srgb::encode(light)], [51, 124]);
 /// assert_eq!([Gamma22::encode(light), Gamma28::encode(light)], [123, 144]);
 /// ```
-pub trait Curve: Law + Sized {
+pub trait Curve: Encoding + Sized {
     /// Returns the code nearest to linear light among the encoded values, as
     /// [`encode_srgb`](super::encode_srgb) does for sRGB.
     ///

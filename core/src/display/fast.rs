@@ -1,7 +1,7 @@
 //! The dithered codes of RGB565 in fixed point, searched for from a table.
 
 use super::{
-    curve::Formula,
+    curve::Transfer,
     dither::{BITS, light},
 };
 use crate::{
@@ -28,8 +28,8 @@ const _: () = assert!(2 * (size_of::<Lights>() + size_of::<Starts>()) == 1_552, 
 const fn lights(last: usize) -> Lights {
     let (mut lights, mut code) = ([[u32::MAX, 0]; 65], 0);
     while code < last {
-        let here = light(Formula::Srgb, code, last);
-        lights[code] = [here << (32 - BITS), light(Formula::Srgb, code + 1, last) - here];
+        let here = light(Transfer::Srgb, code, last);
+        lights[code] = [here << (32 - BITS), light(Transfer::Srgb, code + 1, last) - here];
         code += 1;
     }
     lights

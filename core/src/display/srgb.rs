@@ -6,7 +6,7 @@
 use core::marker::PhantomData;
 
 use super::{
-    curve::{Formula, Law, Srgb, linear},
+    curve::{Encoding, Srgb, Transfer, linear},
     pwm,
 };
 use crate::{
@@ -120,14 +120,14 @@ macro_rules! code {
 
 /// Returns the code of a curve in `[0, LAST]` nearest to a linear value.
 #[inline]
-pub(super) fn nearest_code<S: Scalar, L: Law, const LAST: usize>(linear: S) -> u8 {
+pub(super) fn nearest_code<S: Scalar, L: Encoding, const LAST: usize>(linear: S) -> u8 {
     nearest_of_word::<L, LAST>(linear.word())
 }
 
 /// Returns the code in `[0, LAST]` nearest to the linear value in a word.
 #[inline(always)] // A format has one kind of word: the other arms are removed before a caller inlines this.
-pub(super) fn nearest_of_word<L: Law, const LAST: usize>(linear: Word) -> u8 {
-    if let Formula::Linear = L::FORMULA {
+pub(super) fn nearest_of_word<L: Encoding, const LAST: usize>(linear: Word) -> u8 {
+    if let Transfer::Linear = L::TRANSFER {
         return pwm::nearest(linear, LAST.count_ones()) as u8;
     }
     match linear {
@@ -141,10 +141,10 @@ pub(super) fn nearest_of_word<L: Law, const LAST: usize>(linear: Word) -> u8 {
 
 /// Returns the code in `[0, LAST]` nearest to a linear value in f32.
 #[inline]
-fn encode_float<L: Law, const LAST: usize>(linear: f32) -> u8 {
+fn encode_float<L: Encoding, const LAST: usize>(linear: f32) -> u8 {
     let linear = clamp(linear);
     let thresholds = &Thresholds::<L, LAST>::FLOAT;
-    let Formula::Srgb = L::FORMULA else { return code!(thresholds, linear) };
+    let Transfer::Srgb = L::TRANSFER else { return code!(thresholds, linear) };
     let code = curve(linear, LAST as f32) as i32 as usize;
     // The threshold between the two codes around the value. For a value near the light of a code,
     // the polynomial may select the threshold on the other side of that code. The comparison with
@@ -179,7 +179,7 @@ pub(crate) fn decode(value: f32) -> f32 {
 /// Returns a linear value just below the threshold between the codes 0 and 1 of sRGB, by 2^-21 of it:
 /// the sum of a luminance may round up.
 pub(super) const fn first_step(last: u32) -> f32 {
-    let threshold = linear(Formula::Srgb, 0.5 / last as f64);
+    let threshold = linear(Transfer::Srgb, 0.5 / last as f64);
     (threshold * (1.0 - 1.0 / (1 << 21) as f64)) as f32
 }
 
@@ -201,7 +201,7 @@ macro_rules! of_each {
         let mut table = [$zero; LAST];
         let mut code = 0;
         while code < LAST {
-            let $threshold = linear(L::FORMULA, (code as f64 + 0.5) / LAST as f64);
+            let $threshold = linear(L::TRANSFER, (code as f64 + 0.5) / LAST as f64);
             table[code] = $entry;
             code += 1;
         }
@@ -209,7 +209,7 @@ macro_rules! of_each {
     }};
 }
 
-impl<L: Law, const LAST: usize> Thresholds<L, LAST> {
+impl<L: Encoding, const LAST: usize> Thresholds<L, LAST> {
     const FLOAT: [f32; LAST] = of_each!(0.0, threshold => {
         let nearest = threshold as f32;
         if (nearest as f64) < threshold { f32::from_bits(nearest.to_bits() + 1) } else { nearest }
@@ -226,7 +226,7 @@ impl<L: Law, const LAST: usize> Thresholds<L, LAST> {
 
 /// Returns the thresholds in units of 2^-14 and in units of 2^-30.
 #[cfg(all(feature = "arithmetic", feature = "fixed"))]
-pub(crate) const fn code_thresholds<L: Law, const LAST: usize>() -> (&'static [u16], &'static [u32]) {
+pub(crate) const fn code_thresholds<L: Encoding, const LAST: usize>() -> (&'static [u16], &'static [u32]) {
     (&Thresholds::<L, LAST>::SIXTEEN, &Thresholds::<L, LAST>::THIRTY_TWO)
 }
 
@@ -241,13 +241,13 @@ const fn steps(linear: f64, bits: u32) -> u32 {
 /// Returns the nearest code of a value in units of 2^-14.
 #[cfg(feature = "fixed")]
 #[inline]
-fn encode_steps14<L: Law, const LAST: usize>(linear: i16) -> u8 {
+fn encode_steps14<L: Encoding, const LAST: usize>(linear: i16) -> u8 {
     code!(&Thresholds::<L, LAST>::SIXTEEN, linear.max(0) as u16)
 }
 
 /// Returns the nearest code of a value in units of 2^-30.
 #[cfg(feature = "fixed")]
 #[inline]
-fn encode_steps30<L: Law, const LAST: usize>(linear: i32) -> u8 {
+fn encode_steps30<L: Encoding, const LAST: usize>(linear: i32) -> u8 {
     code!(&Thresholds::<L, LAST>::THIRTY_TWO, linear.max(0) as u32)
 }

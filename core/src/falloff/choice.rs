@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{Cubic, Curve, Falloff, Formula, Hard, Quadratic, Soft};
+use super::{CompiledFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft};
 use crate::{
     number::{Fraction, Scalar},
     source::Source,
@@ -106,7 +106,7 @@ macro_rules! choice {
             }
         }
 
-        impl<S: $crate::number::Scalar> Curve<S> for $compiled<S> {
+        impl<S: $crate::number::Scalar> CompiledFalloff<S> for $compiled<S> {
             #[inline]
             fn intensity<F: $crate::number::Fraction<S>>(self, t: F) -> F::Value {
                 match self {
@@ -178,7 +178,7 @@ impl Falloff for SoftOrHard {
     }
 }
 
-impl<S: Scalar> Curve<S> for SoftOrHard {
+impl<S: Scalar> CompiledFalloff<S> for SoftOrHard {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         edge!(self, falloff => falloff.intensity(t))

@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{Curve, Falloff, Formula, polynomial::Polynomial};
+use super::{CompiledFalloff, Falloff, Formula, polynomial::Polynomial};
 use crate::{
     error::{Error, Expected, Parameter},
     model::{Model as _, Number, model, plain},
@@ -159,7 +159,7 @@ impl Falloff for Smooth {
     }
 }
 
-impl<S: Scalar> Curve<S> for Smooth {
+impl<S: Scalar> CompiledFalloff<S> for Smooth {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.smooth()
@@ -225,7 +225,7 @@ impl Falloff for Cubic {
     }
 }
 
-impl<S: Scalar> Curve<S> for CompiledCubic<S> {
+impl<S: Scalar> CompiledFalloff<S> for CompiledCubic<S> {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.cubic(self.g, self.h)

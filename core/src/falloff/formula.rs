@@ -62,7 +62,7 @@ impl Formula<'_> {
                 (1.0 - lack) / (1.0 - power(floor.into(), exponent))
             }
             Self::Samples(samples) => interpolated(samples, 1.0 - t),
-            Self::Knots(knots) => along(knots, 1.0 - t),
+            Self::Knots(knots) => sample_knots(knots, 1.0 - t),
             Self::Function(exact, numbers) => exact(numbers, t),
         }
     }
@@ -79,9 +79,9 @@ fn interpolated(samples: &[u16], u: f64) -> f64 {
 
 /// Evaluates the line that starts at the last knot at or before `u`.
 #[cfg(feature = "libm")]
-fn along(knots: &[Knot], u: f64) -> f64 {
+fn sample_knots(knots: &[Knot], u: f64) -> f64 {
     let place = u * 65_536.0;
-    let knot = knots.iter().rev().find(|knot| f64::from(knot.place()) <= place);
+    let knot = knots.iter().rev().find(|knot| f64::from(knot.start()) <= place);
     let line = knot.map_or(0.0, |knot| {
         let (start, value, slope) = knot.to_bits();
         f64::from(value) + f64::from(slope) / 32_768.0 * (place - f64::from(start))

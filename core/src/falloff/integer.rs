@@ -1,6 +1,6 @@
 //! Integer powers with a run-time exponent, by repeated squaring.
 
-use super::{Curve, Falloff, Formula};
+use super::{CompiledFalloff, Falloff, Formula};
 use crate::{
     error::{Error, Parameter},
     model::{Model as _, Number, model},
@@ -155,7 +155,7 @@ impl Falloff for IntegerPower {
     }
 }
 
-impl<S: Scalar> Curve<S> for IntegerPower {
+impl<S: Scalar> CompiledFalloff<S> for IntegerPower {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         rounded_power::<S, F>(t, self.exponent)
@@ -191,7 +191,7 @@ impl Falloff for InvertedIntegerPower {
     }
 }
 
-impl<S: Scalar> Curve<S> for InvertedIntegerPower {
+impl<S: Scalar> CompiledFalloff<S> for InvertedIntegerPower {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         rounded_power::<S, F>(t.complement(), self.exponent).complement()

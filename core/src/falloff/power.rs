@@ -3,7 +3,7 @@
 use core::fmt::{self, Formatter};
 
 use super::{
-    Curve, Falloff, Formula,
+    CompiledFalloff, Falloff, Formula,
     integer::{IntegerPower, InvertedIntegerPower, MOST, rounded_power},
 };
 use crate::{
@@ -93,7 +93,7 @@ impl<const N: u32> Falloff for Power<N> {
     }
 }
 
-impl<S: Scalar, const N: u32> Curve<S> for Power<N> {
+impl<S: Scalar, const N: u32> CompiledFalloff<S> for Power<N> {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         rounded_power::<S, F>(t, sound::<N>())
@@ -124,7 +124,7 @@ impl<const N: u32> Falloff for InvertedPower<N> {
     }
 }
 
-impl<S: Scalar, const N: u32> Curve<S> for InvertedPower<N> {
+impl<S: Scalar, const N: u32> CompiledFalloff<S> for InvertedPower<N> {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         rounded_power::<S, F>(t.complement(), sound::<N>()).complement()

@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{Curve, Falloff, Formula, polynomial::Polynomial};
+use super::{CompiledFalloff, Falloff, Formula, polynomial::Polynomial};
 use crate::{
     error::{Error, Parameter},
     model::{Model as _, Number, model, plain},
@@ -104,7 +104,7 @@ impl Falloff for Soft {
     }
 }
 
-impl<S: Scalar> Curve<S> for Soft {
+impl<S: Scalar> CompiledFalloff<S> for Soft {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.times_to_value(t)
@@ -138,7 +138,7 @@ impl Falloff for Hard {
     }
 }
 
-impl<S: Scalar> Curve<S> for Hard {
+impl<S: Scalar> CompiledFalloff<S> for Hard {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         let u = t.complement();
@@ -173,7 +173,7 @@ impl Falloff for Linear {
     }
 }
 
-impl<S: Scalar> Curve<S> for Linear {
+impl<S: Scalar> CompiledFalloff<S> for Linear {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.value()
@@ -232,7 +232,7 @@ impl Falloff for Quadratic {
     }
 }
 
-impl<S: Scalar> Curve<S> for CompiledQuadratic<S> {
+impl<S: Scalar> CompiledFalloff<S> for CompiledQuadratic<S> {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.quadratic(self.g)

@@ -1,7 +1,7 @@
 //! Powers with a non-integer exponent.
 
 use super::{
-    Curve, Falloff, Formula,
+    CompiledFalloff, Falloff, Formula,
     integer::{MOST, lost_after},
 };
 use crate::{
@@ -236,14 +236,14 @@ pub struct CompiledRealPower(RealExponent);
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompiledInvertedRealPower(RealExponent);
 
-impl<S: Scalar> Curve<S> for CompiledRealPower {
+impl<S: Scalar> CompiledFalloff<S> for CompiledRealPower {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.real_power(self.0).value()
     }
 }
 
-impl<S: Scalar> Curve<S> for CompiledInvertedRealPower {
+impl<S: Scalar> CompiledFalloff<S> for CompiledInvertedRealPower {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.complement().real_power(self.0).complement().value()

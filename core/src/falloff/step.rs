@@ -1,6 +1,6 @@
 //! The step falloff.
 
-use super::{Curve, Falloff, Formula};
+use super::{CompiledFalloff, Falloff, Formula};
 use crate::{
     model::plain,
     number::{Fraction, Scalar},
@@ -42,7 +42,7 @@ impl Falloff for Step {
     }
 }
 
-impl<S: Scalar> Curve<S> for Step {
+impl<S: Scalar> CompiledFalloff<S> for Step {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.step()

@@ -5,7 +5,7 @@ mod measured;
 use self::measured::Measured;
 use core::fmt::{self, Formatter};
 
-use super::{Curve, Falloff, Formula};
+use super::{CompiledFalloff, Falloff, Formula};
 use crate::{
     angle::{Angle, IntoAngle},
     error::{Error, Expected, Parameter},
@@ -265,14 +265,14 @@ impl Falloff for Table<'_> {
     }
 }
 
-impl<S: Scalar> Curve<S> for Table<'_> {
+impl<S: Scalar> CompiledFalloff<S> for Table<'_> {
     #[inline(always)] // `table.f32` on Cortex-M0: +78 instructions without.
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         // A table may end above zero, but the intensity at the edge is 0.
         if t.step() > F::Value::default() {
             match self.samples {
                 Samples::Even(samples) => t.sample(samples),
-                Samples::Knots(knots) => t.along(knots),
+                Samples::Knots(knots) => t.sample_knots(knots),
             }
         } else {
             F::Value::default()

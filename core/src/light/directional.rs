@@ -85,7 +85,7 @@ impl DirectionalLight {
 
     /// Returns the direction as it was given, without a rounding error, at another length: its
     /// largest component is in [1/2, 1]. A light with this direction compiles to the same bits.
-    pub fn toward(&self) -> Vec3<f32> {
+    pub fn given_direction(&self) -> Vec3<f32> {
         self.direction.toward
     }
 

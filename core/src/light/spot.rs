@@ -167,7 +167,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
 
     /// Returns the axis as it was given, without a rounding error, at another length: its largest
     /// component is in [1/2, 1]. A light with this axis compiles to the same bits.
-    pub fn toward(&self) -> Vec3<f32> {
+    pub fn given_axis(&self) -> Vec3<f32> {
         self.axis.toward
     }
 

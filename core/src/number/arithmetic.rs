@@ -141,7 +141,7 @@ pub trait OffsetAlong<S: Types>: Offset<S> {
     /// Returns whether the point with this x is in a stretch. A stretch has all points between two of its own.
     fn is_in(stretch: &Self::Stretch, x: S::Position) -> bool;
     /// Returns the offset to the point of a stretch with this x: that of [`Offset::between`].
-    fn along(stretch: &Self::Stretch, x: S::Position) -> Self;
+    fn on_stretch(stretch: &Self::Stretch, x: S::Position) -> Self;
 }
 
 /// Unit direction from a light to a point, and the distance between them.
@@ -172,14 +172,14 @@ pub trait Ray<S: Types>: Copy + core::fmt::Debug {
     fn cosine(&self, facing: <S::Offset as Offset<S>>::Facing, normal: Vec3<S>) -> Self::Fraction;
     /// Returns the distance times a gain, and exactly 1 if the product is 1 or more.
     #[inline(always)] // `lit-smooth-range` on Cortex-M0: +87 instructions without.
-    fn near(&self, gain: S::Gain) -> Self::Share {
+    fn range_share(&self, gain: S::Gain) -> Self::Share {
         Self::Share::of_scalar(self.distance().times(gain).scalar())
     }
     /// Returns the squared distance times a gain, and exactly 1 if the product is 1 or more.
     ///
     /// The squared distance is that of `offset`.
     #[inline(always)] // `lit-smooth-range` on Cortex-M0: +74 instructions without.
-    fn squared_near<O: Offset<S>>(&self, offset: &O, gain: S::Gain) -> Self::Share {
+    fn squared_range_share<O: Offset<S>>(&self, offset: &O, gain: S::Gain) -> Self::Share {
         Self::Share::of_scalar(offset.squared_distance().times(gain).scalar())
     }
     /// Returns a share times a gain as light, attenuated by the inverse square of the distance.
@@ -257,7 +257,7 @@ pub trait Fraction<S: Types>: Copy + PartialOrd + core::fmt::Debug {
     /// `[0, 1]`.
     ///
     /// The function takes a binary search and one multiplication. Without knots the result is 0.
-    fn along(self, knots: &[Knot]) -> Self::Value;
+    fn sample_knots(self, knots: &[Knot]) -> Self::Value;
 }
 
 /// A factor of a light in `[0, 1]`, such as a falloff: a scalar, or a number with more bits.

@@ -289,7 +289,7 @@ impl Fraction<f32> for f32 {
     }
 
     #[inline]
-    fn along(self, knots: &[Knot]) -> Self {
+    fn sample_knots(self, knots: &[Knot]) -> Self {
         const STEP: f32 = 1.0 / (1 << SLOPE_BITS) as f32;
         let place = (1.0 - self) * 65_536.0;
         let knot = Knot::at(knots, place as u32);

@@ -432,7 +432,7 @@ impl Fraction<Fx16> for Fraction16 {
     /// The product of a line's slope and the distance from its start has too many bits to be added
     /// to the start value, so the product is rounded first.
     #[inline]
-    fn along(self, knots: &[Knot]) -> Fx16 {
+    fn sample_knots(self, knots: &[Knot]) -> Fx16 {
         let place = self.complement().0 << 1;
         let knot = Knot::at(knots, place);
         let beyond = place.wrapping_sub(knot.place.into()) as i32;
@@ -684,12 +684,12 @@ impl Ray<Fx16> for FineRay {
     }
 
     #[inline]
-    fn near(&self, gain: Gain16) -> Fine {
+    fn range_share(&self, gain: Gain16) -> Fine {
         Fine::capped(high_half(self.length(), gain.mantissa), gain.shift - self.bits - 16)
     }
 
     #[inline]
-    fn squared_near<O: Offset<Fx16>>(&self, _: &O, gain: Gain16) -> Fine {
+    fn squared_range_share<O: Offset<Fx16>>(&self, _: &O, gain: Gain16) -> Fine {
         Fine::capped(high_half(self.squared, gain.mantissa), gain.shift - 2 * self.bits - 1)
     }
 
@@ -826,7 +826,7 @@ impl OffsetAlong<Fx16> for QuickOffset16 {
     }
 
     #[inline(always)]
-    fn along(&Stretch16 { x: light, y, z, shift, .. }: &Stretch16, x: Length) -> Self {
+    fn on_stretch(&Stretch16 { x: light, y, z, shift, .. }: &Stretch16, x: Length) -> Self {
         let x = x.to_bits().wrapping_sub(light);
         Self { way: Vec3::new(x >> shift, y, z), bits: shift + COARSE_BITS }
     }

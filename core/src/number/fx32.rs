@@ -451,7 +451,7 @@ where
     }
 
     #[inline]
-    fn along(self, knots: &[Knot]) -> Self {
+    fn sample_knots(self, knots: &[Knot]) -> Self {
         let place = self.complement().0;
         let knot = Knot::at(knots, place >> 15);
         let (beyond, slope) = (place - (u32::from(knot.place) << 15).min(place), knot.slope.unsigned_abs());

@@ -47,7 +47,7 @@ impl Knot {
     }
 
     /// Returns the argument `u` at which this line segment of the curve starts, in units of 1/65,536.
-    pub(crate) fn place(self) -> u32 {
+    pub(crate) fn start(self) -> u32 {
         self.place.into()
     }
 

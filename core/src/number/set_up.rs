@@ -104,7 +104,7 @@ pub trait Places: Types {
     /// Returns the column and the row of a point on the square that a light projects, and the depth.
     ///
     /// Column and row are in units of `1 / STEPS` of a side, rounded down, in `[-STEPS, 2 STEPS)`.
-    fn place(
+    fn project(
         frame: &Self::Frame,
         light: Vec3<Self::Position>,
         point: Vec3<Self::Position>,

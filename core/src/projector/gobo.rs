@@ -197,7 +197,7 @@ impl<'a, S: Scalar> CompiledGobo<'a, S> {
     /// Returns the transmission at a point, in `[0, 1]`.
     #[inline]
     pub fn at(&self, point: Vec3<S::Length>) -> S {
-        self.gobo.transmission(&self.projection.place(point))
+        self.gobo.transmission(&self.projection.project(point))
     }
 
     /// Attenuates a light by the transmission at a point; a transmission of 1 changes no bit.

@@ -32,7 +32,7 @@ use crate::{
 /// let square = Projection::of(&spot)?.compile::<f32>()?;
 /// // On the wall at z = 0 the square has a side of 8. The point lies 1/4 of a side to the right of
 /// // its centre, and 1/8 of a side above it.
-/// let place = square.place(Vec3::new(2.0, 2.0, 0.0));
+/// let place = square.project(Vec3::new(2.0, 2.0, 0.0));
 /// assert_eq!((place.column, place.row, place.depth), (49_152, 24_576, 4.0));
 /// # Ok::<(), luminaire::Error>(())
 /// ```
@@ -175,8 +175,8 @@ impl<S: Scalar> CompiledProjection<S> {
     ///
     /// `point` is in the unit of the light's position.
     #[inline(always)]
-    pub fn place(&self, point: Vec3<S::Length>) -> ProjectedPoint<S> {
-        let ([column, row], depth) = S::place(&self.frame, self.position, point);
+    pub fn project(&self, point: Vec3<S::Length>) -> ProjectedPoint<S> {
+        let ([column, row], depth) = S::project(&self.frame, self.position, point);
         ProjectedPoint { column, row, depth }
     }
 }

@@ -115,7 +115,7 @@ impl<'a, S: Scalar> Shadow<'a, S> {
     /// depth 0 and visibility 1.
     #[inline]
     pub fn visibility(&self, point: Vec3<S::Length>) -> S {
-        self.at(&self.projection.place(point))
+        self.at(&self.projection.project(point))
     }
 
     /// Attenuates a light by the visibility at a point; a visibility of 1 changes no bit.

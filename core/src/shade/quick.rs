@@ -57,7 +57,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
             return S::Irradiance::default();
         }
         let ray = offset.ray();
-        let falloff = self.cone.toward(&ray, self.axis);
+        let falloff = self.cone.at_ray(&ray, self.axis);
         if falloff == Share::of_scalar(S::ZERO) {
             return S::Irradiance::default();
         }
@@ -157,7 +157,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
                 part.fill_with(|| single(start));
             } else {
                 for (i, to) in (start..).zip(part.iter_mut()) {
-                    *to = light(&S::QuickOffset::along(&stretch, x(i)), surfaces.at(i));
+                    *to = light(&S::QuickOffset::on_stretch(&stretch, x(i)), surfaces.at(i));
                 }
             }
             start += part.len();
@@ -185,7 +185,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
             return Incident::default();
         }
         let ray = offset.ray();
-        let falloff = self.cone.toward(&ray, self.axis);
+        let falloff = self.cone.at_ray(&ray, self.axis);
         if skips && falloff == Share::of_scalar(S::ZERO) {
             return Incident::default();
         }

@@ -90,10 +90,10 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
         }
         if offset.is_near(self.fine_below) {
             let ray = S::fine_ray(&offset);
-            return A::light(attenuation, &offset, &ray, self.cone.toward(&ray, axis), intensity);
+            return A::light(attenuation, &offset, &ray, self.cone.at_ray(&ray, axis), intensity);
         }
         let ray = offset.ray();
-        A::light(attenuation, &offset, &ray, self.cone.toward(&ray, axis), intensity)
+        A::light(attenuation, &offset, &ray, self.cone.at_ray(&ray, axis), intensity)
     }
 
     /// Returns the falloff of the cone alone at a point, in `[0, 1]`.
@@ -101,9 +101,9 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     pub fn falloff_at(&self, point: Vec3<S::Length>) -> S {
         let offset = S::Offset::between(self.position, point);
         if offset.is_near(self.fine_below) {
-            return self.cone.toward(&S::fine_ray(&offset), self.axis).scalar();
+            return self.cone.at_ray(&S::fine_ray(&offset), self.axis).scalar();
         }
-        self.cone.toward(&offset.ray(), self.axis).scalar()
+        self.cone.at_ray(&offset.ray(), self.axis).scalar()
     }
 
     /// Returns `false` only if no point within `radius` of `center` receives light: all of them are
@@ -229,7 +229,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
         }
         let ray = offset.ray();
         let cosine = ray.cosine(facing, normal);
-        let falloff = self.cone.toward(&ray, axis);
+        let falloff = self.cone.at_ray(&ray, axis);
         let light = |share| A::light(attenuation, &offset, &ray, share, intensity);
         let diffuse = light(cosine.times_value(falloff));
         if !H::SHINES {

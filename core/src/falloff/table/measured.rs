@@ -38,19 +38,19 @@ impl<'m> Measured<'m> {
         let mut count = 1;
         let largest = loop {
             let lines = knots.get(..count).unwrap_or_default();
-            let ends = lines.iter().skip(1).map(|next| next.place()).chain([EDGE]);
+            let ends = lines.iter().skip(1).map(|next| next.start()).chain([EDGE]);
             let (mut largest, mut widest, mut split) = (0.0, LEAST, None);
             for (i, (line, end)) in lines.iter().zip(ends).enumerate() {
                 let (_, place, difference) = line.to_bits();
                 let difference = f32::from_bits(difference as u32);
                 largest = f32::max(largest, difference);
-                if difference > widest && end - line.place() > 1 {
+                if difference > widest && end - line.start() > 1 {
                     (widest, split) = (difference, Some((i, place.into(), end)));
                 }
             }
             let Some((i, place, end)) = split else { break largest };
             let Some([before, behind @ ..]) = knots.get_mut(i..=count) else { break largest };
-            *before = self.searched(before.place(), place);
+            *before = self.searched(before.start(), place);
             // Moves the later knots up by one; the last slot was free.
             let mut moved = self.searched(place, end);
             behind.iter_mut().for_each(|knot| core::mem::swap(knot, &mut moved));
@@ -58,7 +58,7 @@ impl<'m> Measured<'m> {
         };
         let mut end = EDGE;
         for knot in knots.iter_mut().take(count).rev() {
-            let place = knot.place();
+            let place = knot.start();
             *knot = self.line(place, end);
             end = place;
         }
@@ -86,7 +86,7 @@ impl<'m> Measured<'m> {
     /// of data and line with respect to the versine are equal is also a candidate. At that angle
     /// `sin(angle)` has a single value.
     fn farthest(&self, line: Knot, end: u32) -> (f32, u32) {
-        let (first, last) = (self.angle(line.place()), self.angle(end));
+        let (first, last) = (self.angle(line.start()), self.angle(end));
         let (mut largest, mut at) = (0.0, 0.0);
         let mut look = |angle: f32| {
             let u = self.u(angle);
@@ -109,7 +109,7 @@ impl<'m> Measured<'m> {
                 look(trig::asin(sine).max(from).min(to));
             }
         }
-        let inside = ((at * EDGE as f32 + 0.5) as u32).min(end.saturating_sub(1)).max(line.place() + 1);
+        let inside = ((at * EDGE as f32 + 0.5) as u32).min(end.saturating_sub(1)).max(line.start() + 1);
         (largest, inside)
     }
 

@@ -52,7 +52,7 @@ impl FloatFrame {
     }
 
     #[inline]
-    pub(super) fn place(&self, way: Vec3<f32>) -> ([i32; 2], f32) {
+    pub(super) fn project(&self, way: Vec3<f32>) -> ([i32; 2], f32) {
         const LAST: f32 = (3 * STEPS - 1) as f32;
         let depth = way.dot(self.axis);
         let reciprocal = 1.0 / depth;

@@ -184,8 +184,8 @@ impl Places for f32 {
     }
 
     #[inline]
-    fn place(frame: &FloatFrame, light: Vec3<f32>, point: Vec3<f32>) -> ([i32; 2], f32) {
-        frame.place(point.zip(light, |p, l| p - l))
+    fn project(frame: &FloatFrame, light: Vec3<f32>, point: Vec3<f32>) -> ([i32; 2], f32) {
+        frame.project(point.zip(light, |p, l| p - l))
     }
 }
 

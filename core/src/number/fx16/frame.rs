@@ -53,7 +53,7 @@ impl Vector {
     }
 
     /// Returns the inner product with a unit vector.
-    fn along(self, unit: Vec3<f32>) -> f64 {
+    fn component(self, unit: Vec3<f32>) -> f64 {
         let products = self.parts.zip(unit, |part, unit| f64::from(part) * f64::from(unit));
         (products.x + products.y + products.z) / f64::from(1 << BITS)
     }
@@ -96,10 +96,10 @@ impl Frame16 {
     /// rounded axis corrects the scale.
     pub(super) fn new([right, down, axis]: [Vec3<f32>; 3], tangent: f32) -> Self {
         let vectors = [right, down, axis].map(Vector::new);
-        let length = vectors[2].along(axis);
+        let length = vectors[2].component(axis);
         let scale = (length / (2.0 * f64::from(tangent))) as f32;
         let center = [vectors[0], vectors[1]].map(|across| {
-            let lean = across.along(axis) / length;
+            let lean = across.component(axis) / length;
             nearest(STEPS as f32 * (0.5 - lean as f32 * scale))
         });
         let (mantissa, shift) = mantissa_and_shift(scale);
@@ -114,7 +114,7 @@ impl Frame16 {
     }
 
     #[inline(always)] // `lit-gobo` on Cortex-M0: +76 instructions without.
-    pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
+    pub(super) fn project(&self, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
         let offset = Offset16::between(light, point);
         let way = offset.way();
         let depth = self.axis.part(way);

@@ -193,8 +193,8 @@ impl Places for Fx16 {
     }
 
     #[inline(always)]
-    fn place(frame: &Frame16, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
-        frame.place(light, point)
+    fn project(frame: &Frame16, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
+        frame.project(light, point)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::{
-    falloff::{Cubic, Curve, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft},
+    falloff::{CompiledFalloff, Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft},
     number::{Arithmetic, Directions, Errors, HALF_A_CODE, Scalar, proofs::model::Constants},
 };
 
@@ -126,7 +126,7 @@ fn a_line_is_the_nearest_value() {
         for t in 0..=1 << 15_u32 {
             let beyond = f64::from((1 << 15) - t) * 2.0;
             let exact = f64::from(knot.value) + (f64::from(slope) * beyond / 32_768.0 + 0.5).floor();
-            let found = Fraction16(t).along(&[knot]);
+            let found = Fraction16(t).sample_knots(&[knot]);
             assert_eq!(found, Fraction16::of_sixteen_bits(exact.clamp(0.0, 65_535.0) as i32), "{slope} {t}");
         }
     }

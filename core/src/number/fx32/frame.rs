@@ -81,7 +81,7 @@ impl Frame32 {
     }
 
     #[inline]
-    pub(super) fn place(&self, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
+    pub(super) fn project(&self, light: Vec3<Length>, point: Vec3<Length>) -> ([i32; 2], Length) {
         let offset = Offset32::between(light, point);
         let depth = part(self.axis, offset.way);
         if depth >> LEAST_BITS <= 0 {

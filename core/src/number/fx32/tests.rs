@@ -28,7 +28,7 @@ fn a_line_keeps_all_its_bits() {
             let beyond = f64::from((1_u32 << 31) - t) / 32_768.0;
             let line = f64::from(knot.value) + f64::from(slope) * beyond / 32_768.0;
             let exact = line.clamp(0.0, 65_535.0) / 65_535.0 * 2_147_483_648.0;
-            let found = Fraction::<Fx16>::along(Fine(t), &[knot]);
+            let found = Fraction::<Fx16>::sample_knots(Fine(t), &[knot]);
             assert!((f64::from(found.0) - exact).abs() <= 2.0, "{slope} {t}: {found:?} for {exact}");
         }
     }

@@ -32,7 +32,7 @@ fn square<S: Format>(case: &mut Case<'_>) -> (Result<CompiledProjection<S>, Erro
 /// Column, row and depth of a point in the projection.
 pub(super) fn place<S: Format>(case: &mut Case<'_>) -> Outcome {
     let (square, point) = square::<S>(case);
-    let place = square?.place(point);
+    let place = square?.project(point);
     case.give(place.column.cast_unsigned());
     case.give(place.row.cast_unsigned());
     case.give(place.depth);
