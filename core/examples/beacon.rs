@@ -57,7 +57,7 @@ fn harbour() -> Result<Harbour, luminaire::Error> {
     Ok(Harbour {
         ground: ground.compile(),
         window: ground.with_emissive(Rgb::new(0.6, 0.5, 0.2))?.compile(),
-        moon: AmbientLight::new(Rgb::new(0.8, 0.9, 1.0))?.with_intensity(0.02)?.compile::<Fx16>(),
+        moon: AmbientLight::new(Rgb::new(0.8, 0.9, 1.0))?.with_intensity(0.06)?.compile::<Fx16>(),
     })
 }
 

@@ -3,7 +3,7 @@
 use crate::display::srgb_code;
 use luminaire::number::{Light16, Light32};
 use luminaire::{
-    Fx16, Fx32, Rgb,
+    Rgb,
     display::{clip, encode_srgb},
 };
 use luminaire_kernels::{Kernel, Value, scene::Site};

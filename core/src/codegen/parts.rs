@@ -2,7 +2,7 @@
 //! languages.
 
 #[cfg(feature = "fixed")]
-use crate::display::{Gamma22, Gamma28, Law, Srgb, code_lights, code_thresholds};
+use crate::display::{Encoding, Gamma22, Gamma28, Srgb, code_lights, code_thresholds};
 use crate::{
     attenuation::Attenuation,
     falloff::Falloff,
@@ -85,7 +85,7 @@ pub struct CodeTables {
 
 #[cfg(feature = "fixed")]
 impl CodeTables {
-    const fn of<L: Law, const LAST: usize>() -> Self {
+    const fn of<L: Encoding, const LAST: usize>() -> Self {
         let (thresholds, fine_thresholds) = code_thresholds::<L, LAST>();
         Self { thresholds, fine_thresholds, lights: code_lights::<L, LAST>() }
     }

@@ -5,8 +5,8 @@
 use super::{Rise, Stages, Types};
 use crate::vec3::Vec3;
 
-/// What the kernel asks of a number format beside the stages of a point. These are its numbers; the supertraits
-/// have the rest, in the order in which a light is set up.
+/// What the kernel asks of a number format beside the stages of a point: here of its numbers, and in the supertraits
+/// of all else.
 pub trait Arithmetic: Directions + Places + Ramps + Errors + Lights {
     /// Whether a loop over many points rejects those without light before the root. `f32` does not: without
     /// branches, compilers vectorise the loop.

@@ -1,7 +1,7 @@
 //! Patterns that a spotlight projects.
 
 use super::CompiledProjection;
-use super::place::ProjectedPoint;
+use super::projected::ProjectedPoint;
 use crate::{
     error::{Error, Expected, Parameter},
     number::Scalar,

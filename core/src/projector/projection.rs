@@ -1,6 +1,6 @@
 //! The square that a spotlight projects, on which a gobo or a shadow map lies.
 
-use super::place::ProjectedPoint;
+use super::projected::ProjectedPoint;
 use crate::{
     angle::Angle,
     attenuation::Attenuation,

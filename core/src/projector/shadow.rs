@@ -1,7 +1,7 @@
 //! Shadow maps: whether a surface hides a spotlight from a point.
 
 use super::CompiledProjection;
-use super::place::ProjectedPoint;
+use super::projected::ProjectedPoint;
 use crate::{
     error::{Error, Expected, Parameter},
     number::{STEPS, Scalar},

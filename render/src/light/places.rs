@@ -25,7 +25,7 @@ impl<S: Scalar, const N: usize> Places<S, N> {
     pub(crate) fn find(&mut self, square: &CompiledProjection<S>, points: &Vec3<[S::Length; N]>) {
         let Self { column, row, depth } = self;
         for i in 0..N {
-            let place = square.place(Vec3::new(points.x[i], points.y[i], points.z[i]));
+            let place = square.project(Vec3::new(points.x[i], points.y[i], points.z[i]));
             column[i] = place.column;
             row[i] = place.row;
             depth[i] = place.depth;
