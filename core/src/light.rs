@@ -14,7 +14,7 @@ pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::Poin
 pub use crate::{
     cone::CompiledCone,
     material::CompiledMaterial,
-    points::{AlongX, Faced, Points, SurfacePoint, SurfacePoints},
+    points::{AlongX, Points, SurfacePoint, SurfacePoints},
     row::Row,
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, QuickSpotLight,

@@ -88,24 +88,17 @@ impl<S: Scalar, F: Fn(usize) -> S::Length> Points<S> for AlongX<S::Length, F> {
     }
 }
 
-/// Points of matte surfaces: those of every `STEP`-th index from the first on, with a normal for each index.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
-pub struct Faced<'a, F, N, const STEP: usize = 1> {
+/// The points of every `STEP`-th index from the first on.
+pub(crate) struct Every<'a, F, const STEP: usize = 1> {
     pub(crate) points: &'a F,
-    pub(crate) normal: N,
     pub(crate) first: usize,
 }
 
-impl<F, N, const STEP: usize> Faced<'_, F, N, STEP> {
-    /// Returns the surface point of a number, counted from the first.
+impl<S: Scalar, F: Points<S>, const STEP: usize> Points<S> for Every<'_, F, STEP> {
+    const ALONG_X: bool = F::ALONG_X;
+
     #[inline(always)]
-    pub(crate) fn at<S: Scalar>(&self, number: usize) -> SurfacePoint<S>
-    where
-        F: Points<S>,
-        N: Fn(usize) -> Vec3<S>,
-    {
-        let index = self.first.wrapping_add(number.wrapping_mul(STEP));
-        SurfacePoint::matte(self.points.at(index), (self.normal)(index))
+    fn at(&self, index: usize) -> Vec3<S::Length> {
+        self.points.at(self.first.wrapping_add(index.wrapping_mul(STEP)))
     }
 }

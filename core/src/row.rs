@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::{
     color::Rgb,
     number::Scalar,
-    points::{AlongX, Faced, Points},
+    points::{AlongX, Every, Points},
     shade::LightModel,
     vec3::Vec3,
 };
@@ -119,7 +119,8 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
         first: usize,
         arrived: &mut [S::Irradiance],
     ) {
-        light.fill(&Faced::<_, _> { points: &self.points, normal, first }, arrived);
+        let points = Every::<_> { points: &self.points, first };
+        light.fill(&points, |i| normal(first.wrapping_add(i)), arrived);
     }
 
     /// Sets `arrived` as [`fill`](Self::fill) does at every `N`-th point from index `first` on, and linearly
@@ -162,8 +163,8 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
             let from = first.wrapping_add(i * RUNS * N);
             let last = points.len().div_ceil(N);
             let ends = evaluated.get_mut(..=last).unwrap_or_default();
-            let every = Faced::<_, _, N> { points: &self.points, normal: |_| self.normal, first: from };
-            light.fill(&every, ends);
+            let every = Every::<_, N> { points: &self.points, first: from };
+            light.fill(&every, |_| self.normal, ends);
             for (run, ends) in points.chunks_mut(N).zip(ends.windows(2)) {
                 if let [from, to] = *ends {
                     set_between::<S>(from, to, run, N);

@@ -19,7 +19,7 @@ use crate::{
     cone::CompiledCone,
     falloff::Falloff,
     number::{Fraction, Offset, Ray, Scalar, Share},
-    points::{Faced, Points, SurfacePoint, SurfacePoints},
+    points::{Points, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -107,16 +107,18 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
     fn irradiance_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]) {
         slices(self, points, normals, lights);
     }
-    /// Sets the diffuse light at points of matte surfaces, those of [`evaluate`](Self::evaluate).
+    /// Sets the irradiance at points of matte surfaces, that of [`irradiance`](Self::irradiance), from a point and a
+    /// normal for each index.
     #[cfg_attr(not(feature = "arithmetic"), doc(hidden))]
     #[inline]
-    fn fill<F: Points<S>, const STEP: usize>(
+    fn fill<F: Points<S>>(
         &self,
-        surfaces: &Faced<'_, F, impl Fn(usize) -> Vec3<S>, STEP>,
+        points: &F,
+        normal: impl Fn(usize) -> Vec3<S>,
         arrived: &mut [S::Irradiance],
     ) {
         for (i, arrived) in arrived.iter_mut().enumerate() {
-            *arrived = self.evaluate::<NoSpecular>(&surfaces.at(i), &(), true).diffuse;
+            *arrived = self.irradiance(points.at(i), normal(i));
         }
     }
     /// Returns `false` only if no point within `radius` of `center` receives light.

@@ -9,7 +9,7 @@ use crate::{
     cone::CompiledCone,
     falloff::{Falloff, Soft},
     number::{Fraction, Offset, OffsetAlong, Quick, Ray, Share},
-    points::{Faced, Points, SurfacePoint},
+    points::{Points, SurfacePoint},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -131,33 +131,31 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
     /// The points of a stretch share most of the computation of their offsets. In the inner loop that part, and
     /// what the evaluation computes of it, is constant.
     #[inline(always)]
-    fn fill<F: Points<S>, const STEP: usize>(
+    fn fill<F: Points<S>>(
         &self,
-        surfaces: &Faced<'_, F, impl Fn(usize) -> Vec3<S>, STEP>,
+        points: &F,
+        normal: impl Fn(usize) -> Vec3<S>,
         mut arrived: &mut [S::Irradiance],
     ) {
-        let light = |offset: &S::QuickOffset, surface: SurfacePoint<S>| {
-            self.at::<NoSpecular>(offset, (surface.normal, Vec3::default()), &(), true).diffuse
+        let light = |i: usize, offset: &S::QuickOffset| {
+            self.at::<NoSpecular>(offset, (normal(i), Vec3::default()), &(), true).diffuse
         };
-        let single = |i| {
-            let surface = surfaces.at(i);
-            light(&S::QuickOffset::between(self.position, surface.point), surface)
-        };
+        let single = |i: usize| light(i, &S::QuickOffset::between(self.position, points.at(i)));
         if !F::ALONG_X {
             return arrived.iter_mut().enumerate().for_each(|(i, to)| *to = single(i));
         }
-        let x = |i| surfaces.at(i).point.x;
+        let x = |i: usize| points.at(i).x;
         let mut start = 0;
         while !arrived.is_empty() {
-            let stretch = S::QuickOffset::stretch(self.position, surfaces.at(start).point);
+            let stretch = S::QuickOffset::stretch(self.position, points.at(start));
             let end = start + arrived.len();
             let count = first_not(start..end, |i| S::QuickOffset::is_in(&stretch, x(i))) - start;
             let Some((part, rest)) = arrived.split_at_mut_checked(count.max(1)) else { return };
             if count == 0 {
                 part.fill_with(|| single(start));
             } else {
-                for (i, to) in (start..).zip(part.iter_mut()) {
-                    *to = light(&S::QuickOffset::on_stretch(&stretch, x(i)), surfaces.at(i));
+                for (i, to) in part.iter_mut().enumerate() {
+                    *to = light(start + i, &S::QuickOffset::on_stretch(&stretch, x(start + i)));
                 }
             }
             start += part.len();
