@@ -3,6 +3,7 @@
 mod each;
 mod hazy;
 
+use self::each::Loop;
 use crate::{
     attenuation::{AnyAttenuation, Attenuation},
     color::Rgb,
@@ -239,7 +240,12 @@ impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
         highlight: &H::Constants<S>,
         arrivals: &mut Incident<[S::Irradiance; N]>,
     ) {
-        each::evaluate_each::<S, H, N>(self, surfaces, highlight, arrivals);
+        let mut each = Loop::<S, H, N> { surfaces, highlight, arrivals };
+        match self {
+            Self::Directional(light) => each.light(light),
+            Self::Point(light) => each.point(light),
+            Self::Spot(light) => each.spot(light),
+        }
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

@@ -10,7 +10,6 @@
 //! falloff at every point, and the attenuation, too, unless it is the inverse-square law: a loop for each
 //! falloff would be a hundredth faster on x86-64, and a tenth of the demo's module (both measured).
 
-use super::CompiledAnyLight;
 use crate::{
     attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, WithConstants},
     cone::CompiledCone,
@@ -23,25 +22,10 @@ use crate::{
 };
 
 /// The inputs and outputs of a loop.
-struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
-    surfaces: &'a SurfacePoints<'a, S, N>,
-    highlight: &'a H::Constants<S>,
-    arrivals: &'a mut Incident<[S::Irradiance; N]>,
-}
-
-/// Evaluates a light of any kind: see [`LightModel::evaluate_each`].
-pub(super) fn evaluate_each<S: Scalar, H: SpecularLobe, const N: usize>(
-    light: &CompiledAnyLight<S>,
-    surfaces: &SurfacePoints<'_, S, N>,
-    highlight: &H::Constants<S>,
-    arrivals: &mut Incident<[S::Irradiance; N]>,
-) {
-    let mut each = Loop::<S, H, N> { surfaces, highlight, arrivals };
-    match light {
-        CompiledAnyLight::Directional(light) => each.light(light),
-        CompiledAnyLight::Point(light) => each.point(light),
-        CompiledAnyLight::Spot(light) => each.spot(light),
-    }
+pub(super) struct Loop<'a, S: Scalar, H: SpecularLobe, const N: usize> {
+    pub(super) surfaces: &'a SurfacePoints<'a, S, N>,
+    pub(super) highlight: &'a H::Constants<S>,
+    pub(super) arrivals: &'a mut Incident<[S::Irradiance; N]>,
 }
 
 /// Returns the plain attenuation that equals a compiled attenuation; `None` if no plain attenuation
@@ -62,11 +46,11 @@ enum Plain {
 }
 
 impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
-    fn light<L: LightModel<S>>(&mut self, light: &L) {
+    pub(super) fn light<L: LightModel<S>>(&mut self, light: &L) {
         light.evaluate_each::<H, N>(self.surfaces, self.highlight, self.arrivals);
     }
 
-    fn point(&mut self, light: &CompiledPointLight<S, AnyAttenuation>) {
+    pub(super) fn point(&mut self, light: &CompiledPointLight<S, AnyAttenuation>) {
         let CompiledPointLight { position, intensity, fine_below, color, specular_color, .. } = *light;
         let colors = [color, specular_color];
         match plain(&light.attenuation) {
@@ -92,7 +76,7 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
         }
     }
 
-    fn spot(&mut self, light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>) {
+    pub(super) fn spot(&mut self, light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>) {
         if !S::SKIPS {
             return with_falloff(light.cone.falloff, light.cone.curve, Spot { each: self, light });
         }

@@ -32,6 +32,7 @@ impl<S: Scalar, P: Falloff> CompiledCone<S, P> {
     }
 
     /// Returns the intensity in the direction of a ray from the light, for a light with this axis.
+    #[doc(hidden)]
     #[inline(always)] // `lit-hotspot` on Cortex-M0: +73 instructions without.
     pub fn at_ray<R: Ray<S>>(&self, ray: &R, axis: Vec3<S::Unit>) -> R::Share {
         self.curve.intensity(ray.rise(axis, self.ramp))

@@ -3,8 +3,8 @@
 //! The kernel is written once, in terms of the high-level operations of these traits, which stand in
 //! the order of the data: [`Offset`], [`Ray`], [`Fraction`], [`Share`],
 //! [`Gain`]. Each format implements them in a file of its own, in the same order: `fx16.rs`,
-//! `fx32.rs` and `float.rs` contain all widening, shifting, rounding and saturation. What is asked of a format
-//! beside these stages is in `set_up.rs`, and in the files of this name in the folder of each format.
+//! `fx32.rs` and `float.rs` contain all widening, shifting, rounding and saturation. What else the kernel
+//! requires of a format is in `set_up.rs`, and in the files of this name in the folder of each format.
 //!
 //! | | `f32` | `Fx32` | `Fx16` |
 //! |---|---|---|---|
