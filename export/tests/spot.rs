@@ -273,17 +273,21 @@ fn many(place: &Place, spots: &[Light; 2]) -> Vec<u32> {
     let at = |i: usize| lengths([0, 1, 2].map(|k| first[k].wrapping_add(step[k].wrapping_mul(i as i32))));
     let started = |i: usize| Rgb::new(i as u32, 0, 0xffff_ff00).map(Light16::from_bits);
     let row = Row::new(normal, at);
-    let mut lit: Vec<_> = (0..count).map(started).collect();
-    row.light(&[spots[0]], &mut lit, |sum, _, light| *sum += light);
+    let reach = row.reach(&spots[0], count);
+    let added = |arrived: Vec<Light16>| {
+        let lit = arrived.into_iter().enumerate();
+        lit.map(|(i, light)| started(i) + Rgb::lit(light, spots[0].color())).collect::<Vec<_>>()
+    };
+    let mut flat = vec![Light16::ZERO; count];
+    row.fill(&spots[0], reach.start, &mut flat[reach.clone()]);
+    let mut lit = added(flat);
     let facing = |i: usize| {
         let byte = |i: usize| (i32::from(place.bytes[i % 4]) + i as i32) as i8;
         Fx16::normal_from_unit_bytes([3 * i, 3 * i + 1, 3 * i + 2].map(byte))
     };
-    let mut arrived = vec![Light16::ZERO; count];
-    let reach = row.reach(&spots[0], count);
-    row.fill_facing(&spots[0], facing, reach.start, &mut arrived[reach]);
-    let sprite = arrived.iter().enumerate();
-    lit.extend(sprite.map(|(i, &light)| started(i) + Rgb::lit(light, spots[0].color())));
+    let mut sprite = vec![Light16::ZERO; count];
+    row.fill_facing(&spots[0], facing, reach.start, &mut sprite[reach]);
+    lit.extend(added(sprite));
     lit.extend((0..count).map(|i| {
         let point = lengths([0, 1, 2].map(|k| place.point[k].wrapping_add(step[k] << (i & 15))));
         let normal = Vec3::from(place.normal).map(|c| Fx16::from_bits(c >> (i & 3)));
