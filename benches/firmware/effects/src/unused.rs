@@ -8,7 +8,7 @@ use luminaire::{
     specular::Phong,
 };
 use luminaire_effects::constants::{AMBIENT, EXPOSURE, POINT};
-use luminaire_effects::{Format, Light, Listed, Surface};
+use luminaire_effects::{Light, Listed, Surface};
 
 luminaire_effects::program!(|surface: Surface| {
     if IS_GLOSSY {
