@@ -129,7 +129,7 @@ macro_rules! any_attenuation {
         /// an [`AnyLight`](crate::dynamic::AnyLight).
         ///
         /// The enum branches per point.
-        /// [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
+        /// [`LightModel::evaluate_each`](crate::light::LightModel::evaluate_each)
         /// branches once per light.
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -73,7 +73,7 @@ macro_rules! any_falloff {
             /// an [`AnyLight`](crate::dynamic::AnyLight).
             ///
             /// The evaluation branches per point;
-            /// [`CompiledAnyLight::evaluate_each`](crate::dynamic::CompiledAnyLight::evaluate_each)
+            /// [`LightModel::evaluate_each`](crate::light::LightModel::evaluate_each)
             /// branches once per light.
             #[non_exhaustive]
             AnyFalloff, CompiledAnyFalloff { $(#[doc = $doc] $variant($type),)* }

@@ -95,7 +95,7 @@ pub trait Offset<S: Types>: Copy + core::fmt::Debug {
     /// Returns the offset from a light to a point.
     fn between(light: Vec3<S::Position>, point: Vec3<S::Position>) -> Self;
     /// Returns whether the offset is so short that the whole evaluation must be fine: see
-    /// [`Errors::fine_below`].
+    /// [`Errors::fine_below`](super::Errors::fine_below).
     #[inline]
     fn is_near(&self, _fine_below: u32) -> bool {
         false
@@ -214,7 +214,7 @@ pub trait Ray<S: Types>: Copy + core::fmt::Debug {
 /// point a fraction has at least one bit more than a scalar. The extra bit costs nothing, because a
 /// product of fractions needs no wider integer than a product of scalars.
 ///
-/// Only [`Ramps::rise`], [`Ray::rise`] and [`Ray::cosine`] create fractions, so the argument of
+/// Only [`Ramps::rise`](super::Ramps::rise), [`Ray::rise`] and [`Ray::cosine`] create fractions, so the argument of
 /// a falloff is in range for every input. In the descriptions of the functions, this fraction is
 /// `t`, and `u = 1 - t`.
 pub trait Fraction<S: Types>: Copy + PartialOrd + core::fmt::Debug {

@@ -85,7 +85,7 @@ pub trait Places: Types {
     /// the half angle. A sphere of this radius is outside the cone if its centre is outside the cone
     /// with the moved tip.
     ///
-    /// `bound` is that of [`Offset::is_outside`], from which the test removes the margin. The
+    /// `bound` is that of [`Offset::is_outside`](super::Offset::is_outside), from which the test removes the margin. The
     /// result is `None` for a half angle of 90 degrees or more, for one that the margin hides, and
     /// in fixed point if the tip moves by 8 km or more, or beyond the range of a length.
     fn moved_back(
@@ -124,7 +124,7 @@ pub trait Ramps: Types {
         Self::ramp(inner, outer, limit)
     }
     /// Returns the ramp of the cone between the cones of two ramps, and the bound of this cone for
-    /// [`Offset::is_outside`].
+    /// [`Offset::is_outside`](super::Offset::is_outside).
     ///
     /// The roots of the three versines of a cone are interpolated. `part` is between 0 and 1; for
     /// any other part the ramp is an unspecified one. If one of the ramps is a
@@ -150,7 +150,7 @@ pub trait Errors: Types {
     const DIRECTION_ERROR: f32;
     /// The shortest distance that is not zero.
     const NEAREST: f64;
-    /// Step of the squared cosines that [`Offset::is_outside`] compares.
+    /// Step of the squared cosines that [`Offset::is_outside`](super::Offset::is_outside) compares.
     const OUTSIDE_STEP: f32;
     /// Returns an upper bound of the rounding error of an intensity, without the effect of the
     /// direction's error.
@@ -171,7 +171,7 @@ pub trait Errors: Types {
     }
     /// Returns the distance from a light within which points need the fine evaluation.
     ///
-    /// The result is encoded for [`Offset::is_near`]. The light at a point is a share (falloff
+    /// The result is encoded for [`Offset::is_near`](super::Offset::is_near). The light at a point is a share (falloff
     /// times cosine) times a gain. The gain magnifies the error of the share. Below the returned
     /// distance, the light may be wrong by half a linear code. `error` is the
     /// [`coarse_error`](Self::coarse_error) of the light's cone, 0 for a light without a cone.
