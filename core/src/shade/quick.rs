@@ -137,10 +137,10 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
         normal: impl Fn(usize) -> Vec3<S>,
         mut arrived: &mut [S::Irradiance],
     ) {
-        let light = |i: usize, offset: &S::QuickOffset| {
-            self.at::<NoSpecular>(offset, (normal(i), Vec3::default()), &(), true).diffuse
+        let light = |offset: &S::QuickOffset, normal| {
+            self.at::<NoSpecular>(offset, (normal, Vec3::default()), &(), true).diffuse
         };
-        let single = |i: usize| light(i, &S::QuickOffset::between(self.position, points.at(i)));
+        let single = |i| light(&S::QuickOffset::between(self.position, points.at(i)), normal(i));
         if !F::ALONG_X {
             return arrived.iter_mut().enumerate().for_each(|(i, to)| *to = single(i));
         }
@@ -154,8 +154,8 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
             if count == 0 {
                 part.fill_with(|| single(start));
             } else {
-                for (i, to) in part.iter_mut().enumerate() {
-                    *to = light(start + i, &S::QuickOffset::on_stretch(&stretch, x(start + i)));
+                for (i, to) in (start..).zip(part.iter_mut()) {
+                    *to = light(&S::QuickOffset::on_stretch(&stretch, x(i)), normal(i));
                 }
             }
             start += part.len();
