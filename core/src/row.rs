@@ -96,7 +96,10 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
     /// [`can_reach`](crate::light::CompiledSpotLight::can_reach) does not skip. Of other lights
     /// than spotlights it is the whole row.
     pub fn reach<L: LightModel<S>>(&self, light: &L, length: usize) -> Range<usize> {
-        reached(light, length, |i| self.points.at(i))
+        let start = first_reached(light, length, |i| self.points.at(i));
+        let mirrored = |i| self.points.at((length - 1).wrapping_sub(i));
+        let beyond = first_reached(light, length.saturating_sub(start), mirrored);
+        start..length - beyond
     }
 
     /// Sets `arrived` to the irradiance from a light at the points from index `first` on, not yet multiplied
@@ -189,12 +192,12 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
         for (block, pixels) in pixels.chunks_mut(MOST).enumerate() {
             let (first, dark) = (block * MOST, S::Irradiance::default());
             let mut sums = [Rgb::new(dark, dark, dark); MOST];
+            let row = Row { normal: self.normal, points: Every::<_> { points: &self.points, first } };
             for light in lights {
-                let points = |i: usize| self.points.at(first.wrapping_add(i));
-                let lit = reached(light, pixels.len(), points);
+                let lit = row.reach(light, pixels.len());
                 let mut arrived = [dark; MOST];
                 let arrived = arrived.get_mut(..lit.len()).unwrap_or_default();
-                self.fill(light, first + lit.start, arrived);
+                row.fill(light, lit.start, arrived);
                 let [color, _] = light.colors();
                 for (sum, &mut arrived) in sums.get_mut(lit).unwrap_or_default().iter_mut().zip(arrived) {
                     if arrived != dark {
@@ -233,17 +236,6 @@ fn set_between<S: Scalar>(from: S::Irradiance, to: S::Irradiance, run: &mut [S::
             set(run, &[a, b, c, d, e, f, g, h]);
         }
     }
-}
-
-/// Returns a range of indices of points on a line outside which no point receives this light.
-fn reached<S: Scalar, L: LightModel<S>>(
-    light: &L,
-    length: usize,
-    point: impl Fn(usize) -> Vec3<S::Length>,
-) -> Range<usize> {
-    let start = first_reached(light, length, &point);
-    let mirrored = |i| point((length - 1).wrapping_sub(i));
-    start..length - first_reached(light, length.saturating_sub(start), mirrored)
 }
 
 /// Returns the first index of points on a line that a light can reach, or `length`.

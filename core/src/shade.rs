@@ -21,7 +21,7 @@ use crate::{
     number::{Fraction, Offset, Ray, Scalar, Share},
     points::{Points, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
-    vec3::Vec3,
+    vec3::{Vec3, nth},
 };
 
 /// Light that arrives at a surface, not yet multiplied by the light's colours; 1 is full scale.
@@ -105,7 +105,25 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
     /// structures of arrays, one slice per component. The shortest slice determines the
     /// number of points; elements of `lights` beyond this number are not changed.
     fn irradiance_each(&self, points: Vec3<&[S::Length]>, normals: Vec3<&[S]>, lights: &mut [S::Irradiance]) {
-        slices(self, points, normals, lights);
+        let count = points.x.len().min(points.y.len()).min(points.z.len()).min(lights.len());
+        let count = normals.x.len().min(normals.y.len()).min(normals.z.len()).min(count);
+        let (dark, views) = ([S::Irradiance::default(); BLOCK], [S::Unit::default(); BLOCK]);
+        let mut arrivals = Incident { diffuse: dark, specular: dark };
+        let blocks = lights.get_mut(..count).unwrap_or_default().chunks_mut(BLOCK);
+        for (lights, first) in blocks.zip((0..).step_by(BLOCK)) {
+            match (lights.first_chunk_mut(), block(points, first), block(normals, first)) {
+                (Some(lights), Some(point), Some(normal)) => {
+                    let surfaces = SurfacePoints { point, normal, view: Vec3::new(&views, &views, &views) };
+                    self.evaluate_each::<NoSpecular, BLOCK>(&surfaces, &(), &mut arrivals);
+                    *lights = arrivals.diffuse;
+                }
+                _ => {
+                    for (i, arrived) in (first..).zip(lights) {
+                        *arrived = self.irradiance(points.map(|c| nth(c, i)), normals.map(|c| nth(c, i)));
+                    }
+                }
+            }
+        }
     }
     /// Sets the irradiance at points of matte surfaces, that of [`irradiance`](Self::irradiance), from a point and a
     /// normal for each index.
@@ -155,34 +173,6 @@ fn each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
 /// Number of points that a call with slices evaluates together.
 const BLOCK: usize = 32;
 
-/// Computes the irradiance at each of many surface points: whole blocks together, and the rest one by one.
-fn slices<S: Scalar, L: LightModel<S>>(
-    light: &L,
-    points: Vec3<&[S::Length]>,
-    normals: Vec3<&[S]>,
-    lights: &mut [S::Irradiance],
-) {
-    let count = points.x.len().min(points.y.len()).min(points.z.len()).min(lights.len());
-    let count = normals.x.len().min(normals.y.len()).min(normals.z.len()).min(count);
-    let (dark, views) = ([S::Irradiance::default(); BLOCK], [S::Unit::default(); BLOCK]);
-    let mut arrivals = Incident { diffuse: dark, specular: dark };
-    let blocks = lights.get_mut(..count).unwrap_or_default().chunks_mut(BLOCK);
-    for (lights, first) in blocks.zip((0..).step_by(BLOCK)) {
-        match (lights.first_chunk_mut(), block(points, first), block(normals, first)) {
-            (Some(lights), Some(point), Some(normal)) => {
-                let surfaces = SurfacePoints { point, normal, view: Vec3::new(&views, &views, &views) };
-                light.evaluate_each::<NoSpecular, BLOCK>(&surfaces, &(), &mut arrivals);
-                *lights = arrivals.diffuse;
-            }
-            _ => {
-                for (i, arrived) in (first..).zip(lights) {
-                    *arrived = light.irradiance(nth(points, i), nth(normals, i));
-                }
-            }
-        }
-    }
-}
-
 /// Returns a whole block of three columns, from an index on.
 #[inline]
 fn block<T>(columns: Vec3<&[T]>, first: usize) -> Option<Vec3<&[T; BLOCK]>> {
@@ -190,12 +180,6 @@ fn block<T>(columns: Vec3<&[T]>, first: usize) -> Option<Vec3<&[T; BLOCK]>> {
         column.get(first..)?.first_chunk()
     }
     Some(Vec3::new(column(columns.x, first)?, column(columns.y, first)?, column(columns.z, first)?))
-}
-
-/// Returns the vector of an index of three columns, which hold its components.
-#[inline]
-fn nth<T: Copy + Default>(columns: Vec3<&[T]>, index: usize) -> Vec3<T> {
-    columns.map(|column| column.get(index).copied().unwrap_or_default())
 }
 
 /// Returns the specular lobe if the light hits the front of a surface, else zero.

@@ -65,6 +65,6 @@ impl Vec3<f32> {
 /// Returns `column[i]`, or the default if `i` is out of bounds. In a loop over `0..N` the compiler
 /// removes the bounds check.
 #[inline]
-pub(crate) fn nth<T: Copy + Default, const N: usize>(column: &[T; N], i: usize) -> T {
+pub(crate) fn nth<T: Copy + Default>(column: &[T], i: usize) -> T {
     column.get(i).copied().unwrap_or_default()
 }
