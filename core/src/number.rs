@@ -118,13 +118,7 @@ pub trait Scalar:
     /// A component of a unit vector, at the format's finest resolution.
     type Unit: Source + Copy + Default + PartialEq + core::fmt::Debug;
     /// Irradiance at a surface, at least 0; 1 is full scale.
-    type Irradiance: Irradiance<Scalar = Self>
-        + Source
-        + Copy
-        + Default
-        + PartialOrd
-        + core::fmt::Debug
-        + core::ops::Add<Output = Self::Irradiance>;
+    type Irradiance: Irradiance<Scalar = Self>;
 
     /// The name of the format, as written in the price list.
     const NAME: &'static str;
@@ -201,7 +195,9 @@ pub trait Scalar:
 }
 
 /// The irradiance of a number format: [`Scalar::Irradiance`].
-pub trait Irradiance: Copy + PartialOrd {
+pub trait Irradiance:
+    Source + Copy + Default + PartialOrd + core::fmt::Debug + core::ops::Add<Output = Self>
+{
     /// The format.
     type Scalar: Scalar<Irradiance = Self>;
 }
