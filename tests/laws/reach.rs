@@ -72,7 +72,13 @@ fn row<S: Format, L: LightModel<S>>(
     let count = words.choice(96) as usize;
     let point = |i: usize| nearest::<S>(at(i as f64 / 96.0));
     let mut pixels = vec![Rgb::default(); count];
-    Row::new(normal, point).light(&[light; 2], &mut pixels, |pixel, _, light| *pixel = light);
+    let mut shown = Vec::new();
+    Row::new(normal, point).light(&[light; 2], &mut pixels, |pixel, i, light| {
+        *pixel = light;
+        shown.push(i);
+    });
+    let lit = pixels.iter().enumerate().filter(|(_, pixel)| **pixel != Rgb::default()).map(|(i, _)| i);
+    assert!(lit.eq(shown.iter().copied()), "{light:?} shows {shown:?} of {count}");
     for (i, pixel) in pixels.into_iter().enumerate() {
         let arrived =
             light.evaluate::<NoSpecular>(&SurfacePoint::matte(point(i), normal), &(), false).diffuse;
