@@ -17,7 +17,7 @@ const ROWS: i16 = 24;
 /// Columns and rows of a tile: 4 by 4 metres.
 const TILE: [i16; 2] = [8, 4];
 const TILES: i16 = COLUMNS / TILE[0] * (ROWS / TILE[1]);
-/// East and south of the lamp, in metres, from which the directions of the frames are made. Down is 12.
+/// How far to the east and to the south the lamp points in each frame, in metres; it points 12 metres down.
 const TURN: [[i16; 2]; 4] = [[16, 0], [11, 6], [-8, 8], [-16, -3]];
 /// Columns and rows of the lit windows.
 const WINDOWS: [[i16; 2]; 6] = [[12, 4], [14, 4], [13, 6], [61, 17], [66, 18], [69, 18]];
