@@ -75,6 +75,11 @@ fn all(mut suite: Suite, full: bool) -> ExitCode {
                 elsewhere(suite)
             }
         }),
+        Box::new(|suite| {
+            if full {
+                packed(suite)
+            }
+        }),
     ]);
     // After the other steps, because they would slow the page down.
     browsers::visit(&mut suite, full);
@@ -131,15 +136,15 @@ fn elsewhere(suite: &mut Suite) {
     semver::run(suite);
 }
 
-/// Adds the steps that run on emulated boards, or build something for one, and those of what is packed.
+/// Adds the steps that run on emulated boards, or build something for one.
 fn boards(suite: &mut Suite, full: bool) {
-    if full {
-        steps::all_boards(suite);
-        renderers::steps(suite);
-        package::run(suite);
-    } else {
-        steps::smallest_board(suite);
-    }
+    if full { steps::all_boards(suite) } else { steps::smallest_board(suite) }
+}
+
+/// Adds the steps of what is packed, and of the workspace of renderers, which take the longest after the boards.
+fn packed(suite: &mut Suite) {
+    package::run(suite);
+    renderers::steps(suite);
 }
 
 /// Adds the steps that build the page and check its scripts.
