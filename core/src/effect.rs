@@ -105,7 +105,7 @@ impl Effects {
 
     /// Returns the union of both sets.
     #[must_use]
-    pub const fn union(self, others: Self) -> Self {
+    pub(crate) const fn union(self, others: Self) -> Self {
         Self(self.0 | others.0)
     }
 

@@ -3,6 +3,54 @@
 //! Every light has an intensity. All but [`AmbientLight`] have two colours, one for diffuse light
 //! and one for highlights. The defaults are white and intensity 1.
 
+/// Implements the colours and the intensity of a described light, which has them in its field `emission`: `full` says
+/// which light an intensity of 1 is, after "lights a surface that faces the".
+macro_rules! emits {
+    ($light:ty, $full:literal $(, $parameter:ident: $bound:ident)*) => {
+        impl<$($parameter: $bound),*> $light {
+            /// Returns the light with this linear colour, also for highlights.
+            ///
+            /// # Errors
+            /// A channel outside [0, 1]: brightness belongs in the intensity.
+            pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
+                Ok(Self { emission: self.emission.with_color(color)?, ..self })
+            }
+
+            /// Returns the light with highlights in this linear colour.
+            ///
+            /// # Errors
+            /// A channel outside [0, 1].
+            pub fn with_specular_color(self, color: Rgb<f32>) -> Result<Self, Error> {
+                Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
+            }
+
+            /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
+            #[doc = $full]
+            ///
+            /// # Errors
+            /// A negative intensity, or one over 1e9.
+            pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
+                Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
+            }
+
+            /// Returns the linear colour.
+            pub fn color(&self) -> Rgb<f32> {
+                self.emission.color
+            }
+
+            /// Returns the linear colour of the highlights.
+            pub fn specular_color(&self) -> Rgb<f32> {
+                self.emission.specular_color
+            }
+
+            /// Returns the intensity.
+            pub fn intensity(&self) -> f32 {
+                self.emission.intensity
+            }
+        }
+    };
+}
+
 mod ambient;
 mod directional;
 #[cfg(feature = "fixed")]

@@ -83,7 +83,7 @@ fn by_the_kernel(light: Rgb<u32>, place: u32, palette: &Palette<'_>) -> Vec<u32>
     let rgb565 = Rgb565::nearest(color);
     words.push(Rgb888::nearest(color).to_bits());
     words.extend(
-        [rgb565.to_be_bytes(), rgb565.to_le_bytes()].map(|bytes| u32::from(u16::from_be_bytes(bytes))),
+        [rgb565.to_be_bytes(), rgb565.0.to_le_bytes()].map(|bytes| u32::from(u16::from_be_bytes(bytes))),
     );
     words.extend([encode_srgb(red), encode_srgb_dithered(red, x, y)].map(u32::from));
     words.extend([Gamma22::encode(red), Gamma28::encode(red)].map(u32::from));

@@ -200,7 +200,7 @@ impl<S: Format> Beam<S> {
 
     fn light(&self, scene: &Scene) -> Option<Light<'_, S>> {
         let spot = self.spot(scene)?;
-        let (position, axis) = (spot.position().map(S::length), spot.axis_in::<S>());
+        let (position, axis) = (spot.position().map(S::length), sweep::axis::<S, _, _>(&spot));
         Some(Light {
             beam: self,
             compiled: self.compiled.placed(position, axis),
@@ -416,7 +416,7 @@ fn a_step_is_in_its_place() {
             let spot = sweep::spot(&mut rng, cone);
             let compiled = spot.compile::<S>().expect("the narrowest cone is accepted");
             let position = S::exact_point(spot.position().map(S::length));
-            let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+            let axis = S::exact_direction(sweep::axis::<S, _, _>(&spot)).normalize();
             for _ in 0..500 {
                 let inside = rng.bool();
                 let fraction = if inside { 1.0 - 1.1 / 510.0 } else { 1.0 + 1.1 / 510.0 };

@@ -92,7 +92,7 @@ fn spots<S: Format>(rng: &mut Rng, attenuation: AnyAttenuation, reach: impl Fn(f
             let spot = spot.with_intensity(intensity).expect("a sound intensity");
             let compiled = spot.compile::<S>().expect("held");
             let position = S::exact_point(spot.position().map(S::length));
-            let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+            let axis = S::exact_direction(sweep::axis::<S, _, _>(&spot)).normalize();
             for _ in 0..100 * sweep::effort() {
                 let half = f64::from(half_degrees).to_radians();
                 let site = site::<S>(rng, position, axis, half, reach(intensity.into()));

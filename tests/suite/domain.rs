@@ -92,7 +92,7 @@ fn worst<S: Format>(
         let [from, to] = [light, point].map(|place| S::exact_point(place.map(S::length)));
         let way = to - from;
         // Squares of the shortest and the longest ways are within f64.
-        let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+        let axis = S::exact_direction(sweep::axis::<S, _, _>(&spot)).normalize();
         let versine = oracle::versine_between(way, axis);
         let exact = truth.falloff(versine);
         let found = spot.compile::<S>().expect("in the domain").falloff_at(point.map(S::length)).exact();
@@ -345,7 +345,7 @@ fn bright<S: Format>(shape: &Shape<AnyFalloff>, half_degrees: f32, intensity: f3
         if f64::from(intensity) / squared > gain {
             continue;
         }
-        let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+        let axis = S::exact_direction(sweep::axis::<S, _, _>(&spot)).normalize();
         let versine = oracle::versine_between(way, axis);
         let share = truth.falloff(versine);
         let cosine = -way.normalize().dot(S::exact_normal(normal));

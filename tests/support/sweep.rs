@@ -36,13 +36,18 @@ pub fn spot<P: Falloff>(rng: &mut Rng, cone: Cone<P>) -> SpotLight<P> {
     SpotLight::new(single(position(rng)), single(direction(rng)), cone).expect("a sweep makes sound lights")
 }
 
+/// The axis of a spotlight, as the format of a compiled one stores it.
+pub fn axis<S: Format, P: Falloff, A: Attenuation>(spot: &SpotLight<P, A>) -> Vec3<S::Unit> {
+    S::aim(spot.given_axis(), spot.axis())
+}
+
 /// What a format has stored of a spotlight, with the inverse square.
 pub fn stored<S: Format, P: Falloff, A: Attenuation>(
     spot: &SpotLight<P, A>,
     cone: oracle::Cone,
 ) -> oracle::SpotLight {
     let position = S::exact_point(spot.position().map(S::length));
-    let axis = S::exact_direction(spot.axis_in::<S>()).normalize();
+    let axis = S::exact_direction(axis::<S, _, _>(spot)).normalize();
     oracle::SpotLight { intensity: spot.intensity().into(), ..oracle::SpotLight::new(position, axis, cone) }
 }
 

@@ -115,7 +115,7 @@ fn constants<S: Scalar>() -> Outcome {
     write("part", &S::from_f32(0.375))?;
     write("position", &POSITION.map(S::length))?;
     write("radius", &S::length(0.25))?;
-    write("axis_back", &SpotLight::new(POSITION, AXIS.map(|c| -c), cone)?.axis_in::<S>())?;
+    write("axis_back", &SpotLight::new(POSITION, AXIS.map(|c| -c), cone)?.compile::<S>()?.axis())?;
     let square = Projection::of(&SpotLight::new(POSITION, AXIS, cone)?)?;
     write("gobo", &Gobo::of(&panes()).on(square.compile::<S>()?))?;
     write("eye", &EYE.map(S::length))?;

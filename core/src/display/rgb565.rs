@@ -51,10 +51,4 @@ impl Rgb565 {
     pub const fn to_be_bytes(self) -> [u8; 2] {
         self.0.to_be_bytes()
     }
-
-    /// Returns the two bytes, first the lower byte with blue.
-    #[inline]
-    pub const fn to_le_bytes(self) -> [u8; 2] {
-        self.0.to_le_bytes()
-    }
 }

@@ -23,7 +23,6 @@
 //! let pixel = display::Rgb565::from_codes(amber);
 //! assert_eq!(Rgb565::from(pixel).to_be_bytes(), [0b11111_100, 0b111_00011]);
 //! assert_eq!(Rgb565::from(pixel).to_be_bytes(), pixel.to_be_bytes());
-//! assert_eq!(Rgb565::from(pixel).to_le_bytes(), pixel.to_le_bytes());
 //! assert_eq!(Bgr565::from(pixel).to_be_bytes(), [0b00011_100, 0b111_11111]);
 //! ```
 //!

@@ -37,47 +37,11 @@ impl DirectionalLight {
         let (direction, _) = Axis::new(Parameter::Direction, direction.into())?;
         Ok(Self { direction, emission: Emission::WHITE })
     }
+}
 
-    /// Returns the light with this linear colour, also for highlights.
-    ///
-    /// # Errors
-    /// A channel outside [0, 1]: brightness belongs in the intensity.
-    pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_color(color)?, ..self })
-    }
+emits!(DirectionalLight, "light to full scale.");
 
-    /// Returns the light with highlights in this linear colour.
-    ///
-    /// # Errors
-    /// A channel outside [0, 1].
-    pub fn with_specular_color(self, color: Rgb<f32>) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
-    }
-
-    /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
-    /// light to full scale.
-    ///
-    /// # Errors
-    /// A negative intensity, or one over 1e9.
-    pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
-    }
-
-    /// Returns the linear colour.
-    pub fn color(&self) -> Rgb<f32> {
-        self.emission.color
-    }
-
-    /// Returns the linear colour of the highlights.
-    pub fn specular_color(&self) -> Rgb<f32> {
-        self.emission.specular_color
-    }
-
-    /// Returns the intensity.
-    pub fn intensity(&self) -> f32 {
-        self.emission.intensity
-    }
-
+impl DirectionalLight {
     /// Returns the direction in which the light travels, of unit length.
     pub fn direction(&self) -> Vec3<f32> {
         self.direction.unit

@@ -49,47 +49,9 @@ impl PointLight {
     }
 }
 
+emits!(PointLight<A>, "light to full scale; with attenuation, this holds at distance 1.", A: Attenuation);
+
 impl<A: Attenuation> PointLight<A> {
-    /// Returns the light with this linear colour, also for highlights.
-    ///
-    /// # Errors
-    /// A channel outside [0, 1]: brightness belongs in the intensity.
-    pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_color(color)?, ..self })
-    }
-
-    /// Returns the light with highlights in this linear colour.
-    ///
-    /// # Errors
-    /// A channel outside [0, 1].
-    pub fn with_specular_color(self, color: Rgb<f32>) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
-    }
-
-    /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
-    /// light to full scale; with attenuation, this holds at distance 1.
-    ///
-    /// # Errors
-    /// A negative intensity, or one over 1e9.
-    pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
-    }
-
-    /// Returns the linear colour.
-    pub fn color(&self) -> Rgb<f32> {
-        self.emission.color
-    }
-
-    /// Returns the linear colour of the highlights.
-    pub fn specular_color(&self) -> Rgb<f32> {
-        self.emission.specular_color
-    }
-
-    /// Returns the intensity.
-    pub fn intensity(&self) -> f32 {
-        self.emission.intensity
-    }
-
     /// Returns the light with another attenuation.
     pub fn with_attenuation<B: Attenuation>(&self, attenuation: B) -> PointLight<B> {
         PointLight { position: self.position, attenuation, emission: self.emission }

@@ -93,47 +93,13 @@ impl<P: Falloff> SpotLight<P, SmoothRange> {
     }
 }
 
+emits!(
+    SpotLight<P, A>,
+    "light, on the axis of the light, to full scale; with attenuation, this holds at distance 1.",
+    P: Falloff, A: Attenuation
+);
+
 impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
-    /// Returns the light with this linear colour, also for highlights.
-    ///
-    /// # Errors
-    /// A channel outside [0, 1]: brightness belongs in the intensity.
-    pub fn with_color(self, color: Rgb<f32>) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_color(color)?, ..self })
-    }
-
-    /// Returns the light with highlights in this linear colour.
-    ///
-    /// # Errors
-    /// A channel outside [0, 1].
-    pub fn with_specular_color(self, color: Rgb<f32>) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_specular_color(color)?, ..self })
-    }
-
-    /// Returns the light with this intensity. An intensity of 1 lights a surface that faces the
-    /// light, on the axis of the light, to full scale; with attenuation, this holds at distance 1.
-    ///
-    /// # Errors
-    /// A negative intensity, or one over 1e9.
-    pub fn with_intensity(self, intensity: f32) -> Result<Self, Error> {
-        Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
-    }
-
-    /// Returns the linear colour.
-    pub fn color(&self) -> Rgb<f32> {
-        self.emission.color
-    }
-
-    /// Returns the linear colour of the highlights.
-    pub fn specular_color(&self) -> Rgb<f32> {
-        self.emission.specular_color
-    }
-
-    /// Returns the intensity.
-    pub fn intensity(&self) -> f32 {
-        self.emission.intensity
-    }
-
     /// Returns the spotlight with another cone, which may have another type of falloff.
     pub fn with_cone<Q: Falloff>(&self, cone: Cone<Q>) -> SpotLight<Q, A> {
         let Self { position, axis, attenuation, emission, .. } = *self;
@@ -173,7 +139,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
 
     /// Returns the axis in the format `S`. The result is computed from the unrounded axis, so that
     /// in `Fx32` a point on the given axis is also on the axis of the compiled light.
-    pub fn axis_in<S: Scalar>(&self) -> Vec3<S::Unit> {
+    fn axis_in<S: Scalar>(&self) -> Vec3<S::Unit> {
         S::aim(self.axis.toward, self.axis.unit)
     }
 

@@ -1,4 +1,4 @@
-//! Changes of compiled lights at run time: position, aim, brightness and colour.
+//! The colours of compiled lights, and their changes at run time: position, aim, brightness and colour.
 //!
 //! No function of this module computes in floats in a fixed-point format. A change costs a small
 //! part of [`SpotLight::compile`](crate::SpotLight::compile), because the cone stays compiled.
@@ -13,10 +13,20 @@ use crate::{
     vec3::Vec3,
 };
 
-/// Implements the changes that every kind of light has.
+/// Implements the colours and the changes that every kind of light has.
 macro_rules! change {
     ($light:ty, $($parameter:ident: $bound:ident),*) => {
         impl<$($parameter: $bound),*> $light {
+            /// Returns the light's linear colour.
+            pub fn color(&self) -> Rgb<S> {
+                self.color
+            }
+
+            /// Returns the linear colour of the light's specular highlights.
+            pub fn specular_color(&self) -> Rgb<S> {
+                self.specular_color
+            }
+
             /// Returns the same light at a part of its intensity, from 0 (dark) to 1 (unchanged).
             ///
             /// A part outside this range is clamped, and NaN is dark. The relative error is at most

@@ -29,16 +29,6 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
     }
 
-    /// Returns the light's linear colour.
-    pub fn color(&self) -> Rgb<S> {
-        self.color
-    }
-
-    /// Returns the linear colour of the light's specular highlights.
-    pub fn specular_color(&self) -> Rgb<S> {
-        self.specular_color
-    }
-
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
     /// The two colours are first the diffuse and then the specular colour.

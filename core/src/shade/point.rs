@@ -42,16 +42,6 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
-    /// Returns the light's linear colour.
-    pub fn color(&self) -> Rgb<S> {
-        self.color
-    }
-
-    /// Returns the linear colour of the light's specular highlights.
-    pub fn specular_color(&self) -> Rgb<S> {
-        self.specular_color
-    }
-
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
     /// `fine_below` is the result of `Errors::fine_below`; the colours are the diffuse and the

@@ -72,20 +72,11 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
 
     /// Returns the same light at another position, with another axis of unit length.
     ///
-    /// [`SpotLight::axis_in`](crate::SpotLight::axis_in) returns an axis in the format.
+    /// A light of the standard evaluation has an axis of the format:
+    /// [`CompiledSpotLight::axis`](super::CompiledSpotLight::axis).
     #[must_use]
     pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
         Self { position, axis: S::quick_axis(axis), ..self }
-    }
-
-    /// Returns the light's linear colour.
-    pub fn color(&self) -> Rgb<S> {
-        self.color
-    }
-
-    /// Returns the linear colour of the light's specular highlights.
-    pub fn specular_color(&self) -> Rgb<S> {
-        self.specular_color
     }
 
     /// Returns the falloff of the cone.

@@ -130,7 +130,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
 
     /// Returns the same light at another position, with another axis of unit length.
     ///
-    /// [`SpotLight::axis_in`](crate::SpotLight::axis_in) returns an axis in the format.
+    /// Another compiled light has an axis of the format: [`axis`](Self::axis).
     #[must_use]
     pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
         Self { position, axis, ..self }
@@ -144,16 +144,6 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Returns the direction in which the light points, of unit length.
     pub fn axis(&self) -> Vec3<S::Unit> {
         self.axis
-    }
-
-    /// Returns the light's linear colour.
-    pub fn color(&self) -> Rgb<S> {
-        self.color
-    }
-
-    /// Returns the linear colour of the light's specular highlights.
-    pub fn specular_color(&self) -> Rgb<S> {
-        self.specular_color
     }
 
     /// Returns the falloff of the cone.
