@@ -1,6 +1,6 @@
 //! `luminaire still`: a wall that a light shines on.
 
-use luminaire::display::encode_srgb;
+use luminaire::display::encode_srgb_dithered;
 use luminaire::dynamic::AnyLight;
 use luminaire::light::LightModel;
 use luminaire::{Rgb, Vec3};
@@ -75,10 +75,10 @@ fn wall(light: &AnyLight, throw: f64) -> Result<Vec<u8>, Refusal> {
         let points = Vec3::new(coordinates(0), coordinates(1), coordinates(2));
         let mut arrived = [0.0; SIDE];
         lit.irradiance_each(columns(&points), columns(&normals), &mut arrived);
-        for irradiance in arrived {
-            pixels.extend(
-                [color.red, color.green, color.blue].map(|channel| encode_srgb(irradiance * channel)),
-            );
+        for (column, irradiance) in (0..).zip(arrived) {
+            // Without dither the edge of the pool is a staircase of codes.
+            let code = |channel| encode_srgb_dithered(irradiance * channel, column, row as u32);
+            pixels.extend(<[f32; 3]>::from(color).map(code));
         }
     }
     Ok(pixels)

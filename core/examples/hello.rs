@@ -3,7 +3,7 @@
 use luminaire::{Angle, Cone, Fx16, Rgb, SpotLight, display};
 
 fn main() -> Result<(), luminaire::Error> {
-    // A Fresnel with a field angle of 15 degrees, four metres up, pointing down.
+    // A soft-edged stage light with a field angle of 15 degrees, four metres up, pointing down.
     let cone = Cone::soft(Angle::degrees(15.0))?;
     let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?;
     let lit = spot.with_intensity(16.0)?.compile::<Fx16>()?; // full scale on the floor

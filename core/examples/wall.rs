@@ -1,6 +1,6 @@
 //! Two coloured spotlights on a wall, in 16-bit integers: prints the picture as characters.
 //!
-//! `scanline` is what a microcontroller would run; the README compiles its lights in a build script.
+//! `scanline` is what a microcontroller would run, with lights that a build script compiles: `examples/boards/template`.
 
 use luminaire::{
     Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3,
@@ -23,17 +23,17 @@ fn main() -> Result<(), luminaire::Error> {
         cool.with_color(Rgb::new(0.3, 0.5, 1.0))?.compile()?,
     ];
     for row in 0..ROWS {
-        let mut pixels = [0; COLUMNS];
+        let mut pixels = [[0; 2]; COLUMNS];
         scanline(&lights, row, &mut pixels);
-        let characters =
-            pixels.map(|pixel| b" .:-=+*#%@"[usize::from(Rgb565(pixel).to_codes().green) * 9 / 255]);
+        let pixels = pixels.map(|bytes| Rgb565(u16::from_be_bytes(bytes)));
+        let characters = pixels.map(|pixel| b" .:-=+*#%@"[usize::from(pixel.to_codes().green) * 9 / 255]);
         println!("{}", String::from_utf8_lossy(&characters));
     }
     Ok(())
 }
 
-/// One row of a wall that faces the lights, 16 pixels to the metre.
-fn scanline(lights: &[Light], row: i32, pixels: &mut [u16]) {
+/// One row of a wall that faces the lights, 16 pixels to the metre, in the bytes that most displays take by SPI.
+fn scanline(lights: &[Light], row: i32, pixels: &mut [[u8; 2]]) {
     const NORMAL: Vec3<Fx16> = Fx16::normal([0.0, 0.0, 1.0]);
     let metres = |pixels: i32| Length::from_bits(pixels << (16 - 4)); // 16 fraction bits
     for (column, pixel) in (0..).zip(pixels) {
@@ -42,6 +42,6 @@ fn scanline(lights: &[Light], row: i32, pixels: &mut [u16]) {
         for light in lights {
             sum += Rgb::lit(light.irradiance(point, NORMAL), light.color());
         }
-        *pixel = Rgb565::from_linear(clip(sum)).0;
+        *pixel = Rgb565::from_linear(clip(sum)).to_be_bytes();
     }
 }

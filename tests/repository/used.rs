@@ -33,20 +33,7 @@ const WITHOUT: [(&str, &[&str]); 5] = [
         "haze in 16 bits, which no product draws",
         &["endless", "in_scattering", "in_scattering_through", "with_source_radius"],
     ),
-    (
-        "no user yet",
-        &[
-            "axis_in",
-            "emissive",
-            "encode_srgb_dithered",
-            "filtered",
-            "from_inner_and_outer",
-            "normals_from_directx",
-            "to_be_bytes",
-            "to_le_bytes",
-            "union",
-        ],
-    ),
+    ("what a material was given, beside its other colours", &["emissive"]),
 ];
 
 /// Adds the words of code, and those of its texts, which may be code that it writes. Comments, and what is compiled

@@ -1,5 +1,6 @@
 //! The crates as they are packed, tested without the rest of the repository.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -25,10 +26,6 @@ const CRATES: [(&str, &[&str]); 5] = [
     ("luminaire-fixtures", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "data/README.md"]),
     ("luminaire-export", &["README.md", "LICENSE-APACHE", "LICENSE-MIT", "c/library.properties"]),
 ];
-
-/// The examples of the kernel.
-const EXAMPLES: [&str; 7] =
-    ["hello", "wall", "moving_light", "beacon", "paper", "embedded_graphics", "data_sheet"];
 
 /// The warnings that are accepted: one until the project has an address to name, and one for each test
 /// that needs the repository and is not packed.
@@ -157,9 +154,11 @@ impl Unpacked {
             test.env("LUMINAIRE_TOOLS", "1");
             tally::cargo_test(test, progress)
         });
-        for example in EXAMPLES {
-            let run = self.cargo("luminaire", &["run", "--all-features", "--example", example]);
-            progress.run(run).with_context(|| format!("the example {example}"))?;
+        for example in fs::read_dir(self.of("luminaire").join("examples"))? {
+            let example = example?.path();
+            let name = example.file_stem().and_then(OsStr::to_str).unwrap_or_default();
+            let run = self.cargo("luminaire", &["run", "--all-features", "--example", name]);
+            progress.run(run).with_context(|| format!("the example {name}"))?;
         }
         tallies.into_iter().sum()
     }
