@@ -145,8 +145,23 @@ impl Number {
     }
 
     /// Returns the value in the sample of a model: the default of a number that may be left out.
-    pub(crate) fn in_sample(&self) -> f32 {
+    #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
+    pub fn in_sample(&self) -> f32 {
         self.default.unwrap_or(self.sample)
+    }
+
+    /// Returns a value that is accepted, for a number in [0, 1): a fifth of all numbers each are at the least, at the
+    /// greatest and at the value of the sample, and the rest are [`drawn`](Self::drawn).
+    #[cfg(feature = "arithmetic")]
+    pub fn anywhere(&self, number: f32) -> f32 {
+        let [least, most] = self.limits;
+        match number {
+            ..0.2 if self.accepts == Accepts::Positive => f32::from_bits(least.to_bits() + 1),
+            ..0.2 => least,
+            ..0.4 => most,
+            ..0.6 => self.in_sample(),
+            _ => self.drawn((number - 0.6) / 0.4),
+        }
     }
 
     /// Returns the value of a random model for a number in [0, 1), between the usual limits. Of positive and of whole

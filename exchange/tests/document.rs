@@ -7,6 +7,7 @@ use fastrand::Rng;
 use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Knot, Table};
+use luminaire::models::Number;
 use luminaire::{Angle, Cone, DirectionalLight, PointLight, SpotLight};
 use luminaire_exchange::System;
 use luminaire_export::json::{NamedLight, read, write};
@@ -75,24 +76,28 @@ fn document_is_read_back_and_keeps_to_the_schema() {
         vec![DirectionalLight::new([0.0, -1.0, 0.25]).expect("a direction").into()];
     const KNOTS: &[Knot; 2] =
         &[Knot::from_bits(0, 65_535, -2_000_000_001), Knot::from_bits(30_000, 40_000, -9)];
-    for index in 0..40 {
-        let falloff = AnyFalloff::drawn(index, || rng.f32()).unwrap_or(Table::of_knots(KNOTS).into());
+    let values = |rng: &mut Rng, numbers: &mut dyn Iterator<Item = &'static Number>| -> Vec<f32> {
+        numbers.map(|number| number.anywhere(rng.f32())).collect()
+    };
+    for index in 0..80 {
+        let row = &AnyFalloff::LIST[index % AnyFalloff::LIST.len()];
+        let falloff =
+            row.of(&values(&mut rng, &mut row.numbers.iter())).unwrap_or(Table::of_knots(KNOTS).into());
         let Ok(cone) = Cone::from_outer(falloff, Angle::degrees(1.0 + 178.0 * rng.f32())) else { continue };
         let cone =
             cone.with_inner(Angle::degrees(0.9 * cone.outer().to_degrees() * rng.f32())).unwrap_or(cone);
         let cone = cone.with_cutoff(Angle::degrees(0.9 * cone.outer().to_degrees())).unwrap_or(cone);
-        let Ok(attenuation) = AnyAttenuation::drawn(index, || rng.f32()) else { continue };
-        // A window without a range is no window.
-        if attenuation.range().is_none() {
-            continue;
-        }
+        let row = &AnyAttenuation::LIST[index % AnyAttenuation::LIST.len()];
+        let between = 0.001 + 40.0 * rng.f32();
+        let range = rng.choice([0.001, 1e9, between]);
+        let Ok(attenuation) = row.of(&values(&mut rng, &mut row.beside_range()), range) else { continue };
         let [x, y, z] = [0; 3].map(|_| 4.0 * rng.f32() - 1.5);
         let spot =
             SpotLight::new([x, y, z], [z, x, y], cone).expect("a light").with_intensity(9.0 * rng.f32());
         lights.push(spot.expect("an intensity").with_attenuation(attenuation).into());
         lights.push(PointLight::new([x, y, z]).expect("a light").with_attenuation(attenuation).into());
     }
-    assert!(lights.len() > 50, "{} lights", lights.len());
+    assert!(lights.len() > 100, "{} lights", lights.len());
     let named = |light: &AnyLight| NamedLight {
         name: "a \"name\"".into(),
         light: *light,

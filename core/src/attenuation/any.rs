@@ -69,6 +69,15 @@ impl AttenuationRow {
         };
         (self.of)(&each(self.numbers, value), range)
     }
+
+    /// Creates the attenuation without a window from all numbers of its law, of which one may be a range.
+    ///
+    /// # Errors
+    /// Numbers that the constructor refuses. One that is missing is NaN.
+    pub fn of_law(&self, numbers: &[f32]) -> Result<AnyAttenuation, Error> {
+        let mut given = numbers.iter().copied();
+        (self.of)(&each(self.numbers, |number| given.next().or(number.default).unwrap_or(f32::NAN)), None)
+    }
 }
 
 /// An attenuation of the list in its parts: a law of the distance, and the window that ends it.
