@@ -8,15 +8,20 @@
 use crate::{
     decimal::{numbers, read, read_numbers},
     design::Design,
-    edge, fixture,
-    kind::{KINDS, constants_of, law_name, law_named, polynomial},
+    fixture,
+    kind::KINDS,
+    model::Chosen,
     own_cone,
     parameter::{self, Kind, PARAMETERS},
     refusal::Refusal,
     setting::{Setting, channels},
     state::{LIGHTS, State},
 };
-use luminaire::Vec3;
+use luminaire::{
+    Vec3,
+    attenuation::{AnyAttenuation, Polynomial},
+    falloff::AnyFalloff,
+};
 use luminaire_fixtures::Fixture;
 use luminaire_render::scenes::Example;
 
@@ -26,9 +31,10 @@ const VERSION: &str = "1";
 /// A setting of a light: its letter, how it is written, and how it is read into a light.
 type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, Setting) -> Option<Setting>);
 
-/// The settings of a light: `x` off, `k` kind, `a` law of distance, by its name or as a/b/c, `o` own
-/// cone, `b` and `f` beam and field angle, `e` edge, `l` fixture, `c` colour,
-/// `i` intensity as a multiple of full scale at 1 metre, `p` position, `t` target.
+/// The settings of a light: `x` off, `k` kind, `a` law of distance and `e` edge, by their names and numbers,
+/// `o` own cone, `b` and `f` beam and field angle, `l` fixture, `c` colour, `i` intensity as a multiple of
+/// full scale at 1 metre, `p` position, `t` target. Three numbers without a name are a polynomial of the distance,
+/// as in older addresses.
 const SETTINGS: [Letter; 12] = [
     (
         'x',
@@ -42,13 +48,10 @@ const SETTINGS: [Letter; 12] = [
     ),
     (
         'a',
-        |light| {
-            let constants = constants_of(light.law).map(|constants| numbers(&constants));
-            light.law.and(constants.or(Some(law_name(light.law).to_owned())))
-        },
+        |light| Some(light.law?.written()),
         |text, light| {
-            let law = read_numbers(text).map_or_else(|| law_named(text), |law| polynomial(law).map(Some));
-            Some(Setting { law: law.ok()?, ..light })
+            let older = read_numbers(text).and_then(|[a, b, c]| Some(Polynomial::new(a, b, c).ok()?.into()));
+            Some(Setting { law: Some(older.or_else(|| AnyAttenuation::read(text))?), ..light })
         },
     ),
     (
@@ -68,8 +71,8 @@ const SETTINGS: [Letter; 12] = [
     ),
     (
         'e',
-        |light| Some(light.edge?.effect().name().to_owned()),
-        |text, light| Some(Setting { edge: Some(edge::named(text)?), ..light }),
+        |light| Some(light.edge?.written()),
+        |text, light| Some(Setting { edge: Some(AnyFalloff::read(text)?), ..light }),
     ),
     (
         'l',
@@ -238,29 +241,34 @@ mod tests {
     use crate::{
         design::Mark::{Beam, Field},
         format::Format,
-        kind::CONSTANTS,
         map::Subject,
         stage::Stage,
         state::EXPOSURES,
         viewpoint::Viewpoint,
     };
-    use luminaire::{Cone, falloff::AnyFalloff, falloff::Soft};
+    use luminaire::Cone;
     use luminaire_fixtures::FIXTURES;
     use luminaire_render::Output;
+
+    /// Any model with any numbers that it accepts.
+    fn any<M: Chosen>(random: &mut fastrand::Rng) -> M {
+        let model = random.choice(M::all()).unwrap();
+        let values: Vec<_> = model.list().iter().map(|number| number.anywhere(random.f32())).collect();
+        model.with_values(&values).unwrap_or(model)
+    }
 
     fn random_setting(random: &mut fastrand::Rng, of: usize) -> Setting {
         let mut setting = Setting::of(of);
         let vector = |random: &mut fastrand::Rng| Vec3::new(number(random), number(random), number(random));
         setting.is_on = random.bool();
-        setting.edge = random.bool().then(|| random.choice(edge::all().collect::<Vec<_>>()).unwrap());
+        setting.edge = random.bool().then(|| any(random));
         setting.own = random.bool().then(|| {
-            let falloff = AnyFalloff::drawn(random.usize(..99), || random.f32()).unwrap_or(Soft.into());
+            let falloff: AnyFalloff = any(random);
             let outer = random.f32().max(1e-6);
             Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
         });
         setting.kind = random.bool().then(|| random.choice(KINDS).unwrap());
-        let law = polynomial(CONSTANTS.map(|constant| random.f32() * constant.ends[1])).ok();
-        setting.law = random.choice([None, law_named("unattenuated").unwrap(), law]).unwrap();
+        setting.law = random.bool().then(|| any(random));
         let mark = if random.bool() { Beam } else { Field };
         match random.u8(..5) {
             0 => setting.design = Design::of(mark, number(random)),
@@ -364,7 +372,9 @@ mod tests {
             ("lights=0:larri-l7-c:b20:f25", "lights"),
             ("lights=0:eround", "lights"),
             ("lights=0:kround", "lights"),
-            ("lights=0:a0/0/2.5", "lights = \"0:a0/0/2.5\""),
+            ("lights=0:a0/0/-1", "lights = \"0:a0/0/-1\""),
+            ("lights=0:apolynomial/0/0", "lights = \"0:apolynomial/0/0\""),
+            ("lights=0:epower/9999", "lights = \"0:epower/9999\""),
             ("shininess=100", "shininess = \"100\": expected own, 8, 16, 32"),
             ("lights=0:é", "lights"),
             ("lights=0:céé", "lights"),
@@ -400,7 +410,7 @@ mod tests {
             assert!(!lights[0].is_on && lights[2].color == Some([0, 255, 0]), "{text}");
         }
         // Nor does a bad setting take the other ones of its light.
-        for bad in ["q", "kround", "a1/2", "a0/0/3", "b400", "i1000000000000"] {
+        for bad in ["q", "kround", "a1/2", "a0/0/-3", "b400", "i1000000000000"] {
             let refused = stage.take_address(&format!("lights=0:x:{bad}:c00ff00")).unwrap();
             let good = Setting { is_on: false, color: Some([0, 255, 0]), ..Setting::of(0) };
             assert_eq!((refused.len(), &stage.state().lights[..]), (1, &[good][..]), "{bad}: {refused:?}");

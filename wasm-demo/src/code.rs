@@ -68,7 +68,7 @@ mod tests {
     fn the_law_and_the_kind_of_a_light_are_written() {
         let (mut code, mut stage) = (Code::default(), Stage::of(Example::ThreePoint).unwrap());
         for (name, choice, words) in [
-            ("law", "polynomial", "Polynomial::new(0.0, 0.0, 1.0)"),
+            ("law", "polynomial", "Polynomial::new(1.0, 0.2, 0.03)"),
             ("kind", "point", "PointLight::new"),
             ("kind", "directional", "DirectionalLight::new"),
         ] {

@@ -3,12 +3,17 @@
 use crate::{
     fixture,
     light::{DialEnds, lumens_of},
+    model::{Chosen, is_logarithmic},
     photometry::full_scale,
     refusal::Refusal,
     setting::Setting,
     stage::Stage,
 };
-use luminaire::{Angle, Cone, dynamic::AnyLight};
+use luminaire::{
+    Angle, Cone,
+    dynamic::AnyLight,
+    models::{Accepts, Number},
+};
 use wasm_bindgen::prelude::*;
 
 /// The ends of the dial of the intensity, as multiples of the light's own intensity.
@@ -28,14 +33,23 @@ impl Stage {
         let setting = Setting { is_on: true, ..*self.held(light)? };
         let original = &self.rig().original(&setting)?;
         let full_scale = full_scale(self.state().scene);
+        let is_taken = |name: &str, value: f32| {
+            let mut next = setting;
+            next.set_number(name, value, original, full_scale)
+                .and_then(|()| self.rig().accept(self.state(), light, &next))
+                .is_ok()
+        };
         let ends = |name: &str, value: f32, ends: [f32; 2]| {
-            let is_taken = |value: f32| {
-                let mut next = setting;
-                next.set_number(name, value, original, full_scale)
-                    .and_then(|()| self.rig().accept(self.state(), light, &next))
-                    .is_ok()
-            };
-            ends.map(|end| farthest(value, end, is_taken)).into()
+            ends.map(|end| farthest(value, end, geometric, |value| is_taken(name, value))).into()
+        };
+        // Of all numbers of a model, from the values that random models have.
+        let all_ends = |kind: &str, list: &[Number], values: Vec<f32>| -> Vec<f32> {
+            let each = (0..).zip(list).zip(values).flat_map(|((place, number), value): ((usize, _), _)| {
+                let (name, [least, most]) = (format!("{kind}-{place}"), number.limits);
+                let ends = number.usual.map(|end| end.max(least).min(most));
+                ends.map(|end| farthest(value, end, middle_of(number), |value| is_taken(&name, value)))
+            });
+            each.collect()
         };
         let on = *setting.applied(original, 1.0)?.light();
         let published = setting.fixture.and_then(|fixture| fixture.lumens);
@@ -50,6 +64,7 @@ impl Stage {
         let shares = if published.is_some() { DIMMED } else { INTENSITIES };
         let mut dials = DialEnds {
             intensity: ends("intensity", own, shares.map(|share| share * own)),
+            law: setting.law.map_or(Vec::new(), |law| all_ends("law", law.list(), law.values())),
             ..DialEnds::default()
         };
         if let AnyLight::Spot(spot) = on {
@@ -61,6 +76,9 @@ impl Stage {
             };
             dials.beam = angle("beam", |cone| cone.beam());
             dials.field = angle("field", |cone| cone.field());
+            if let Some(edge) = setting.chosen_edge() {
+                dials.edge = all_ends("edge", edge.list(), edge.values());
+            }
             if let (Some(fixture), Some((_, zoom))) = (setting.fixture, setting.design.one()) {
                 dials.zoom = ends("zoom", zoom, fixture::zooms(fixture));
             }
@@ -69,8 +87,24 @@ impl Stage {
     }
 }
 
+/// The value in the middle of the way between two others.
+type Middle = fn(f32, f32) -> f32;
+
+fn geometric(a: f32, b: f32) -> f32 {
+    (a * b).sqrt()
+}
+
+/// Returns how the slider of a number divides its way.
+fn middle_of(number: &Number) -> Middle {
+    match number.accepts {
+        _ if is_logarithmic(number) => geometric,
+        Accepts::Whole => |a, b| (0.5 * (a + b)).round(),
+        _ => |a, b| 0.5 * (a + b),
+    }
+}
+
 /// Returns the end, or the value nearest to it that is taken, between the end and the light's own value.
-fn farthest(value: f32, end: f32, is_taken: impl Fn(f32) -> bool) -> f32 {
+fn farthest(value: f32, end: f32, middle: Middle, is_taken: impl Fn(f32) -> bool) -> f32 {
     if is_taken(end) {
         return end;
     }
@@ -79,7 +113,7 @@ fn farthest(value: f32, end: f32, is_taken: impl Fn(f32) -> bool) -> f32 {
     let Some(mut taken) = inside.into_iter().find(|&value| is_taken(value)) else { return value };
     let mut refused = end;
     for _ in 0..HALVINGS {
-        let middle = (taken * refused).sqrt();
+        let middle = middle(taken, refused);
         if is_taken(middle) { taken = middle } else { refused = middle }
     }
     taken

@@ -74,6 +74,8 @@ mod kind;
 mod light;
 #[cfg(feature = "state")]
 mod map;
+#[cfg(feature = "state")]
+mod model;
 #[cfg(feature = "comparison")]
 mod museum;
 #[cfg(feature = "state")]

@@ -12,10 +12,11 @@ pub struct LightState {
     pub name: String,
     /// The kind: `spot`, `point` or `directional`, or `own` for that of the scene.
     pub kind: String,
-    /// The law of distance: `unattenuated`, `inverse-square`, `polynomial` or `own`.
+    /// The law of distance that the visitor has chosen, or `own`.
     pub law: String,
-    /// The three constants of the polynomial; empty for another law.
-    pub constants: Vec<f32>,
+    /// The numbers of this law; empty for `own`.
+    #[wasm_bindgen(js_name = lawNumbers)]
+    pub law_numbers: Vec<f32>,
     /// Whether it is a spotlight.
     #[wasm_bindgen(js_name = isSpot)]
     pub is_spot: bool,
@@ -30,6 +31,9 @@ pub struct LightState {
     pub reach: Vec<f32>,
     /// The name of the falloff that the visitor has chosen, `fitted` to both angles, or `own`.
     pub edge: String,
+    /// The numbers of the falloff that the visitor has chosen; empty for `fitted` and `own`.
+    #[wasm_bindgen(js_name = edgeNumbers)]
+    pub edge_numbers: Vec<f32>,
     /// The name of the scene's own falloff of the light.
     #[wasm_bindgen(js_name = ownEdge)]
     pub own_edge: String,
@@ -76,6 +80,10 @@ pub struct DialEnds {
     pub zoom: Vec<f32>,
     /// Of the intensity on the axis, in the unit of the light.
     pub intensity: Vec<f32>,
+    /// Of each number of the law of distance, one after the other.
+    pub law: Vec<f32>,
+    /// Of each number of the edge.
+    pub edge: Vec<f32>,
 }
 
 /// The position of a light; `None` for a directional light.

@@ -4,8 +4,9 @@ use crate::{
     design::{Design, Mark},
     edge::{self, FITTED},
     fixture,
-    kind::{AnySpot, BRIGHTEST, CONSTANTS, KINDS, as_bright, constants_of, kept, law_named, polynomial},
-    refusal::{Refusal, choose},
+    kind::{AnySpot, BRIGHTEST, KINDS, as_bright, kept},
+    model::Chosen,
+    refusal::{Refusal, choose, one_of},
 };
 use luminaire::{
     Cone, DirectionalLight, Error, PointLight, Rgb, SpotLight, Vec3,
@@ -53,9 +54,9 @@ impl Setting {
 
     /// Sets a value by its name, for the `original` light of a scene that shows `full_scale` lux as
     /// full scale: the `beam`, `field` or `zoom` angle in degrees, where a light that has both angles
-    /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light;
-    /// `a`, `b` or `c` of the law of distance; or the `intensity` in candela, or in lux for a
-    /// directional light. Angles conserve the flux.
+    /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light; a number
+    /// of the chosen law of distance or edge, by its place behind `law-` or `edge-`; or the `intensity`
+    /// in candela, or in lux for a directional light. Angles and edges conserve the flux.
     pub(crate) fn set_number(
         &mut self,
         name: &str,
@@ -70,7 +71,7 @@ impl Setting {
             "fit-field" => self.reshape(original, &|setting, cone| setting.fit(Mark::Field, value, cone)),
             "zoom" => self.reshape(original, &|setting, _| setting.set_zoom(value)),
             "intensity" => self.set_intensity(value, full_scale),
-            _ => self.set_constant(name, value),
+            _ => self.set_number_of_model(name, value, original),
         }
     }
 
@@ -86,7 +87,7 @@ impl Setting {
         match name {
             "kind" if value == "own" => self.kind = None,
             "kind" => self.kind = Some(choose("kind of light", value, &KINDS, Effect::name)?),
-            "law" => self.law = law_named(value)?,
+            "law" => self.set_law(value)?,
             "edge" => self.reshape(original, &|setting, cone| setting.set_edge(value, cone))?,
             "color" => self.color = Some(channels_of(value)?),
             "fixture" => {
@@ -216,18 +217,37 @@ impl Setting {
         Ok(())
     }
 
-    /// Sets a constant of the law of distance.
-    fn set_constant(&mut self, name: &str, value: f32) -> Result<(), Refusal> {
-        let expected = "beam, field, fit-beam, fit-field, zoom, intensity, a, b or c";
-        let place = CONSTANTS.iter().position(|constant| constant.name == name);
-        let place = place.ok_or_else(|| Refusal::name("number of a light", name, expected))?;
-        let Some(mut constants) = constants_of(self.law) else {
-            let expected = "the law of distance \"polynomial\" to be chosen first";
-            return Err(Refusal::name(CONSTANTS[place].label, &value.to_string(), expected));
-        };
-        constants[place] = value;
-        self.law = Some(polynomial(constants)?);
+    /// Sets the law of distance by name.
+    fn set_law(&mut self, name: &str) -> Result<(), Refusal> {
+        let law = AnyAttenuation::named(name);
+        if law.is_none() && name != "own" {
+            let all = AnyAttenuation::all();
+            let names = ["own"].into_iter().chain(all.iter().map(Chosen::name));
+            return Err(Refusal::name("law", name, one_of(names)));
+        }
+        self.law = law;
         Ok(())
+    }
+
+    /// Sets a number of the chosen law of distance or of the chosen edge.
+    fn set_number_of_model(&mut self, name: &str, value: f32, original: &MovingLight) -> Result<(), Refusal> {
+        let place = |name: &str, model| name.strip_prefix(model)?.strip_prefix('-')?.parse().ok();
+        let missing =
+            |model| Refusal::name(name, &value.to_string(), format!("the {model} to be chosen first"));
+        if let Some(place) = place(name, "law") {
+            let law = self.law.ok_or_else(|| missing("law of distance"))?;
+            self.law = Some(law.with_value(place, value)?);
+            return Ok(());
+        }
+        if let Some(place) = place(name, "edge") {
+            return self.reshape(original, &|setting, _| {
+                let edge = setting.chosen_edge().ok_or_else(|| missing("edge"))?;
+                setting.edge = Some(edge.with_value(place, value)?);
+                Ok(())
+            });
+        }
+        let expected = "beam, field, fit-beam, fit-field, zoom, intensity, or law- or edge- with a place";
+        Err(Refusal::name("number of a light", name, expected))
     }
 
     /// Sets whether the angle is interpreted as beam or as field angle.
@@ -309,11 +329,16 @@ impl Setting {
         color.map_or(Ok(light), |color| light.with_color(color))?.with_intensity(intensity)
     }
 
+    /// The edge that the visitor has chosen; `None` for the light's own, or one that both angles determine.
+    pub(crate) fn chosen_edge(&self) -> Option<AnyFalloff> {
+        self.edge.filter(|_| self.design.both().is_none())
+    }
+
     /// The name of the edge: `own`, `fitted`, or that of a falloff.
     pub(crate) fn edge_name(&self) -> &'static str {
-        match self.edge {
+        match self.chosen_edge() {
             _ if self.design.both().is_some() => FITTED,
-            Some(edge) => edge.effect().name(),
+            Some(edge) => edge.name(),
             None => "own",
         }
     }

@@ -9,6 +9,7 @@ import { degrees, tidy, whole } from "./numbers.js";
 import { plain } from "./plain.js";
 
 /** @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>} Light */
+/** @typedef {import("./pkg/wasm_demo.js").ModelState} Model */
 
 /** @param {string} name */
 const element = (name) => find(`light-${name}`);
@@ -16,6 +17,9 @@ const element = (name) => find(`light-${name}`);
 const input = (name) => find(`light-${name}`, HTMLInputElement);
 /** @param {string} name */
 const select = (name) => find(`light-${name}`, HTMLSelectElement);
+
+/** The choices whose models have dials for their numbers. */
+const CHOICES = /** @type {const} */ (["law", "edge"]);
 
 /**
  * The fields of a position and of an aim.
@@ -29,7 +33,13 @@ export class LightPanel {
   #panel = find("panel");
   #error = element("error");
   #dials;
-  #constants;
+  /** @type {Record<"law" | "edge", Model[]>} */
+  #models = { law: Stage.laws(), edge: Stage.edges() };
+  /**
+   * The model whose numbers are shown, and their dials.
+   * @type {Record<"law" | "edge", { name: string, dials: Dial[] }>}
+   */
+  #numbers = { law: { name: "", dials: [] }, edge: { name: "", dials: [] } };
   /**
    * The angle that was typed last, and the light as it was then.
    * @type {{ name: string, light: number, angles: string } | undefined}
@@ -46,10 +56,11 @@ export class LightPanel {
     this.#stage = stage;
     const count = listFixtures(element("fixtures"));
     input("fixture").placeholder = `Search ${count} fixtures`;
-    element("edge").append(...Stage.edges().map((name) => new Option(name.replaceAll("-", " "), name)));
+    for (const choice of CHOICES) {
+      element(choice).append(...this.#models[choice].map(({ name }) => new Option(name.replaceAll("-", " "), name)));
+    }
     const [beam, field] = [this.#dial("beam"), this.#dial("field")];
     this.#dials = { beam, field, zoom: this.#dial("zoom"), intensity: this.#dial("intensity") };
-    this.#constants = Stage.constants().map((constant) => this.#constant(constant));
     const choices = { kind: select, law: select, fixture: input, reading: select, edge: select, color: input };
     for (const [name, kind] of Object.entries(choices)) {
       const control = kind(name);
@@ -108,8 +119,8 @@ export class LightPanel {
     }
     // A directional light has no distance.
     select("law").disabled = state.position.length === 0;
-    element("constants").hidden = select("law").disabled || state.constants.length === 0;
-    for (const [i, value] of state.constants.entries()) this.#constants[i].show(value, source);
+    this.#showNumbers("law", select("law").disabled ? "" : state.law, state.lawNumbers, ends.law, source);
+    this.#showNumbers("edge", state.isSpot ? state.edge : "", state.edgeNumbers, ends.edge, source);
     intensity.show(Number(state.intensity.toPrecision(4)), source);
     element("unit").textContent = state.unit;
     if (!state.isSpot) return;
@@ -171,19 +182,43 @@ export class LightPanel {
   }
 
   /**
-   * Adds the dial of a constant of the law of distance.
-   * @param {import("./pkg/wasm_demo.js").ConstantState} constant
+   * Shows the numbers of the chosen law or edge; none for one that has none.
+   * @param {"law" | "edge"} choice
+   * @param {string} name
+   * @param {ArrayLike<number>} values
+   * @param {ArrayLike<number>} ends of each dial, one after the other
+   * @param {Element} [source]
    */
-  #constant({ name, label, unit, least, most, isLogarithmic }) {
-    const row = copyOf("constant");
-    const [slider, number] = row.querySelectorAll("input");
-    [slider.id, number.id, number.ariaLabel] = [`light-${name}`, `light-${name}-number`, label + unit];
+  #showNumbers(choice, name, values, ends, source) {
+    const { numbers } = this.#models[choice].find((model) => model.name === name) ?? { numbers: [] };
+    if (this.#numbers[choice].name !== name) {
+      element(`${choice}-numbers`).replaceChildren();
+      const dials = numbers.map((number, place) => this.#numberOf(choice, number, `${choice}-${place}`));
+      this.#numbers[choice] = { name, dials };
+    }
+    element(`${choice}-numbers`).hidden = numbers.length === 0;
+    for (const [place, dial] of this.#numbers[choice].dials.entries()) {
+      const { unit, isLogarithmic } = numbers[place];
+      dial.range(ends[2 * place], ends[2 * place + 1], unit, isLogarithmic);
+      dial.show(values[place], source);
+    }
+  }
+
+  /**
+   * Adds the dial of a number of a law or an edge.
+   * @param {"law" | "edge"} choice
+   * @param {import("./pkg/wasm_demo.js").NumberState} number
+   * @param {string} name
+   */
+  #numberOf(choice, { label, unit, isWhole }, name) {
+    const row = copyOf("number");
+    const [slider, field] = row.querySelectorAll("input");
+    [slider.id, field.id, field.ariaLabel] = [`light-${name}`, `light-${name}-number`, label + unit];
+    slider.step = isWhole ? "1" : "any";
     Object.assign(findIn(row, "label"), { textContent: label, htmlFor: slider.id });
     findIn(row, "i").textContent = unit;
-    element("constants").append(row);
-    const dial = this.#dial(name);
-    dial.range(least, most, unit, isLogarithmic);
-    return dial;
+    element(`${choice}-numbers`).append(row);
+    return this.#dial(name);
   }
 
   /** @param {string} name */

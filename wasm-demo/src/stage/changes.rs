@@ -89,9 +89,10 @@ impl Stage {
     }
 
     /// Sets a number of a light, as a step of a gesture: its `beam`, `field` or `zoom` angle in degrees;
-    /// `fit-beam` or `fit-field`, which keep the other angle; `a`, `b` or `c` of its law of distance; or
-    /// its `intensity` in candela, or in lux for a directional light. Angles conserve the flux, and the
-    /// law of distance conserves the irradiance at the throw.
+    /// `fit-beam` or `fit-field`, which keep the other angle; a number of its chosen law of distance or
+    /// edge, by its place behind `law-` or `edge-`; or its `intensity` in candela, or in lux for a
+    /// directional light. Angles and edges conserve the flux, and the law of distance conserves the
+    /// irradiance at the throw.
     #[wasm_bindgen(js_name = setNumber)]
     pub fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);

@@ -1,8 +1,8 @@
 //! The lights of the stage, for JavaScript.
 
 use super::Stage;
-use crate::{curve, edge, kind, photometry, refusal::Refusal};
-use luminaire::{Cone, Vec3, dynamic::AnyLight, falloff::AnyFalloff};
+use crate::{curve, model, photometry, refusal::Refusal};
+use luminaire::{Cone, Vec3, attenuation::AnyAttenuation, dynamic::AnyLight, falloff::AnyFalloff};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -41,15 +41,16 @@ impl Stage {
         Ok(flat(self.pool(light, aspect)?))
     }
 
-    /// The edges to choose from: the falloffs of the library, by name.
-    pub fn edges() -> Vec<String> {
-        edge::all().map(|falloff| falloff.effect().name().to_owned()).collect()
+    /// The edges to choose from: the falloffs of the library.
+    #[wasm_bindgen(unchecked_return_type = "ModelState[]")]
+    pub fn edges() -> Vec<JsValue> {
+        model::listed::<AnyFalloff>()
     }
 
-    /// The constants of the law of distance.
-    #[wasm_bindgen(unchecked_return_type = "ConstantState[]")]
-    pub fn constants() -> Vec<JsValue> {
-        kind::CONSTANTS.map(kind::constant).into()
+    /// The laws of distance to choose from.
+    #[wasm_bindgen(unchecked_return_type = "ModelState[]")]
+    pub fn laws() -> Vec<JsValue> {
+        model::listed::<AnyAttenuation>()
     }
 
     /// The illuminance in lux that is shown as full scale at the current exposure, on a white surface.

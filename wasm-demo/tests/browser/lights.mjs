@@ -1,6 +1,6 @@
 // A light on the desk and in the picture: its angles, its values and what refuses them, its place, its code and its price.
 import {
-  EXPECT, STILL, ask, assert, change, drag, enter, exists, focus, isDisabled, isShown, isWritten, more, must, number, open, openPrice, options,
+  EXPECT, STILL, ask, assert, change, count, drag, enter, exists, focus, isDisabled, isShown, isWritten, more, must, number, open, openPrice, options,
   place, press, quick, requests, settle, shows, tab, type, until, value, words, written,
 } from "./visit.mjs";
 
@@ -225,21 +225,35 @@ quick("the law of distance, the kind of a light and the highlights are set and u
   await open(`${SMALL}#stage?scene=three-point&play=none`);
   await change("a law", () => enter("light-law", "unattenuated"));
   await enter("light-law", "polynomial");
-  await change("a constant", () => enter("light-b", 2));
-  await type("light-c-number", "3");
-  assert.match(await words("light-error"), /^Quadratic c = 3: expected 0 to 2/);
-  await isWritten(/lights=0:a0\/2\/1;/);
+  await change("a number of the law", () => enter("light-law-1", 2));
+  await type("light-law-2-number", "-3");
+  assert.match(await words("light-error"), /^attenuation coefficient = -3: expected a finite number from 0 to 1000000000/);
+  await isWritten(/lights=0:apolynomial\/1\/2\/0.03;/);
   await change("a point light", () => enter("light-kind", "point"));
-  assert.ok(await shows("light-constants") && !(await shows("light-cone")), "a point light has a law and no cone");
-  await isWritten(/lights=0:kpoint:a0\/2\/1;/);
+  assert.ok(await shows("light-law-numbers") && !(await shows("light-cone")), "a point light has a law and no cone");
+  await isWritten(/lights=0:kpoint:apolynomial\/1\/2\/0.03;/);
   await change("a directional light", () => enter("light-kind", "directional"));
-  assert.ok((await isDisabled("light-law")) && !(await shows("light-constants")), "a law without a distance");
-  await isWritten(/lights=0:kdirectional:a0\/2\/1;/);
+  assert.ok((await isDisabled("light-law")) && !(await shows("light-law-numbers")), "a law without a distance");
+  await isWritten(/lights=0:kdirectional:apolynomial\/1\/2\/0.03;/);
   await press("undo");
   assert.equal(await value("light-kind"), "point");
   await change("highlights", () => enter("highlight", "0.5"));
   await change("their exponent", () => enter("shininess", "1024"));
   await isWritten(/&highlight=0.5&shininess=1024$/);
+});
+
+quick("an edge has a dial for each of its numbers", async () => {
+  await open(`${SMALL}#stage?scene=three-point&play=none`);
+  assert.ok(!(await shows("light-edge-numbers")), "the light's own edge has dials");
+  await change("an edge with a number", () => enter("light-edge", "power"));
+  await change("its exponent", () => enter("light-edge-0", 20));
+  await isWritten(/lights=0:epower\/20[:;]/);
+  await type("light-edge-0-number", "2.5");
+  assert.match(await words("light-error"), /^exponent = 2.5: expected a whole number from 1 to/);
+  await enter("light-edge", "cubic");
+  assert.equal(await count("#light-edge-numbers .dial"), 2, "the dials of a cubic");
+  await enter("light-edge", "soft");
+  assert.ok(!(await shows("light-edge-numbers")), "a soft edge has no number");
 });
 
 // The drawer with the code of the selected light.

@@ -6,13 +6,14 @@ use crate::{
     fixture,
     format::Format,
     job,
-    kind::{CONSTANTS, arriving, constants_of},
+    kind::arriving,
     light::{DialEnds, LightState},
+    model::Chosen,
     own_cone,
     state::EXPOSURES,
 };
 use luminaire::dynamic::{AnyLight, Effect, Effects};
-use luminaire::falloff::AnyFalloff;
+use luminaire::{attenuation::AnyAttenuation, falloff::AnyFalloff};
 use luminaire_fixtures::FIXTURES;
 use luminaire_render::{Renderer, Surfaces, scenes::Example};
 
@@ -279,7 +280,8 @@ fn a_refused_value_changes_nothing() {
     refused(choice(&mut stage, "reading", "outer"), "beam or field");
     refused(choice(&mut stage, "kind", "area"), "kind of light = \"area\": expected spot, point or");
     refused(choice(&mut stage, "law", "linear"), "law = \"linear\": expected own, unattenuated");
-    refused(number(&mut stage, "b", 1.0), "Linear b = \"1\": expected the law of distance");
+    refused(number(&mut stage, "law-1", 1.0), "law-1 = \"1\": expected the law of distance");
+    refused(number(&mut stage, "edge-0", 1.0), "edge-0 = \"1\": expected the edge");
     for color in ["", "#fff", "ffffff", "#gggggg", "#ffffff0", "#ééé", "#+1+1+1"] {
         refused(choice(&mut stage, "color", color), "color");
     }
@@ -313,21 +315,25 @@ fn turn_dials(stage: &mut Stage, light: usize, starts: &[Option<usize>]) -> usiz
     let (opened, mut count) = (stage.state().clone(), 0);
     for first in starts {
         let dials = |stage: &Stage| {
-            let DialEnds { beam, field, zoom, intensity } = stage.dial_ends(light).unwrap();
-            let is_shown = constants_of(stage.setting(light).unwrap().law).is_some();
-            let constants = CONSTANTS.iter().filter(move |_| is_shown);
+            let DialEnds { beam, field, zoom, intensity, law, edge } = stage.dial_ends(light).unwrap();
             let dials = [("beam", beam), ("field", field), ("zoom", zoom), ("intensity", intensity)];
-            dials.into_iter().chain(constants.map(|one| (one.name, one.ends.into())))
+            let mut dials = dials.map(|(name, ends)| (name.to_owned(), ends)).to_vec();
+            for (model, ends) in [("law", law), ("edge", edge)] {
+                let each = ends.chunks(2).enumerate();
+                dials.extend(each.map(|(place, ends)| (format!("{model}-{place}"), ends.to_vec())));
+            }
+            dials
         };
+        stage.adopt(opened.clone()).unwrap();
         for (name, ends) in dials(stage) {
             stage.adopt(opened.clone()).unwrap();
             if let Some(end) = first.and_then(|end| ends.get(end)) {
-                stage.set_number(light, name, *end).unwrap();
+                stage.set_number(light, &name, *end).unwrap();
             }
             stage.grip();
             for (name, ends) in dials(stage) {
                 for end in ends {
-                    let outcome = stage.set_number(light, name, end);
+                    let outcome = stage.set_number(light, &name, end);
                     assert_eq!(outcome, Ok(()), "{:?}, light {light}: {name} = {end}", opened.scene);
                     count += 1;
                 }
@@ -358,9 +364,10 @@ fn dials_accept_both_ends() {
         }
     }
     for format in Format::ALL {
-        for (name, value) in ["soft", "hard", "fitted", "power"]
-            .map(|edge| ("edge", edge))
-            .into_iter()
+        let edges: Vec<_> = AnyFalloff::all().iter().map(|edge| edge.name()).chain(["fitted"]).collect();
+        for (name, value) in edges
+            .iter()
+            .map(|edge| ("edge", *edge))
             .chain(["ARRI L7-C", FIXTURES[0].name, FIXTURES[40].name].map(|name| ("fixture", name)))
         {
             let mut stage = stage(Example::ThreePoint);
@@ -372,10 +379,12 @@ fn dials_accept_both_ends() {
         }
         let mut stage = stage(Example::ThreePoint);
         stage.put("format", format.name()).unwrap();
-        choice(&mut stage, "law", "polynomial").unwrap();
-        for kind in ["own", "point", "directional"] {
-            choice(&mut stage, "kind", kind).unwrap();
-            count += turn_dials(&mut stage, 0, &[None, Some(0), Some(1)]);
+        for law in AnyAttenuation::all() {
+            choice(&mut stage, "law", law.name()).unwrap();
+            for kind in ["own", "point", "directional"] {
+                choice(&mut stage, "kind", kind).unwrap();
+                count += turn_dials(&mut stage, 0, &[None, Some(0), Some(1)]);
+            }
         }
     }
     assert!(count > 500, "only {count} values");
@@ -641,11 +650,12 @@ fn every_law_and_kind_keeps_the_light_at_the_throw_and_has_an_address() {
             }
             let before = at_throw(&stage, light);
             for kind in ["own", "spot", "point", "directional"] {
-                for law in ["own", "unattenuated", "inverse-square", "polynomial"] {
+                let laws = AnyAttenuation::all();
+                for law in ["own"].into_iter().chain(laws.iter().map(Chosen::name)) {
                     stage.set_choice(light, "kind", kind).unwrap();
                     stage.set_choice(light, "law", law).unwrap();
                     if law == "polynomial" {
-                        stage.set_number(light, "b", 2.0).unwrap();
+                        stage.set_number(light, "law-1", 2.0).unwrap();
                     }
                     let now = at_throw(&stage, light) / before;
                     assert!((now - 1.0).abs() < 1e-3, "{scene:?}, {kind}, {law}: {now} of the light");
