@@ -1,8 +1,9 @@
 //! A guide in chapters: choose, describe, move, port and test a light.
 //!
-//! Each chapter says first what you will have at the end, then shows code, then the limits. Its code
-//! is compiled, and asserts its figures: `cargo test -p luminaire --doc guide` runs all of it. A
-//! figure that the code does not compute names the command that prints it.
+//! Each chapter says first what you will have at the end, then shows code; most end with limits. The code
+//! is compiled, and asserts its figures: `cargo test -p luminaire --doc guide` runs it, but for the kernel of
+//! [oracle], which is an example of its own. A figure that the code does not compute names the command that
+//! prints it.
 //!
 //! | you want to | chapter |
 //! |---|---|
@@ -14,10 +15,23 @@
 //! | show a gradient without bands | [gradients] |
 //! | move, aim, zoom and dim lights | [moving] |
 //! | port a spotlight of another system | [porting]: [OpenGL](porting::opengl), [Direct3D 9](porting::direct3d), [glTF](porting::gltf), [three.js](porting::three), [Godot](porting::godot), [Bevy](porting::bevy) |
-//! | light the spans of a scanline renderer | [scanline] |
+//! | light spans of pixels, arrays of points or vertices in a renderer | [scanline] |
 //! | use vectors and colours of other crates | the features of [interop](crate::interop) |
 //! | test a kernel of your own | [oracle] |
 //! | know when to use something else | [not_for] |
+//!
+//! Whole programs are in `core/examples`; `cargo run -p luminaire --example NAME` runs one:
+//!
+//! | example | shows |
+//! |---|---|
+//! | `hello` | the shortest program: a pixel under a spotlight |
+//! | `data_sheet` | from the angles and lumens of a data sheet to lux on a floor, and the bounds of the error |
+//! | `wall` | two coloured lights on a wall, row by row, in the bytes of a display |
+//! | `moving_light` | a light that follows a target, zooms and fades, in integers |
+//! | `beacon` | a lighthouse: a direction in integers, tiles that no light reaches, materials that shine |
+//! | `lighting_desk` | cones from the channels of a lighting desk, designed in integers |
+//! | `paper` | a normal map on electronic paper of four greys |
+//! | `embedded_graphics` | a display of `embedded-graphics`, with `--features embedded-graphics-core04` |
 //!
 //! Commands are run in a clone of the repository; files such as `docs/EFFECTS.md` and folders such as
 //! `examples/boards/` are in it, not in the crate.

@@ -14,7 +14,7 @@
 //! ```
 //! use luminaire::{Angle, Cone, Fx16, SpotLight};
 //!
-//! // A Fresnel with a field angle of 15 degrees, four metres above the origin, pointing down.
+//! // A soft-edged stage light with a field angle of 15 degrees, four metres above the origin, pointing down.
 //! let cone = Cone::soft(Angle::degrees(15.0))?;
 //! let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], cone)?.with_intensity(16.0)?;
 //!

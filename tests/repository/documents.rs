@@ -1,9 +1,10 @@
 //! What comments and documents must contain, and must not.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::listing::{ROOT, crates, files};
+use crate::listing::{ROOT, crates, dependencies, files};
 
 /// A phrase for which the field has a plainer word, and what to write instead.
 const PHRASES: [(&str, &str); 18] = [
@@ -71,6 +72,51 @@ fn the_program_of_the_readme_is_the_example_that_it_names() {
     let (_, rest) = readme.split_once("\n```rust\n").unwrap();
     let (program, _) = rest.split_once("```").unwrap();
     assert!(hello.ends_with(program), "expected {hello}");
+}
+
+#[test]
+fn the_guide_lists_every_example_of_the_kernel() {
+    let guide = fs::read_to_string(Path::new(ROOT).join("core/src/guide.rs")).unwrap();
+    let listed: BTreeSet<_> = guide
+        .lines()
+        .skip_while(|line| !line.starts_with("//! | example"))
+        .map_while(|line| line.strip_prefix("//! |"))
+        .filter_map(|row| row.split('`').nth(1))
+        .collect();
+    let found = files(&["core/examples/*.rs"]);
+    let found: BTreeSet<_> = found.iter().map(|file| file.file_stem().unwrap().to_str().unwrap()).collect();
+    assert_eq!(listed, found);
+}
+
+/// The table of ARCHITECTURE.md has a row for each folder, whose last cell names the folders that it may use.
+#[test]
+fn no_folder_uses_one_that_its_row_does_not_name() {
+    let page = fs::read_to_string(Path::new(ROOT).join("docs/ARCHITECTURE.md")).unwrap();
+    let rows: Vec<(&Path, &str)> = page
+        .lines()
+        .filter_map(|line| {
+            let (folder, rest) = line.strip_prefix("| `")?.split_once("/` | ")?;
+            Some((Path::new(folder), rest.strip_suffix("|")?.rsplit_once("| ")?.1))
+        })
+        .collect();
+    let row_of = |path: &Path| {
+        let path = path.strip_prefix(ROOT).expect("a folder of the repository");
+        // The root package owns the tests.
+        let path = if path == Path::new("") { Path::new("tests") } else { path };
+        let rows = rows.iter().filter(|(folder, _)| path.starts_with(folder));
+        rows.max_by_key(|(folder, _)| folder.as_os_str().len())
+            .unwrap_or_else(|| panic!("{path:?} has no row"))
+    };
+    let mut missing = BTreeSet::new();
+    for (folder, needed) in dependencies() {
+        let (own, uses) = row_of(&folder);
+        let others = needed.iter().map(|needed| row_of(needed).0);
+        let is_missing = |other: &&Path| {
+            other != own && !["`", "/"].iter().any(|end| uses.contains(&format!("`{}{end}", other.display())))
+        };
+        missing.extend(others.filter(is_missing).map(|other| format!("{own:?} uses {other:?}")));
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
 }
 
 /// A page that is read before anything is tried.

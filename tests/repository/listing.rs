@@ -1,7 +1,10 @@
 //! The repository's files, and what its tools print of it.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+use serde_json::Value;
 
 /// The folder of the repository.
 pub(crate) const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -30,16 +33,42 @@ pub(crate) fn files(patterns: &[&str]) -> Vec<PathBuf> {
     files.filter(|file| file.is_file()).collect()
 }
 
+/// The packages of the workspace of a manifest, as cargo states them.
+fn packages(manifest: &Path) -> Vec<Value> {
+    let manifest = manifest.display().to_string();
+    let words = ["metadata", "--no-deps", "--offline", "--format-version=1", "--manifest-path", &manifest];
+    let metadata: Value = serde_json::from_str(&lines_of("cargo", &words).concat()).expect("JSON");
+    metadata["packages"].as_array().expect("packages").clone()
+}
+
+fn text(value: &Value) -> String {
+    value.as_str().expect("text").to_owned()
+}
+
+/// The folder of a package.
+fn folder(package: &Value) -> PathBuf {
+    Path::new(&text(&package["manifest_path"])).with_file_name("")
+}
+
 /// The published crates: their names and folders.
 pub(crate) fn crates() -> Vec<(String, PathBuf)> {
-    let metadata = lines_of("cargo", &["metadata", "--no-deps", "--offline", "--format-version=1"]).concat();
-    let metadata: serde_json::Value = serde_json::from_str(&metadata).expect("JSON");
-    let packages = metadata["packages"].as_array().expect("packages").iter();
-    let text = |value: &serde_json::Value| value.as_str().expect("text").to_owned();
-    packages
-        .filter(|package| package["publish"].is_null())
-        .map(|package| {
-            (text(&package["name"]), Path::new(&text(&package["manifest_path"])).with_file_name(""))
-        })
-        .collect()
+    let packages = packages(&Path::new(ROOT).join("Cargo.toml")).into_iter();
+    let published = packages.filter(|package| package["publish"].is_null());
+    published.map(|package| (text(&package["name"]), folder(&package))).collect()
+}
+
+/// The folder of every package of every workspace, with the folders of the packages that it depends on.
+pub(crate) fn dependencies() -> BTreeMap<PathBuf, Vec<PathBuf>> {
+    let mut found = BTreeMap::new();
+    for manifest in files(&["Cargo.toml", "*/Cargo.toml"]) {
+        if found.contains_key(&manifest.with_file_name("")) {
+            continue;
+        }
+        for package in packages(&manifest) {
+            let needed = package["dependencies"].as_array().expect("dependencies").iter();
+            let needed = needed.filter_map(|needed| needed["path"].as_str().map(PathBuf::from)).collect();
+            found.insert(folder(&package), needed);
+        }
+    }
+    found
 }
