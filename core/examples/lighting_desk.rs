@@ -1,9 +1,9 @@
 //! A profile spotlight that a lighting desk drives, in 16-bit integers: prints its light on a painted cloth as
 //! characters.
 //!
-//! Its channels are bytes, as DMX512 sends them, and two of them are angles. So the cone is designed where the light
-//! hangs: in integers, because `Cone` takes a library of floats there. A cue that has no cone is
-//! refused, and the light stays as it was.
+//! Its channels are bytes, as DMX512 sends them. Two of them are the angles of the cone, which are known only when the
+//! cue arrives. So the cone is designed on the chip, in integers: there `Cone` would need a library of software floats.
+//! A cue whose cone 16 bits cannot hold is refused, and the light stays as it was.
 
 use luminaire::{
     Fx16, Length, Rgb, Vec3,
@@ -14,16 +14,17 @@ use luminaire::{
 
 type Light = CompiledSpotLight<Fx16, Cubic>;
 
-/// The channels of a cue: dimmer, zoom, edge, gel, pan and tilt.
+/// The channels of a cue: dimmer; zoom, the outer angle; edge, the inner angle as a share of it; gel; pan and tilt, here
+/// the slopes of the axis in steps of 1/256 from 128. A moving head would turn its yoke by angles.
 type Cue = [u8; 6];
 
 const COLUMNS: usize = 80;
 const ROWS: i32 = 24;
 const CUES: [Cue; 4] = [
-    [255, 110, 0, 0, 128, 128],   // a wide soft pool of white
+    [255, 110, 0, 0, 128, 128],   // a wide pool of white, without a hotspot
     [255, 60, 200, 1, 100, 140],  // a small red one with a hotspot, lower and to the left
     [160, 110, 128, 2, 160, 128], // a green one, dimmed, to the right
-    [255, 0, 255, 0, 128, 128],   // narrower and sharper than 16 bits have it
+    [255, 0, 255, 0, 128, 128],   // too narrow and too sharp for 16 bits
 ];
 /// The light that each gel lets through.
 const GELS: [Rgb<Fx16>; 3] = [linear([1.0, 1.0, 1.0]), linear([0.9, 0.04, 0.02]), linear([0.1, 0.7, 0.15])];
@@ -51,8 +52,7 @@ fn main() -> Result<(), Refusal> {
     Ok(())
 }
 
-/// The light of a cue, four metres in front of the middle of the cloth: a field of 10 to 60 degrees, of which the edge
-/// leaves a part at full light.
+/// The light of a cue, four metres in front of the middle of the cloth, with an outer angle of 10 to 60 degrees.
 fn lamp([dimmer, zoom, edge, gel, pan, tilt]: Cue) -> Result<Light, Refusal> {
     const POSITION: Vec3<Length> = Fx16::point([2.5, 1.5, 4.0]);
     const INTENSITY: Length = Fx16::length(16.0);
@@ -106,7 +106,14 @@ mod tests {
         let reddened = middle([255, 110, 0, 1, 128, 128]);
         assert!(reddened[red] > 2 * reddened[green], "{reddened:?}");
         let panned = middle([255, 60, 0, 0, 170, 128]);
-        assert!(panned[20] == 0 && panned[50] > 0, "{panned:?}");
+        assert!(panned[30] == 0 && panned[60] > 0, "{panned:?}");
+        let tilted = lamp([255, 60, 0, 0, 128, 200]).expect("a light");
+        let is_lit = |row| {
+            let mut greys = [0; COLUMNS];
+            scanline(&tilted, row, &mut greys);
+            greys.iter().any(|&grey| grey > 0)
+        };
+        assert!(is_lit(21) && !is_lit(12), "the light is tilted down");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Two coloured spotlights on a wall, in 16-bit integers: prints the picture as characters.
 //!
-//! `scanline` is what a microcontroller would run, with lights that a build script compiles: `examples/boards/template`.
+//! `scanline` is what a microcontroller would run, with lights that a build script compiles, as in
+//! `examples/boards/template`.
 
 use luminaire::{
     Angle, Cone, Fx16, Length, Rgb, SpotLight, Vec3,

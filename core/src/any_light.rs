@@ -196,7 +196,7 @@ impl<S: Scalar> CompiledAnyLight<S> {
     /// [`CompiledMaterial::reflect`](crate::light::CompiledMaterial::reflect) returns the light
     /// that a surface reflects.
     ///
-    /// This function branches per point; [`LightModel::evaluate_each`] branches once for many points.
+    /// This function branches per point; in `f32`, [`LightModel::evaluate_each`] branches once for many points.
     pub fn irradiance(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }

@@ -3,8 +3,8 @@
 //! Every light has an intensity. All but [`AmbientLight`] have two colours, one for diffuse light
 //! and one for highlights. The defaults are white and intensity 1.
 
-/// Implements the colours and the intensity of a described light, which has them in its field `emission`: `full` says
-/// which light an intensity of 1 is, after "lights a surface that faces the".
+/// Implements the colours and the intensity of a described light, which are in its field `emission`. `$full` ends the
+/// sentence "An intensity of 1 lights a surface that faces the".
 macro_rules! emits {
     ($light:ty, $full:literal $(, $parameter:ident: $bound:ident)*) => {
         impl<$($parameter: $bound),*> $light {

@@ -21,8 +21,10 @@ pub struct Number {
     pub accepts: Accepts,
     /// The value in the sample of a model.
     pub sample: f32,
-    /// The limits of the values that random models have.
+    /// The least and the largest usual value: of random models, and of a slider.
     pub usual: [f32; 2],
+    /// The power of the scene unit in its unit: 1 of a distance, 0 of a number without a unit.
+    pub dimension: i8,
     /// The value of the number where it is left out; `None` if it is always there.
     pub default: Option<f32>,
 }
@@ -43,19 +45,20 @@ impl Number {
     /// A number from one limit to the other, of which a random model has any.
     pub(crate) const fn between(parameter: Parameter, least: f32, most: f32, sample: f32) -> Self {
         let limits = [least, most];
-        Self { name: "", parameter, limits, accepts: Accepts::All, sample, usual: limits, default: None }
+        let accepts = Accepts::All;
+        Self { name: "", parameter, limits, accepts, sample, usual: limits, dimension: 0, default: None }
     }
 
     /// A number of more than 0 and at most a limit, of which random models have such from `least` on.
     pub(crate) const fn positive(parameter: Parameter, least: f32, most: f32, sample: f32) -> Self {
-        let (limits, usual) = ([0.0, most], [least, most]);
-        Self { name: "", parameter, limits, accepts: Accepts::Positive, sample, usual, default: None }
+        let (limits, usual, accepts) = ([0.0, most], [least, most], Accepts::Positive);
+        Self { name: "", parameter, limits, accepts, sample, usual, dimension: 0, default: None }
     }
 
     /// The range of a light: a distance in scene units, at most 40 in random models. The squares of both limits, and
     /// the reciprocals of these squares, are well inside the limits of f32.
     pub(crate) const fn range() -> Self {
-        Self::between(Parameter::Range, 1e-3, 1e9, 9.0).named("range").usually(0.0, 40.0)
+        Self::between(Parameter::Range, 1e-3, 1e9, 9.0).named("range").usually(0.0, 40.0).of_dimension(1)
     }
 
     /// A whole number from one limit to the other.
@@ -68,6 +71,7 @@ impl Number {
             accepts: Accepts::Whole,
             sample: sample as f32,
             usual: limits,
+            dimension: 0,
             default: None,
         }
     }
@@ -80,6 +84,11 @@ impl Number {
     /// The same number, of which random models have values between these.
     pub(crate) const fn usually(self, least: f32, most: f32) -> Self {
         Self { usual: [least, most], ..self }
+    }
+
+    /// The same number with a power of the scene unit.
+    pub(crate) const fn of_dimension(self, dimension: i8) -> Self {
+        Self { dimension, ..self }
     }
 
     /// The same number, which may be left out.
@@ -150,8 +159,10 @@ impl Number {
         self.default.unwrap_or(self.sample)
     }
 
-    /// Returns a value that is accepted, for a number in [0, 1): a fifth of all numbers each are at the least, at the
-    /// greatest and at the value of the sample, and the rest are [`drawn`](Self::drawn).
+    /// Returns a value for a number in [0, 1): below 0.2 the least that is accepted, below 0.4 the largest, below 0.6 that
+    /// of the sample, and else one that is [`drawn`](Self::drawn).
+    ///
+    /// A drawn range may be below the least, and a constructor may refuse numbers together that it accepts one by one.
     #[cfg(feature = "arithmetic")]
     pub fn anywhere(&self, number: f32) -> f32 {
         let [least, most] = self.limits;

@@ -137,9 +137,10 @@ macro_rules! any_attenuation {
         /// Any attenuation, chosen at run time: for a light of another system or
         /// an [`AnyLight`](crate::dynamic::AnyLight).
         ///
-        /// The enum branches per point.
+        /// The enum branches per point. In `f32`,
         /// [`LightModel::evaluate_each`](crate::light::LightModel::evaluate_each)
-        /// branches once per light.
+        /// of an [`AnyLight`](crate::dynamic::AnyLight) branches once for many points; in fixed
+        /// point it does so for the inverse square.
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[derive(Clone, Copy, PartialEq, Debug)]

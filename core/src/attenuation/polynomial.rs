@@ -14,9 +14,9 @@ model! {
         /// Returns the coefficient `a0`.
         constant: f32 = coefficient(1.0);
         /// Returns the coefficient `a1`, per scene unit.
-        linear: f32 = coefficient(0.2);
+        linear: f32 = coefficient(0.2).of_dimension(-1);
         /// Returns the coefficient `a2`, per square scene unit.
-        quadratic: f32 = coefficient(0.03);
+        quadratic: f32 = coefficient(0.03).of_dimension(-2);
     } by Self::new(constant, linear, quadratic)
 }
 

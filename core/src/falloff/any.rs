@@ -72,9 +72,9 @@ macro_rules! any_falloff {
             /// Any falloff, chosen at run time: for a light of another system or
             /// an [`AnyLight`](crate::dynamic::AnyLight).
             ///
-            /// The evaluation branches per point;
+            /// The evaluation branches per point. In `f32`,
             /// [`LightModel::evaluate_each`](crate::light::LightModel::evaluate_each)
-            /// branches once per light.
+            /// of an [`AnyLight`](crate::dynamic::AnyLight) branches once for many points.
             #[non_exhaustive]
             AnyFalloff, CompiledAnyFalloff { $(#[doc = $doc] $variant($type),)* }
         }

@@ -72,7 +72,7 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
 
     /// Returns the same light at another position, with another axis of unit length.
     ///
-    /// A light of the standard evaluation has an axis of the format:
+    /// An axis in the format is that of a light of the standard evaluation:
     /// [`CompiledSpotLight::axis`](super::CompiledSpotLight::axis).
     #[must_use]
     pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {

@@ -130,7 +130,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
 
     /// Returns the same light at another position, with another axis of unit length.
     ///
-    /// Another compiled light has an axis of the format: [`axis`](Self::axis).
+    /// An axis in the format is that of another compiled light: [`axis`](Self::axis).
     #[must_use]
     pub fn placed(self, position: Vec3<S::Length>, axis: Vec3<S::Unit>) -> Self {
         Self { position, axis, ..self }
