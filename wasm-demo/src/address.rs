@@ -343,6 +343,14 @@ mod tests {
     }
 
     #[test]
+    fn a_polynomial_of_an_older_address_is_read() {
+        let (state, refused) = parse("scene=three-point&lights=0:a0/2/1", Example::Pocket).unwrap();
+        let law = Some(Polynomial::new(0.0, 2.0, 1.0).unwrap().into());
+        assert_eq!((&state.lights[..], refused), (&[Setting { law, ..Setting::of(0) }][..], Vec::new()));
+        assert!(write(&state, 3).ends_with("lights=0:apolynomial/0/2/1"), "{}", write(&state, 3));
+    }
+
+    #[test]
     fn a_scene_as_it_opens_is_its_name() {
         for &scene in Example::ALL {
             let count = scene.setup().unwrap().fixtures.len();

@@ -47,7 +47,8 @@ impl fmt::Debug for Code {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{job, stage::Stage};
+    use crate::{job, model::Chosen, stage::Stage};
+    use luminaire::attenuation::AnyAttenuation;
     use luminaire_render::scenes::Example;
 
     #[test]
@@ -67,6 +68,13 @@ mod tests {
     #[test]
     fn the_law_and_the_kind_of_a_light_are_written() {
         let (mut code, mut stage) = (Code::default(), Stage::of(Example::ThreePoint).unwrap());
+        for law in AnyAttenuation::all() {
+            stage.set_choice(0, "law", law.name()).unwrap();
+            for language in ["json", "rust-fx16", "c-fx16", "c-f32", "glsl", "wgsl"] {
+                let written = code.write(&stage.job(), 0, language).map(|text| text.is_empty());
+                assert_eq!(written, Ok(false), "{}, {language}", law.name());
+            }
+        }
         for (name, choice, words) in [
             ("law", "polynomial", "Polynomial::new(1.0, 0.2, 0.03)"),
             ("kind", "point", "PointLight::new"),

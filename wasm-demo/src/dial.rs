@@ -42,7 +42,7 @@ impl Stage {
         let ends = |name: &str, value: f32, ends: [f32; 2]| {
             ends.map(|end| farthest(value, end, geometric, |value| is_taken(name, value))).into()
         };
-        // Of all numbers of a model, from the values that random models have.
+        // Of each number of a model: its usual values, as far as the light takes them.
         let all_ends = |kind: &str, list: &[Number], values: Vec<f32>| -> Vec<f32> {
             let each = (0..).zip(list).zip(values).flat_map(|((place, number), value): ((usize, _), _)| {
                 let (name, [least, most]) = (format!("{kind}-{place}"), number.limits);
@@ -94,11 +94,11 @@ fn geometric(a: f32, b: f32) -> f32 {
     (a * b).sqrt()
 }
 
-/// Returns how the slider of a number divides its way.
+/// Returns how the middle of two values is found on the slider of a number.
 fn middle_of(number: &Number) -> Middle {
     match number.accepts {
+        Accepts::Whole => |a, b| geometric(a, b).round(),
         _ if is_logarithmic(number) => geometric,
-        Accepts::Whole => |a, b| (0.5 * (a + b)).round(),
         _ => |a, b| 0.5 * (a + b),
     }
 }

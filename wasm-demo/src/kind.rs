@@ -29,14 +29,15 @@ pub(crate) fn kept(before: &AnyLight, after: &AnyLight, distance: f32) -> f32 {
     (before.intensity() * factor as f32).min(BRIGHTEST)
 }
 
-/// Returns what arrives at a distance in metres, as a share of the intensity. A light that ends before
-/// counts as one without an end.
+/// Returns what arrives at a distance in metres, as a share of the intensity. A light that ends before it, or so
+/// little behind it that no sensible intensity makes up for its loss, counts as one with the inverse square.
 pub(crate) fn arriving(light: &AnyLight, distance: f32) -> f64 {
     let attenuation = match light {
         AnyLight::Spot(spot) => spot.attenuation(),
         AnyLight::Point(point) => point.attenuation(),
         AnyLight::Directional(_) => return 1.0,
     };
-    let share = attenuation.exact(distance.into());
+    let is_near_end = attenuation.range().is_some_and(|range| distance > 0.9 * range);
+    let share = if is_near_end { 0.0 } else { attenuation.exact(distance.into()) };
     if share > 0.0 { share } else { InverseSquare.exact(distance.into()) }
 }

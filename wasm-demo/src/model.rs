@@ -5,7 +5,6 @@ use crate::{decimal, plain::plain, refusal::Refusal};
 use luminaire::{
     Error,
     attenuation::{AnyAttenuation, Attenuation, AttenuationRow},
-    error::Parameter,
     falloff::AnyFalloff,
     models::{Accepts, Number},
 };
@@ -85,15 +84,15 @@ impl Chosen for AnyFalloff {
     }
 }
 
-/// Laws without a window: a light of the stage ends where nobody sees it.
+/// Laws without a window, which would only end them at a range.
 impl Chosen for AnyAttenuation {
     fn all() -> Vec<Self> {
-        let is_whole = |row: &&AttenuationRow| row.window.is_none_or(|window| window == "cut");
+        let is_alone = |row: &&AttenuationRow| row.window.is_none_or(|window| window == "cut");
         let sample = |row: &AttenuationRow| {
             let numbers: Vec<_> = row.numbers.iter().map(Number::in_sample).collect();
             row.of_law(&numbers).ok()
         };
-        Self::LIST.iter().filter(is_whole).filter_map(sample).collect()
+        Self::LIST.iter().filter(is_alone).filter_map(sample).collect()
     }
 
     /// The name of the law among the effects.
@@ -116,7 +115,7 @@ impl Chosen for AnyAttenuation {
 
 /// Whether the slider of a number has the same way for each factor, and not for each difference.
 pub(crate) fn is_logarithmic(number: &Number) -> bool {
-    number.accepts == Accepts::Positive
+    number.accepts != Accepts::All
 }
 
 /// Returns the models of a kind with their numbers, as [`model`] has them.
@@ -134,6 +133,17 @@ fn label(name: &str) -> String {
     letters
 }
 
+/// Returns a power of the metre as it follows a number.
+fn unit(dimension: i8) -> String {
+    match dimension {
+        0 => String::new(),
+        1 => " m".to_owned(),
+        -1 => " /m".to_owned(),
+        -2 => " /m²".to_owned(),
+        _ => format!(" m^{dimension}"),
+    }
+}
+
 plain! {
     /// A model and what its numbers are.
     fn model(name: &str, numbers: Vec<JsValue>) -> ModelState {
@@ -146,7 +156,7 @@ plain! {
     /// The dial of a number of a model, without its ends, which depend on the light.
     fn number(number: &Number) -> NumberState {
         "label": "string" = label(number.name),
-        "unit": "string" = if number.parameter == Parameter::Range { " m" } else { "" },
+        "unit": "string" = unit(number.dimension),
         "isLogarithmic": "boolean" = is_logarithmic(number),
         "isWhole": "boolean" = number.accepts == Accepts::Whole,
     }

@@ -1,5 +1,5 @@
 //! The quantities that a visitor changes on the desk and in the class: one table, so that both have the
-//! same names, units and ranges.
+//! same names, units and ranges. The numbers of laws and edges on the desk are those of the library's lists.
 
 /// What a dial or a field of the page changes.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -32,7 +32,7 @@ export function joinNumber(field, set, leave) {
 const round = (value) => Number(value.toPrecision(4));
 
 /**
- * The slider covers the valid range. The number field accepts any text, so that the kernel can
+ * The slider covers the valid or the usual range. The number field accepts any text, so that the kernel can
  * explain what is wrong with a value.
  */
 export class Dial {
@@ -41,6 +41,7 @@ export class Dial {
   #unit = "";
   #ends = /** @type {[number, number]} */ ([1, 1]);
   #isLogarithmic = true;
+  #isWhole = false;
   /** The value that is shown. */
   #value = NaN;
 
@@ -68,11 +69,13 @@ export class Dial {
    * @param {number} most
    * @param {string} unit for people who hear the value of the slider
    * @param {boolean} [isLogarithmic]
+   * @param {boolean} [isWhole]
    */
-  range(least, most, unit, isLogarithmic = true) {
+  range(least, most, unit, isLogarithmic = true, isWhole = false) {
     this.#ends = [least, most];
     this.#unit = unit;
     this.#isLogarithmic = isLogarithmic;
+    this.#isWhole = isWhole;
     [this.#slider.min, this.#slider.max] = this.#ends.map((end) => String(this.#place(end)));
   }
 
@@ -104,6 +107,7 @@ export class Dial {
   /** The rounded value of the slider, within its ends. */
   #ofSlider() {
     const place = this.#slider.valueAsNumber;
-    return this.#within(round(this.#isLogarithmic ? 10 ** place : place));
+    const value = this.#isLogarithmic ? 10 ** place : place;
+    return this.#within(this.#isWhole ? Math.round(value) : round(value));
   }
 }

@@ -192,14 +192,20 @@ export class LightPanel {
   #showNumbers(choice, name, values, ends, source) {
     const { numbers } = this.#models[choice].find((model) => model.name === name) ?? { numbers: [] };
     if (this.#numbers[choice].name !== name) {
-      element(`${choice}-numbers`).replaceChildren();
+      const rows = element(`${choice}-numbers`);
+      // A refusal stands under its control, and ends with it.
+      if (rows.contains(this.#error)) {
+        rows.after(this.#error);
+        this.#refuse(undefined, "");
+      }
+      rows.replaceChildren();
       const dials = numbers.map((number, place) => this.#numberOf(choice, number, `${choice}-${place}`));
       this.#numbers[choice] = { name, dials };
     }
     element(`${choice}-numbers`).hidden = numbers.length === 0;
     for (const [place, dial] of this.#numbers[choice].dials.entries()) {
-      const { unit, isLogarithmic } = numbers[place];
-      dial.range(ends[2 * place], ends[2 * place + 1], unit, isLogarithmic);
+      const { unit, isLogarithmic, isWhole } = numbers[place];
+      dial.range(ends[2 * place], ends[2 * place + 1], unit, isLogarithmic, isWhole);
       dial.show(values[place], source);
     }
   }
@@ -210,11 +216,10 @@ export class LightPanel {
    * @param {import("./pkg/wasm_demo.js").NumberState} number
    * @param {string} name
    */
-  #numberOf(choice, { label, unit, isWhole }, name) {
+  #numberOf(choice, { label, unit }, name) {
     const row = copyOf("number");
     const [slider, field] = row.querySelectorAll("input");
     [slider.id, field.id, field.ariaLabel] = [`light-${name}`, `light-${name}-number`, label + unit];
-    slider.step = isWhole ? "1" : "any";
     Object.assign(findIn(row, "label"), { textContent: label, htmlFor: slider.id });
     findIn(row, "i").textContent = unit;
     element(`${choice}-numbers`).append(row);

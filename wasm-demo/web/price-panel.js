@@ -60,6 +60,13 @@ const PRICED = [...EDGES, "quadratic", "cubic", "fitted"];
 const shapeOf = ({ edge, ownEdge }) => (edge === "own" ? ownEdge : edge);
 
 /**
+ * Whether the picker prices the edge of a light as it is. The slopes of a chosen cubic need not be those that its two
+ * angles have in the picker.
+ * @param {Pick<Light, "edge" | "ownEdge">} light
+ */
+const isPriced = (light) => light.edge !== "cubic" && PRICED.includes(shapeOf(light));
+
+/**
  * A light of the stage as the picker describes it. Its surfaces are between two distances, or without
  * them from half to twice its throw.
  * @param {Pick<Light, "beam" | "field" | "edge" | "ownEdge" | "intensity"> & { throw?: number }} light
@@ -270,6 +277,6 @@ export class PricePanel {
     element("note").textContent =
       `The picture is the one that the boards draw, ${whole(this.#chips.reached)} of its ${whole(this.#chips.pixels)} pixels lit by such a light; ` +
       "estimated from the counted prices, within 10 %. Where cycles are not counted, at one for each instruction." +
-      (!this.#light || PRICED.includes(shapeOf(this.#light)) ? "" : " This edge is priced as the polynomial through its beam and its field angle.");
+      (!this.#light || isPriced(this.#light) ? "" : " This edge is priced as the polynomial through its beam and its field angle.");
   }
 }

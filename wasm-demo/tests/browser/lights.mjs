@@ -246,11 +246,12 @@ quick("an edge has a dial for each of its numbers", async () => {
   await open(`${SMALL}#stage?scene=three-point&play=none`);
   assert.ok(!(await shows("light-edge-numbers")), "the light's own edge has dials");
   await change("an edge with a number", () => enter("light-edge", "power"));
-  await change("its exponent", () => enter("light-edge-0", 20));
+  await change("its exponent", () => enter("light-edge-0", Math.log10(20)));
   await isWritten(/lights=0:epower\/20[:;]/);
   await type("light-edge-0-number", "2.5");
   assert.match(await words("light-error"), /^exponent = 2.5: expected a whole number from 1 to/);
   await enter("light-edge", "cubic");
+  assert.equal(await words("light-error"), "", "a refusal ends with its dial");
   assert.equal(await count("#light-edge-numbers .dial"), 2, "the dials of a cubic");
   await enter("light-edge", "soft");
   assert.ok(!(await shows("light-edge-numbers")), "a soft edge has no number");

@@ -626,6 +626,20 @@ fn another_scene_keeps_the_format_and_what_plays() {
     assert_eq!((state.format, state.plays, state.exposure), (Format::Fx32, [false, true], 0.0));
 }
 
+/// A light that ends close behind its throw is not made bright enough to arrive there.
+#[test]
+fn a_range_at_the_throw_keeps_the_intensity_in_bounds() {
+    let mut stage = stage(Example::BareSpot);
+    let before = light(&stage, 0);
+    let throw = before.throw.expect("a surface");
+    choice(&mut stage, "law", "smooth-range").unwrap();
+    for share in [0.5, 0.999, 1.0, 1.001, 1.05, 1.2, 2.0] {
+        number(&mut stage, "law-0", share * throw).unwrap();
+        let factor = light(&stage, 0).intensity / before.intensity;
+        assert!((0.01..10.0).contains(&factor), "{factor} times the intensity at {share} of the throw");
+    }
+}
+
 /// What the light at its throw is worth, as a share of full scale: what a law and a kind keep.
 fn at_throw(stage: &Stage, light: usize) -> f32 {
     let setting = *stage.setting(light).unwrap();
