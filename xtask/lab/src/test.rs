@@ -141,7 +141,7 @@ fn boards(suite: &mut Suite, full: bool) {
     if full { steps::all_boards(suite) } else { steps::smallest_board(suite) }
 }
 
-/// Adds the steps of what is packed, and of the workspace of renderers, which take the longest after the boards.
+/// Adds the steps of what is packed, and of the workspace of renderers.
 fn packed(suite: &mut Suite) {
     package::run(suite);
     renderers::steps(suite);
