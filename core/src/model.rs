@@ -219,6 +219,13 @@ pub(crate) fn each(numbers: &[Number], value: impl FnMut(&Number) -> f32) -> [f3
     core::array::from_fn(|_| values.next().unwrap_or(f32::NAN))
 }
 
+/// Returns one of the given values for each number, in their order. A number that may be left out has its default where
+/// none is given; any other is NaN.
+pub(crate) fn given(numbers: &[Number], values: &[f32]) -> [f32; MOST_NUMBERS] {
+    let mut values = values.iter().copied();
+    each(numbers, |number| values.next().or(number.default).unwrap_or(f32::NAN))
+}
+
 /// Returns the value of a model whose numbers are those of its sample.
 #[cfg(feature = "arithmetic")]
 pub(crate) fn sample<M: Model>() -> Result<M, Error> {

@@ -53,8 +53,6 @@ mod difference;
 mod display;
 #[cfg(feature = "stage")]
 mod divided;
-#[cfg(feature = "state")]
-mod edge;
 #[cfg(feature = "painter")]
 mod equality;
 mod false_colour;

@@ -1,7 +1,11 @@
 //! Models that a visitor chooses by name, with a dial for each of their numbers: edges and laws of distance, as
 //! the lists of the library have them.
 
-use crate::{decimal, plain::plain, refusal::Refusal};
+use crate::{
+    decimal,
+    plain::plain,
+    refusal::{Refusal, one_of},
+};
 use luminaire::{
     Error,
     attenuation::{AnyAttenuation, Attenuation, AttenuationRow},
@@ -33,6 +37,17 @@ pub(crate) trait Chosen: Copy + PartialEq {
     /// Returns the model of a name, with the numbers that it begins with.
     fn named(name: &str) -> Option<Self> {
         Self::all().into_iter().find(|model| model.name() == name)
+    }
+
+    /// Returns the model that a visitor chooses by its name; `None` for one of the names that are `none`.
+    fn chosen(parameter: &str, name: &str, none: &[&'static str]) -> Result<Option<Self>, Refusal> {
+        let model = Self::named(name);
+        if model.is_none() && !none.contains(&name) {
+            let all = Self::all();
+            let names = none.iter().copied().chain(all.iter().map(Self::name));
+            return Err(Refusal::name(parameter, name, one_of(names)));
+        }
+        Ok(model)
     }
 
     /// Returns the same model with another number at a place.
@@ -183,7 +198,12 @@ mod tests {
             }
             let wrong = format!("{}/1/2/3/4", model.name());
             assert_eq!((M::read(&wrong), model.with_value(4, 1.0).is_err()), (None, true), "{wrong}");
+            assert_eq!(M::chosen("model", model.name(), &["own"]), Ok(Some(model)));
         }
+        assert_eq!(
+            (M::chosen("model", "own", &["own"]), M::chosen("model", "own", &[]).is_err()),
+            (Ok(None), true)
+        );
         assert!(numbers > 5 && made > 100, "{numbers} numbers, {made} models");
     }
 

@@ -2,11 +2,10 @@
 
 use crate::{
     design::{Design, Mark},
-    edge::{self, FITTED},
     fixture,
     kind::{AnySpot, BRIGHTEST, KINDS, as_bright, kept},
     model::Chosen,
-    refusal::{Refusal, choose, one_of},
+    refusal::{Refusal, choose},
 };
 use luminaire::{
     Cone, DirectionalLight, Error, PointLight, Rgb, SpotLight, Vec3,
@@ -17,6 +16,9 @@ use luminaire::{
 };
 use luminaire_fixtures::Fixture;
 use luminaire_render::scenes::MovingLight;
+
+/// The name of the edge that a beam angle and a field angle determine together.
+const FITTED: &str = "fitted";
 
 /// A change of a setting, given the cone before it.
 type Reshape<'a> = dyn Fn(&mut Setting, &Cone<AnyFalloff>) -> Result<(), Refusal> + 'a;
@@ -87,7 +89,7 @@ impl Setting {
         match name {
             "kind" if value == "own" => self.kind = None,
             "kind" => self.kind = Some(choose("kind of light", value, &KINDS, Effect::name)?),
-            "law" => self.set_law(value)?,
+            "law" => self.law = AnyAttenuation::chosen("law", value, &["own"])?,
             "edge" => self.reshape(original, &|setting, cone| setting.set_edge(value, cone))?,
             "color" => self.color = Some(channels_of(value)?),
             "fixture" => {
@@ -163,7 +165,7 @@ impl Setting {
             }
             return Ok(());
         }
-        self.edge = edge::chosen(name)?;
+        self.edge = AnyFalloff::chosen("edge", name, &["own", FITTED])?;
         if self.design.both().is_some() {
             self.design.beam = None;
         }
@@ -214,18 +216,6 @@ impl Setting {
             return Err(Refusal::outside("intensity", value, [0.0, most], "candela"));
         }
         self.intensity = Some(value / full_scale);
-        Ok(())
-    }
-
-    /// Sets the law of distance by name.
-    fn set_law(&mut self, name: &str) -> Result<(), Refusal> {
-        let law = AnyAttenuation::named(name);
-        if law.is_none() && name != "own" {
-            let all = AnyAttenuation::all();
-            let names = ["own"].into_iter().chain(all.iter().map(Chosen::name));
-            return Err(Refusal::name("law", name, one_of(names)));
-        }
-        self.law = law;
         Ok(())
     }
 
@@ -336,11 +326,10 @@ impl Setting {
 
     /// The name of the edge: `own`, `fitted`, or that of a falloff.
     pub(crate) fn edge_name(&self) -> &'static str {
-        match self.chosen_edge() {
-            _ if self.design.both().is_some() => FITTED,
-            Some(edge) => edge.name(),
-            None => "own",
+        if self.design.both().is_some() {
+            return FITTED;
         }
+        self.edge.map_or("own", |edge| edge.name())
     }
 }
 

@@ -13,7 +13,7 @@ use crate::{
 #[cfg(feature = "arithmetic")]
 use crate::{
     error::Error,
-    model::{Model, Number, each},
+    model::{Model, Number, each, given},
     models::{Listed, listed},
 };
 
@@ -75,8 +75,7 @@ impl AttenuationRow {
     /// # Errors
     /// Numbers that the constructor refuses. One that is missing is NaN.
     pub fn of_law(&self, numbers: &[f32]) -> Result<AnyAttenuation, Error> {
-        let mut given = numbers.iter().copied();
-        (self.of)(&each(self.numbers, |number| given.next().or(number.default).unwrap_or(f32::NAN)), None)
+        (self.of)(&given(self.numbers, numbers), None)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::models::{Listed, interpolated, listed, power, squared};
 use crate::{
     effect::Effect,
     error::{Error, Parameter, check_between},
-    model::{Model, Number, each},
+    model::{Model, Number, each, given},
     models::falloffs,
 };
 
@@ -54,13 +54,7 @@ impl FalloffRow {
     /// Numbers that the constructor refuses. One that is missing is NaN.
     #[allow(unreachable_pub, reason = "public with the feature arithmetic")]
     pub fn of(&self, numbers: &[f32]) -> Result<AnyFalloff, Error> {
-        let mut numbers = numbers.iter().copied();
-        self.of_each(|number| numbers.next().or(number.default).unwrap_or(f32::NAN))
-    }
-
-    /// Creates the falloff from one number after the other.
-    fn of_each(&self, value: impl FnMut(&Number) -> f32) -> Result<AnyFalloff, Error> {
-        (self.of)(&each(self.numbers, value))
+        (self.of)(&given(self.numbers, numbers))
     }
 }
 
@@ -90,7 +84,7 @@ macro_rules! any_falloff {
 
             /// Returns one sample value of each falloff, for galleries and tests.
             pub fn samples() -> impl Iterator<Item = Self> {
-                Self::LIST.iter().filter_map(|row| row.of_each(Number::in_sample).ok())
+                Self::LIST.iter().filter_map(|row| (row.of)(&each(row.numbers, Number::in_sample)).ok())
             }
 
             /// The number of falloffs.
@@ -105,7 +99,8 @@ macro_rules! any_falloff {
             #[cfg(feature = "arithmetic")]
             pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
                 let row = &Self::LIST[index % Self::COUNT];
-                row.of_each(|own| own.default.unwrap_or_else(|| own.drawn(number())))
+                let draw = |own: &Number| own.default.unwrap_or_else(|| own.drawn(number()));
+                (row.of)(&each(row.numbers, draw))
             }
 
             /// Returns the row of the falloff.
