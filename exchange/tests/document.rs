@@ -1,6 +1,7 @@
 //! The page that tells what is read, and the one JSON format with its schema.
 
 use std::fs;
+use std::sync::LazyLock;
 
 use boon::{Compiler, Schemas};
 use fastrand::Rng;
@@ -25,6 +26,9 @@ fn page_lists_every_system() {
 }
 
 const SCHEMA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/lights.schema.json");
+
+/// The schema's text, which is read before a test writes it.
+static TEXT: LazyLock<String> = LazyLock::new(|| fs::read_to_string(SCHEMA).expect("a schema"));
 
 /// Returns the schema's text with the lists of models as the kernel has them: the names of falloffs and of laws, and
 /// the numbers of the laws.
@@ -58,12 +62,11 @@ fn with_all_models(schema: &str) -> String {
 /// The schema has the falloffs and the laws of the kernel. With `LUMINAIRE_BLESS=1` it is written so.
 #[test]
 fn schema_has_every_model() {
-    let schema = fs::read_to_string(SCHEMA).expect("a schema");
-    let all = with_all_models(&schema);
+    let all = with_all_models(&TEXT);
     if std::env::var_os("LUMINAIRE_BLESS").is_some() {
         fs::write(SCHEMA, all).expect("written");
     } else {
-        assert_eq!(schema, all);
+        assert_eq!(*TEXT, all);
     }
 }
 
@@ -107,8 +110,7 @@ fn document_is_read_back_and_keeps_to_the_schema() {
     let lights: Vec<_> = lights.iter().map(named).collect();
     let text = write(&lights).expect("a document");
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
-    let own = with_all_models(&fs::read_to_string(SCHEMA).expect("a schema"));
-    let own = serde_json::from_str(&own).expect("JSON");
+    let own = serde_json::from_str(&with_all_models(&TEXT)).expect("JSON");
     compiler.add_resource("lights.schema.json", own).expect("a schema");
     let schema = compiler.compile("lights.schema.json", &mut schemas).expect("a schema");
     let check = |text: &str| {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::{env, fs};
 
 use anyhow::{Context, Result, ensure};
@@ -58,7 +59,10 @@ impl Record {
 /// Git's name of the tree of a checkout as it is now: its files, committed or not, but for what
 /// `.gitignore` names. The checkout's own index and objects stay as they are.
 fn tree(root: &Path) -> Result<String> {
-    let kept = env::temp_dir().join(format!("luminaire-tree-{}", std::process::id()));
+    // Steps end side by side, and each of them asks for the tree.
+    static COUNT: AtomicU32 = AtomicU32::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    let kept = env::temp_dir().join(format!("luminaire-tree-{}-{count}", std::process::id()));
     let _removed = Removed(&kept);
     fs::create_dir_all(kept.join("objects")).with_context(|| format!("cannot write {}", kept.display()))?;
     let git = |words: &[&str]| {
@@ -116,5 +120,9 @@ mod tests {
         fs::remove_file(root.join("two")).unwrap();
         assert_eq!(tree(root).unwrap(), first);
         assert_eq!(git(&["status", "--porcelain"]), "");
+        std::thread::scope(|scope| {
+            let trees: Vec<_> = (0..8).map(|_| scope.spawn(|| tree(root).unwrap())).collect();
+            assert!(trees.into_iter().all(|tree| tree.join().unwrap() == first));
+        });
     }
 }
