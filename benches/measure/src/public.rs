@@ -425,7 +425,10 @@ fn bound(of: &Value) -> String {
 impl Spelling<'_> {
     fn chosen(&self, parameter: &str) -> Option<String> {
         let types = self.scope.get(parameter)?;
-        types.get(self.choice % types.len().max(1)).map(|chosen| (*chosen).to_owned())
+        let chosen = types.get(self.choice % types.len().max(1))?;
+        // A light of the quick evaluation takes points of its own format.
+        let is_quick = self.scope.values().any(|types| types.contains(&"QuickFormat"));
+        Some(if is_quick { chosen.replace("<Format as", "<QuickFormat as") } else { (*chosen).to_owned() })
     }
 
     /// An expression for an argument of a type.

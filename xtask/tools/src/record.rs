@@ -59,7 +59,7 @@ impl Record {
 /// Git's name of the tree of a checkout as it is now: its files, committed or not, but for what
 /// `.gitignore` names. The checkout's own index and objects stay as they are.
 fn tree(root: &Path) -> Result<String> {
-    // Steps end side by side, and each of them asks for the tree.
+    // Steps end side by side, and each of them takes the name of the tree.
     static COUNT: AtomicU32 = AtomicU32::new(0);
     let count = COUNT.fetch_add(1, Ordering::Relaxed);
     let kept = env::temp_dir().join(format!("luminaire-tree-{}-{count}", std::process::id()));
