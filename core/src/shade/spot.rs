@@ -69,9 +69,9 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Returns the irradiance of a surface that faces the light at a point: what an LED, a particle or
     /// another small body without a normal receives, not yet multiplied by the colours.
     ///
-    /// It is the product of intensity, falloff and attenuation. Points outside the cone or beyond the
-    /// range are rejected before the square root; they receive exactly zero. The error is at most
-    /// that of [`error_bound`](crate::SpotLight::error_bound).
+    /// It is the product of intensity, falloff and attenuation. Points outside the cone, and in the coarse
+    /// evaluation those beyond the range, are rejected before the square root; they receive exactly zero. The
+    /// error is at most that of [`error_bound`](crate::SpotLight::error_bound).
     ///
     /// ```
     /// use luminaire::{Angle, Cone, Fx16, SpotLight};
@@ -85,12 +85,16 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     pub fn irradiance_facing(&self, point: Vec3<S::Length>) -> S::Irradiance {
         let offset = S::Offset::between(self.position, point);
         let Self { axis, outside, ref attenuation, intensity, .. } = *self;
-        if offset.is_outside(axis, outside) || A::is_beyond::<S, _>(attenuation, &offset) {
+        if offset.is_outside(axis, outside) {
             return S::Irradiance::default();
         }
         if offset.is_near(self.fine_below) {
+            // The coarse early-out of the range has fewer bits than the fine evaluation.
             let ray = S::fine_ray(&offset);
             return A::light(attenuation, &offset, &ray, self.cone.at_ray(&ray, axis), intensity);
+        }
+        if A::is_beyond::<S, _>(attenuation, &offset) {
+            return S::Irradiance::default();
         }
         let ray = offset.ray();
         A::light(attenuation, &offset, &ray, self.cone.at_ray(&ray, axis), intensity)
