@@ -10,16 +10,13 @@ use std::format;
 use std::string::String;
 
 use super::boxes::{Interval, at_most};
+use super::fx16::errors::{AXIS_LENGTH, AXIS_TURN};
 use super::model::Constants;
 use super::{Evaluation, FINER, Kind, STEP};
 
 /// The relative error of a mantissa of 16 bits that is rounded, and of one that is truncated.
 const ROUNDED: f64 = STEP / 4.0;
 const TRUNCATED: f64 = STEP / 2.0;
-/// The axis, normalised in `f32`: the squared length has three roundings, of which the root takes half, the
-/// root, the division, and its own rounding to a format, of half a step a component.
-pub(super) const AXIS_LENGTH: f64 = 3.5 / 16_777_216.0 + 1e-9;
-pub(super) const AXIS_TURN: f64 = 1.0 / 16_777_216.0 + 0.866_1 / 1_073_741_824.0;
 /// A constant of a range: `f32` rounds a square, a reciprocal and the result.
 pub(super) const RANGE: f64 = 2.0 / 16_777_216.0;
 

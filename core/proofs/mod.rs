@@ -13,7 +13,7 @@
 //!
 //! `cargo xtask prove` runs all of them; a plain `cargo test` leaves out Coq, and Gappa where it is not
 //! installed. Not proved are the power of a real exponent, of which `real.rs` states the error, the knots of
-//! a table, and the set-up in `f32`.
+//! a table, and the set-up in `f32`; the errors of axes are searched here.
 
 mod boxes;
 mod gappa;
@@ -32,7 +32,9 @@ use std::{format, fs, println};
 
 use self::gappa::{Script, checked, coq, proved};
 use self::model::Constants;
-use super::{Errors, Fx16, Fx32, Quick, Stages};
+use crate::{Angle, Cone, SpotLight, vec3::Vec3};
+
+use super::{Errors, Fx16, Fx32, Quick, Scalar, Stages, float, fx16, fx32};
 
 /// A step of a fraction and of a scalar of 16 bits, and of 32 bits.
 const FINER: f64 = 1.0 / 32_768.0;
@@ -205,9 +207,11 @@ fn fine_stages_are_sums_of_what_is_proved() {
     for evaluation in evaluations() {
         let (stages, newton) = (&evaluation.stages, evaluation.newton());
         let (axis_length, axis_turn, halved, mantissa) = match evaluation.kind {
-            Kind::Fine16 => (geometry::AXIS_LENGTH, geometry::AXIS_TURN, 0.0, 0.0),
-            // The axis is rounded to half a step, and an offset beyond 32,768 units is halved.
-            Kind::Fine32 => (0.866_1 * FINE_STEP, 0.866_1 * FINE_STEP, 0.71 * FINE_STEP, FINE_STEP * 4.0),
+            Kind::Fine16 => (fx16::errors::AXIS_LENGTH, fx16::errors::AXIS_TURN, 0.0, 0.0),
+            // An offset beyond 32,768 units is halved.
+            Kind::Fine32 => {
+                (fx32::errors::AXIS_LENGTH, fx32::errors::AXIS_TURN, 0.71 * FINE_STEP, FINE_STEP * 4.0)
+            }
             _ => continue,
         };
         at_least(stages.length, newton + axis_length, "length");
@@ -219,4 +223,63 @@ fn fine_stages_are_sums_of_what_is_proved() {
     let halved = 3_f64.sqrt() / 16_777_216.0;
     at_least(far.turn, near.turn + halved, "far turn");
     at_least(far.cosine.absolute, near.cosine.absolute + halved, "far cosine");
+}
+
+/// The error of an axis, along and across it: of the length, and of the direction in radians.
+fn axis_error<S: Scalar>(way: [f32; 3], to_f64: impl Fn(S::Unit) -> f64) -> [f64; 2] {
+    let cone = Cone::soft(Angle::degrees(40.0)).expect("a cone");
+    let light = SpotLight::new([0.0; 3], way, cone).and_then(|light| light.compile::<S>()).expect("a light");
+    let length = |v: Vec3<f64>| (v.x * v.x + v.y * v.y + v.z * v.z).sqrt();
+    let (found, way) = (light.axis().map(to_f64), Vec3::from(way).map(f64::from));
+    let exact = way.map(|c| c / length(way));
+    let Vec3 { x, y, z } = found.zip(exact, |found, exact| found - exact);
+    let across = Vec3::new(y * exact.z - z * exact.y, z * exact.x - x * exact.z, x * exact.y - y * exact.x);
+    [(length(found) - 1.0).abs(), length(across)]
+}
+
+/// The set-up of an axis has no script. Random axes, of which half have one component that is much smaller, and
+/// climbs from the worst of them by units of the last place.
+#[test]
+fn axes_keep_their_stated_errors() {
+    type Errors = fn([f32; 3]) -> [f64; 2];
+    let formats: [(&str, Errors, [f64; 2]); 3] = [
+        (
+            "f32",
+            |way| axis_error::<f32>(way, f64::from),
+            [float::errors::AXIS_LENGTH, float::errors::AXIS_TURN],
+        ),
+        (
+            "fx16",
+            |way| axis_error::<Fx16>(way, |c| f64::from(c.to_bits()) * FINE_STEP),
+            [fx16::errors::AXIS_LENGTH, fx16::errors::AXIS_TURN],
+        ),
+        (
+            "fx32",
+            |way| axis_error::<Fx32>(way, |c| f64::from(c.to_bits()) * FINE_STEP),
+            [fx32::errors::AXIS_LENGTH, fx32::errors::AXIS_TURN],
+        ),
+    ];
+    for (name, errors, stated) in formats {
+        let mut random = fastrand::Rng::with_seed(7);
+        for (part, stated) in stated.into_iter().enumerate() {
+            let mut worst = (0.0, [1.0; 3]);
+            for step in 0..60_000 {
+                let way = if step % 2 == 0 {
+                    [0; 3].map(|_| (random.f32() - 0.5) * (-16.0 * random.f32() * random.f32()).exp2())
+                } else {
+                    worst
+                        .1
+                        .map(|c: f32| f32::from_bits(c.to_bits().wrapping_add_signed(random.i32(-40..=40))))
+                };
+                if way.iter().all(|c| c.abs() < 1e-3) {
+                    continue;
+                }
+                let found = errors(way)[part];
+                assert!(found <= stated, "{name}: {found:e} of {stated:e} for {way:?}");
+                worst = if found > worst.0 { (found, way) } else { worst };
+            }
+            println!("{name}: {:e} of {stated:e} for {:?}", worst.0, worst.1);
+            assert!(worst.0 > stated / 2.0, "{name}: only {:e} of {stated:e}", worst.0);
+        }
+    }
 }

@@ -376,7 +376,7 @@ fn directional<S: Format>(rng: &mut Rng) -> f64 {
     let (direction, normal, intensity) = (sweep::direction(rng), normal::<S>(rng), 0.5 + 0.5 * rng.f32());
     let sun = DirectionalLight::new(sweep::single(direction)).and_then(|sun| sun.with_intensity(intensity));
     let sun = sun.expect("sound");
-    let exact = -f32::exact_direction(sun.direction()).normalize().dot(S::exact_normal(normal));
+    let exact = -f32::exact_direction(sun.given_direction()).normalize().dot(S::exact_normal(normal));
     let found = S::exact_light(sun.compile::<S>().irradiance(normal));
     steps::<S>(found - f64::from(intensity) * exact.clamp(0.0, 1.0))
 }

@@ -161,7 +161,10 @@ impl<'a> Carried<'a> {
         if high < low || derivative[0] > derivative[1] {
             return self.mapped([0.0; 2], [0.0; 2], |stages| stages.sample);
         }
-        self.mapped([low, high], derivative, |stages| stages.sample)
+        let steepest = derivative[0].abs().max(derivative[1].abs());
+        self.mapped([low, high], derivative, |stages| {
+            Rounding::absolute(stages.sample.of(1.0) + steepest * stages.place.of(to))
+        })
     }
 
     /// Ends the evaluation with this share of the intensity, times a factor in an interval and with a

@@ -56,7 +56,7 @@ impl DirectionalLight {
     /// Compiles the light for the format `S`.
     pub fn compile<S: Scalar>(&self) -> CompiledDirectionalLight<S> {
         CompiledDirectionalLight {
-            direction: S::axis(self.direction.unit),
+            direction: S::aim(self.direction.toward, self.direction.unit),
             intensity: S::gain(self.emission.intensity),
             color: self.emission.color.map(S::from_f32),
             specular_color: self.emission.specular_color.map(S::from_f32),

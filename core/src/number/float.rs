@@ -17,7 +17,7 @@
 //!
 //! The errors are those that `tests/suite/operations.rs` tests.
 
-mod errors;
+pub(super) mod errors;
 mod frame;
 mod set_up;
 

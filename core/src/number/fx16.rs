@@ -32,7 +32,7 @@
 //! `inline(always)` have the cost without it. `export/c/luminaire.h` repeats the stages for
 //! lights that are exported as C, in the same order and with the same bits.
 
-mod errors;
+pub(super) mod errors;
 mod frame;
 mod set_up;
 #[cfg(test)]

@@ -71,6 +71,8 @@ pub struct Stages {
     pub weight: f64,
     /// `t^2 (3 - 2 t)`.
     pub smooth: Rounding,
+    /// The place `1 - t` among samples, which their slope magnifies.
+    pub place: Rounding,
     /// The interpolation of samples.
     pub sample: Rounding,
     /// The power of a real exponent, as the format rounds it.

@@ -5,13 +5,18 @@ use crate::number::{Rounding, Stages};
 /// The relative error of a rounding to nearest.
 const UNIT: f64 = f32::EPSILON as f64 / 2.0;
 
+/// The axis' squared length has 3 roundings, of which the root takes half; then the root and the division.
+pub(in crate::number) const AXIS_LENGTH: f64 = 3.5 * UNIT;
+/// The division rounds components.
+pub(in crate::number) const AXIS_TURN: f64 = UNIT;
+
 /// The evaluation.
 pub(super) const STAGES: Stages = Stages {
     // The squared length has 3 roundings, of which the root takes half; then the root, the division and
-    // the product. The axis' squared length, root and division.
-    length: 4.5 * UNIT + 3.5 * UNIT,
-    // The offset and the product, and the division of the axis: each rounds components.
-    turn: 3.0 * UNIT,
+    // the product.
+    length: 4.5 * UNIT + AXIS_LENGTH,
+    // The offset and the product: each rounds components.
+    turn: 2.0 * UNIT + AXIS_TURN,
     difference: 0.0,
     // A sum of components, of which the square is taken, and the sum of three squares.
     versine: Rounding::relative(5.0 * UNIT),
@@ -25,14 +30,17 @@ pub(super) const STAGES: Stages = Stages {
     lift: Rounding::relative(5.0 * 4.0 * UNIT),
     weight: 4.0 * UNIT,
     smooth: Rounding::relative(5.0 * UNIT),
-    sample: Rounding::absolute(5.0 * UNIT),
+    // A difference, and its product with the number of samples.
+    place: Rounding::relative(2.0 * UNIT),
+    // The distance from a sample, its slope, their product and sum, and the product with a constant.
+    sample: Rounding::absolute(6.0 * UNIT),
     power: Rounding::absolute(2.0 * UNIT),
     // The offset's roundings turn it; at grazing incidence the products have a sum of magnitudes of at
     // most 1, and the first sum is at most half of it. Of the cosine itself: two sums, the reciprocal
     // length and the product.
     cosine: Rounding { absolute: 2.5 * UNIT, relative: 6.5 * UNIT },
     // Three products and two sums of magnitudes of at most 1; the axis.
-    incidence: Rounding { absolute: 4.0 * UNIT, relative: 3.5 * UNIT },
+    incidence: Rounding { absolute: 3.0 * UNIT + AXIS_TURN, relative: AXIS_LENGTH },
     share: Rounding::relative(UNIT),
     near: Rounding { absolute: 0.0, relative: 10.0 * UNIT },
     gain: 0.0,
@@ -40,5 +48,6 @@ pub(super) const STAGES: Stages = Stages {
     given: 0.0,
     inverse_polynomial: 16.0 * UNIT,
     inverse_power: [3e-7, 1.5e-7],
-    light: Rounding::relative(UNIT),
+    // A decay of less than 2^-95 is 0, times an intensity of 1e9.
+    light: Rounding { absolute: 2.6e-20, relative: UNIT },
 };

@@ -3,7 +3,7 @@
 //! `V` is the offset, scaled to 17 bits and not rounded, `v` the truncated offset of 15 bits, and `r`
 //! its reciprocal length `2^30 / |v|`.
 
-use crate::number::{Rounding, Stages, fx32, stages::power_of_two};
+use crate::number::{Rounding, Stages, float, fx32, stages::power_of_two};
 
 /// A step of a scalar, and of light.
 const STEP: f64 = power_of_two(-14);
@@ -25,11 +25,10 @@ const SHORTENED: f64 = 1.366_1 / 16_384.0;
 /// The truncation turns `v` by at most this, times what is lost: across the direction at most 1.575 of
 /// 2^14 where the largest component is 0.95.
 const TURNED: f64 = 1.576 / 16_384.0;
-/// The axis is that of `f32`, normalised. Its length has the roundings of the squared length, of which
-/// the root takes half, of the root and of the division: 3.5 of 2^-24.
-const AXIS_LENGTH: f64 = 2.1e-7;
-/// The division of the axis rounds each component to 2^-24 of itself, and the format to half of 2^-30.
-const AXIS_TURN: f64 = 6.1e-8;
+/// The axis is that of `f32`, whose components are rounded to half a unit of 2^-30.
+pub(in crate::number) const AXIS_LENGTH: f64 = float::errors::AXIS_LENGTH + 0.866_1 * power_of_two(-30);
+/// The same, across the axis.
+pub(in crate::number) const AXIS_TURN: f64 = float::errors::AXIS_TURN + 0.866_1 * power_of_two(-30);
 /// A constant of a range, of which `f32` rounds the square and the reciprocal.
 const RANGE: f64 = 1.2e-7;
 /// The error of the root (exhaustive), in the coarse and in the quick evaluation.
@@ -72,6 +71,7 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         weight: FINER,
         // The square is rounded to a fraction and multiplied by up to 3.
         smooth: Rounding::absolute(1.5 * FINER + STEP / 2.0),
+        place: Rounding::NONE,
         // A sample has 16 bits.
         sample: Rounding::absolute(STEP / 2.0 + power_of_two(-16)),
         power: Rounding::absolute(FINER / 2.0),
@@ -113,6 +113,7 @@ pub(super) const FINE: Stages = Stages {
     weight: FINER,
     // A square that is rounded down by 2 units of 2^-31, three times, and twice a product.
     smooth: Rounding::absolute(5.0 * power_of_two(-30)),
+    place: Rounding::NONE,
     sample: Rounding::absolute(power_of_two(-28)),
     power: Rounding::absolute(power_of_two(-30)),
     // A direction, and three products that are rounded down. The direction's length is that of the

@@ -7,14 +7,19 @@ const STEP: f64 = power_of_two(-30);
 /// The relative error of a mantissa of 28 bits that is rounded.
 const MANTISSA: f64 = power_of_two(-28);
 
+/// The root of the axis' length (exhaustive), of 31 bits, and the components of the result, rounded to half a step.
+pub(in crate::number) const AXIS_LENGTH: f64 = 4.7e-10 + 0.5 * STEP + 0.866_1 * STEP;
+/// The same, across the axis.
+pub(in crate::number) const AXIS_TURN: f64 = 0.866_2 * STEP;
+
 /// The evaluation.
 pub(in crate::number) const STAGES: Stages = Stages {
     // The direction's 2.4e-8 is that of its excess: three squares rounded down, by 5.6e-9 of the length,
-    // and a step of 2^-26 in either direction. A component of the axis is within half a step.
-    length: 2.4e-8 + 0.866_1 * STEP,
-    // A component is within a step, and that of the axis within half a step. An offset with a
-    // component of more than 32,768 units is halved, which turns it by 0.71 steps.
-    turn: (1.51 * 1.732_1 + 0.71) * STEP,
+    // and a step of 2^-26 in either direction.
+    length: 2.4e-8 + AXIS_LENGTH,
+    // A component is within a step. An offset with a component of more than 32,768 units is halved, which
+    // turns it by 0.71 steps.
+    turn: (1.001 * 1.732_1 + 0.71) * STEP + AXIS_TURN,
     difference: 0.0,
     // Three squares are rounded down, in units of 2^-29.
     versine: Rounding::absolute(3.0 * power_of_two(-29)),
@@ -30,15 +35,15 @@ pub(in crate::number) const STAGES: Stages = Stages {
     weight: power_of_two(-27),
     // A square that is rounded down by 2 units of 2^-31, three times, and twice a product.
     smooth: Rounding::absolute(5.0 * STEP),
+    place: Rounding::NONE,
     sample: Rounding::absolute(power_of_two(-28)),
     power: Rounding::absolute(STEP),
     // Three products of half a component are rounded down in units of 2^-27; a component of the
     // direction is within a step, and half of one of the normal loses half a unit, which is a step. The
     // direction's length is that of the cosine itself.
     cosine: Rounding { absolute: power_of_two(-27) * 3.0 + 2.01 * 1.732_1 * STEP, relative: 2.4e-8 },
-    // A component of the axis is within half a step, products lose less than a hundredth, and the sum is
-    // rounded.
-    incidence: Rounding::absolute((0.866_2 + 0.51) * STEP),
+    // The axis; products lose less than a hundredth of a step, and the sum is rounded.
+    incidence: Rounding { absolute: AXIS_TURN + 0.51 * STEP, relative: AXIS_LENGTH },
     share: Rounding::absolute(STEP),
     // The direction's 2.4e-8, three squares and three products that are rounded down, two roundings to a
     // mantissa, and a constant of a range, of which `f32` rounds the square and the reciprocal.

@@ -5,7 +5,7 @@ use super::{Fine, FineRay, Frame32, Gain32, Offset32, errors, versine};
 use crate::{
     number::{
         Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Ramps, Rise, Slopes,
-        Stages, Types, Versine, Weight32, Word, raised,
+        Stages, Types, Versine, Weight32, Word, nearest, raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
         root::{self, high_half, wide},
         rounded, sphere,
@@ -21,10 +21,12 @@ pub(super) fn inner(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> i64 {
 }
 
 impl Offset32 {
-    /// Returns the unit vector along the offset, each component within one unit of 2^-30.
+    /// Returns the unit vector along the offset. `lost` is what its components have lost by rounding, with 16
+    /// fraction bits.
     ///
-    /// The axis of a light has this accuracy. It is computed once, with 64-bit products.
-    fn unit(&self) -> Vec3<Fx32> {
+    /// Each component is within half a step of its exact value times a common factor, which is within 4.7e-10 of 1.
+    /// An axis is computed once, with 64-bit products.
+    fn unit(&self, lost: Vec3<i32>) -> Vec3<Fx32> {
         let squares = self.way.map(|c| wide(c, c) as u64);
         let squared = squares.x + squares.y + squares.z;
         let reciprocal = if squared >= 1 << 62 {
@@ -34,8 +36,8 @@ impl Offset32 {
         } else {
             0
         };
-        self.way.map(|c| {
-            let product = i64::from(c) * reciprocal as i64;
+        self.way.zip(lost, |c, lost| {
+            let product = i64::from(c) * reciprocal as i64 + i64::from(lost) * (reciprocal >> 16) as i64;
             Fx32::from_bits(((product + (1 << 31)) >> 32) as i32)
         })
     }
@@ -95,7 +97,11 @@ impl Arithmetic for Fx32 {
 impl Directions for Fx32 {
     /// Uses all bits of the components, and normalises the axis with 64-bit products.
     fn axis(axis: Vec3<f32>) -> Vec3<Self> {
-        Offset32::new(axis.map(|c| Self::from_f32(c).to_bits())).unit()
+        let scaled = axis.map(|c| c * (1_u32 << 31) as f32);
+        let way = scaled.map(nearest);
+        // A component of less than 2^-7 may have bits below 2^-31.
+        let lost = scaled.zip(way, |c, whole| nearest((c - whole as f32) * 65_536.0));
+        Offset32::new(way).unit(lost)
     }
 
     fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Self> {
