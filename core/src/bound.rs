@@ -23,7 +23,7 @@
 mod carried;
 mod interpolation;
 
-use core::ops::RangeInclusive;
+use core::{cell::Cell, ops::RangeInclusive};
 
 pub use self::carried::Lit;
 use self::carried::{Carried, Pass, Way};
@@ -50,10 +50,12 @@ pub struct ErrorBound {
     /// The error of the irradiance, clipped to full scale; 1 is full scale and 1/255 a linear code.
     pub light: f32,
     /// The angle, in radians, by which the edge of the cone may move, where the intensity jumps or its
-    /// derivative is infinite. `light` holds for directions farther from such an angle; 0 without one.
+    /// derivative is infinite. `light` holds for directions farther from such an angle; 0 if it holds for all.
+    ///
+    /// A jump of no more light than the error beside it is part of `light`.
     pub edge: f32,
     /// The distance by which the range may move where an attenuation is cut off. `light` holds for
-    /// distances farther from the range; 0 without a jump.
+    /// distances farther from the range; 0 if it holds for all. A small jump is part of `light`, as at the edge.
     pub range: f32,
 }
 
@@ -72,8 +74,6 @@ const FINER: f64 = 0.890_898_718_140_339_3;
 const CLASSES: usize = 6 * 20 + 1;
 /// `2^(1/8)`: the ratio of the ends of a cell of distances.
 const LONGER: f64 = 1.090_507_732_665_257_7;
-/// The fraction of the range at which an attenuation is tested for a jump.
-const LAST: f64 = 1.0 - 1.0 / 1_048_576.0;
 /// The shares of the intensity that reach surfaces, in classes of a similar size.
 struct Shares([Class; CLASSES]);
 
@@ -139,9 +139,8 @@ impl<P: Falloff> Edge<P> {
         change / square_root(versine * (2.0 - versine))
     }
 
-    /// Adds the shares of all points within the cone for each cosine, and returns the angle by which
-    /// the edge may move.
-    fn shares(&self, pass: &Pass, shares: &mut Shares) -> f64 {
+    /// Adds the shares of all points within the cone for each cosine, and returns where the edge may move.
+    fn shares(&self, pass: &Pass, shares: &mut Shares) -> Moved {
         let Self { falloff, inner, outer, limit, .. } = *self;
         let span = outer - inner;
         let at_edge = self.versine_error(limit);
@@ -152,29 +151,28 @@ impl<P: Falloff> Edge<P> {
         add(argument([1.0; 2], 0.0));
         if at_edge >= span / 2.0 || limit <= inner {
             // So steep an edge is a step, and so is a cutoff of the hotspot.
-            return self.angle_of(at_edge + if limit <= inner { 0.0 } else { span });
+            let edge = self.angle_of(at_edge + if limit <= inner { 0.0 } else { span });
+            return Moved { jump: 1.0, edge, strip: 0.0 };
         }
         let error_at = |t: f64| {
             let versine = (outer - t * span).max(inner);
             self.versine_error(versine) / span + self.stages.ramp.of(t)
         };
-        // Where a derivative is infinite, and at a jump, there is an error of the angle alone.
-        let (mut least, mut most, mut edge) = ((outer - limit).max(0.0) / span, 1.0, 0.0_f64);
-        let beside = argument([least + 1e-9; 2], 0.0);
-        if beside.low > 1e-6 + 1e-9 * beside.steepness() {
-            least += error_at(least);
-            edge = self.angle_of(at_edge + span * self.stages.ramp.of(1.0));
-        }
+        let (mut least, mut most, mut strip) = ((outer - limit).max(0.0) / span, 1.0, 0.0);
+        // A step is 0 at 0 itself.
+        let jump = argument([least.max(f32::MIN_POSITIVE.into()); 2], 0.0).high;
+        let edge = self.angle_of(at_edge + span * self.stages.ramp.of(1.0));
+        // Where a derivative is infinite, there is an error of the angle alone.
         let half_angle = angle_of(outer);
         let t_at = |angle: f64| ((outer - versine_of(angle)) / span).clamp(0.0, 1.0);
         match falloff.formula() {
             Formula::Power(p) if p < 1.0 => {
                 least = least.max(t_at(half_angle * (1.0 - STRIP)));
-                edge = edge.max(half_angle * STRIP);
+                strip = half_angle * STRIP;
             }
             Formula::InvertedPower(p, _) if p < 1.0 => {
                 most = t_at(angle_of(inner) + half_angle * STRIP);
-                edge = edge.max(half_angle * STRIP);
+                strip = half_angle * STRIP;
             }
             _ => {}
         }
@@ -184,8 +182,18 @@ impl<P: Falloff> Edge<P> {
             add(argument([from, to], error_at(from).max(error_at(to))));
             from = to;
         }
-        edge
+        Moved { jump, edge, strip }
     }
+}
+
+/// Where the edge of a cone may move.
+struct Moved {
+    /// The intensity of the falloff at the edge, beyond which it is 0.
+    jump: f64,
+    /// The angle by which a jump may move.
+    edge: f64,
+    /// The angle beside the edge or the hotspot in which the derivative is too large.
+    strip: f64,
 }
 
 /// Returns the angle of a versine.
@@ -208,17 +216,17 @@ fn each_cosine(pass: &Pass, mut call: impl FnMut(Carried<'_>)) {
     }
 }
 
-/// Returns the largest measure of the light of all shares between two distances.
+/// Returns the largest measure of the light of all shares between the distances of a pass.
 fn largest<A: Attenuation>(
     attenuation: A,
     pass: &mut Pass,
     shares: &Shares,
-    [near, far]: [f64; 2],
     measure: &dyn Fn(Lit) -> f64,
 ) -> f64 {
     let constants = attenuation.constants::<f32>();
     let nowhere = Vec3::default();
     let offset = <f32 as Types>::Offset::between(nowhere, nowhere);
+    let [near, far] = pass.distances;
     let (mut from, mut most) = (near, 0.0_f64);
     while from <= far {
         let to = if from * LONGER < far { from * LONGER } else { far };
@@ -234,6 +242,7 @@ fn largest<A: Attenuation>(
         }
         from = to;
     }
+    pass.distances = [near, far];
     most
 }
 
@@ -254,35 +263,57 @@ fn derived<P: Falloff, A: Attenuation>(
     evaluations: impl Iterator<Item = Followed>,
     measure: &dyn Fn(Lit) -> f64,
 ) -> ErrorBound {
-    let (mut light, mut edge, mut shell) = (0.0_f64, 0.0_f64, 0.0_f64);
-    for Followed { stages, zoom, is_kept, distances: [near, mut far] } in evaluations {
-        let mut pass = Pass {
-            stages,
-            distances: [near, far],
-            intensity: intensity.into(),
-            is_kept,
-            lit: Lit::default().into(),
-        };
+    let (mut light, mut strip) = (0.0_f64, 0.0_f64);
+    // The light on the one side of a jump, of which the other side has none, and how far its place may move.
+    let (mut at_edge, mut at_range) = ([0.0_f64; 2], [0.0_f64; 2]);
+    let lit = |share: f64, distance| {
+        let light = (share * f64::from(intensity) * attenuation.exact(distance)).min(1.0);
+        measure(Lit { from: 0.0, to: light, error: light })
+    };
+    for Followed { stages, zoom, is_kept, distances: [mut near, mut far] } in evaluations {
+        if let Some(range) = attenuation.range().map(f64::from) {
+            // The squared fraction of the range is wrong by this much where it is 1.
+            let moved = range * stages.near.of(1.0) / 2.0;
+            if near > range + moved {
+                continue;
+            }
+            if far >= range - moved {
+                let last = f64::from_bits(range.to_bits() - 1);
+                at_range = most_of(at_range, [lit(1.0, last), moved]);
+            }
+            (near, far) = (near.min(range - moved), far.min(range));
+        }
+        let distances = [near, far];
+        let mut pass = Pass { stages, distances, intensity: intensity.into(), is_kept, lit: Cell::default() };
         let mut shares = Shares::none();
         if let Some((falloff, versines)) = cone {
             let [inner, outer, limit] = versines.map(f64::from);
             let cone = Edge { falloff, inner, outer, limit, stages, zoom };
-            edge = edge.max(cone.shares(&pass, &mut shares));
+            let moved = cone.shares(&pass, &mut shares);
+            at_edge = most_of(at_edge, [lit(moved.jump, near), moved.edge]);
+            strip = strip.max(moved.strip);
         } else {
             each_cosine(&pass, |cosine| shares.add(&cosine.value()));
         }
-        if let Some(range) = attenuation.range().map(f64::from) {
-            // The squared fraction of the range is wrong by this much where it is 1.
-            let moved = range * stages.near.of(1.0) / 2.0;
-            let is_cut = attenuation.exact(range * LAST) > attenuation.exact(range / 2.0) / 1024.0;
-            if is_cut && near < range && range - moved < far {
-                (far, shell) = (range - moved, shell.max(moved));
-            }
-            far = far.min(range);
-        }
-        light = light.max(largest(attenuation, &mut pass, &shares, [near, far], measure));
+        light = light.max(largest(attenuation, &mut pass, &shares, measure));
     }
-    ErrorBound { light: above(light), edge: above(edge), range: above(shell) }
+    // On the wrong side of a jump the light is wrong by the jump, and by its error beside it. A jump of at most
+    // this error is added to it, and a larger one has a place.
+    let (mut all, mut places) = (light, [0.0; 2]);
+    for (place, [jump, moved]) in places.iter_mut().zip([at_edge, at_range]) {
+        if jump <= light {
+            all += jump;
+        } else {
+            *place = moved;
+        }
+    }
+    let [edge, range] = places;
+    ErrorBound { light: above(all), edge: above(edge.max(strip)), range: above(range) }
+}
+
+/// Returns the larger one of each two numbers.
+fn most_of(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].max(b[0]), a[1].max(b[1])]
 }
 
 /// Returns an f32 that is not less than a number.
@@ -318,6 +349,10 @@ fn divided<S: Scalar>([near, far]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
     })
 }
 
+/// The relative error of a distance that [`Offset::is_near`] compares: more than the truncation of an offset to 15
+/// bits changes its length.
+pub(crate) const NEARLY: f64 = 8.4e-5;
+
 /// Returns the evaluations of a format between two distances: fine within a distance, and coarse from
 /// it on.
 fn evaluations<S: Scalar>(
@@ -325,11 +360,9 @@ fn evaluations<S: Scalar>(
     fine_within: f64,
     zoom: f64,
 ) -> impl Iterator<Item = Followed> {
-    // The comparison of squared distances truncates.
-    const SLACK: f64 = 2e-3;
     let is_always_fine = fine_within == f64::INFINITY;
-    let fine = [near, far.min(fine_within * (1.0 + SLACK))];
-    let coarse = [if is_always_fine { f64::INFINITY } else { near.max(fine_within * (1.0 - SLACK)) }, far];
+    let fine = [near, far.min(fine_within * (1.0 + NEARLY))];
+    let coarse = [if is_always_fine { f64::INFINITY } else { near.max(fine_within * (1.0 - NEARLY)) }, far];
     let kept = [if is_always_fine { f64::INFINITY } else { near }, fine[1]];
     let followed = move |stages, is_kept, distances| Followed { stages, zoom, is_kept, distances };
     let coarse = divided::<S>(coarse).map(move |it| followed(S::stages(it[0]), false, it));
@@ -459,10 +492,10 @@ impl AnyLight {
 mod tests {
     use super::*;
     use crate::{
-        angle::Angle,
-        attenuation::{CutAt, InverseSquare, NoAttenuation},
+        angle::{Angle, HalfAngle},
+        attenuation::{AnyAttenuation, CutAt, Decay, FilamentRange, InverseSquare, NoAttenuation},
         cone::Cone,
-        falloff::{Hard, RealPower, Step},
+        falloff::{AnyFalloff, Hard, Power, RealPower, Step},
     };
 
     extern crate std;
@@ -507,6 +540,39 @@ mod tests {
         };
         assert!(bound(1.0, 1.0) < bound(1.0, 0.5) && bound(1.0, 0.5) < bound(4.0, 0.5));
         assert!(bound(1.0, 1.0) > 1e-5 && bound(1e9, 1e-3) <= 1.0);
+    }
+
+    /// However small a jump and however bright the light: it is part of the light or has a place.
+    fn no_jump_is_lost<S: Scalar>() {
+        let half = HalfAngle::degrees;
+        for exponent in -9..=9 {
+            let intensity = 10_f64.powi(exponent) as f32;
+            let bound = |light: SpotLight<AnyFalloff, AnyAttenuation>, near| {
+                light.with_intensity(intensity).unwrap().error_bound::<S>(near..=1.0).unwrap()
+            };
+            // A light of OpenGL with an exponent of 20: its intensity at 60 degrees is 9.5e-7.
+            let opengl = Cone::from_outer(AnyFalloff::from(Power::<20>), half(90.0)).unwrap();
+            let opengl = spot(opengl.with_cutoff(half(60.0)));
+            let edge = bound(opengl.with_attenuation(InverseSquare.into()), 1.0);
+            assert!(edge.edge > 0.0 || edge.light >= (9.5e-7 * intensity).min(1.0), "{intensity}: {edge:?}");
+            let open = spot(Cone::from_outer(AnyFalloff::from(Soft), half(40.0)));
+            for k in [0.5, 2.0, 11.0, 16.0] {
+                let cut = CutAt::new(Decay::new(k, 1e9).unwrap(), Some(1.0)).unwrap();
+                let range = bound(open.with_attenuation(cut.into()), 0.9);
+                assert!(range.range > 0.0 || range.light >= intensity.min(1.0), "{intensity}: {range:?}");
+            }
+            // Where nothing jumps, nothing has a place.
+            let window = FilamentRange::new(InverseSquare, Some(1.0)).unwrap();
+            let smooth = bound(open.with_attenuation(window.into()), 0.9);
+            assert_eq!([smooth.edge, smooth.range], [0.0; 2], "{intensity}: {smooth:?}");
+        }
+    }
+
+    #[test]
+    fn no_jump_is_lost_before_the_gain() {
+        no_jump_is_lost::<f32>();
+        #[cfg(feature = "fixed")]
+        no_jump_is_lost::<crate::Fx16>();
     }
 
     #[test]

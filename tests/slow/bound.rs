@@ -109,28 +109,46 @@ fn angle(versine: f64) -> f64 {
 }
 
 impl<E: Evaluation> Beam<E> {
+    /// A light with usual numbers, or with any that the constructors take, the ends among them.
     fn random(rng: &mut Rng, tables: &[&'static [u16]]) -> Option<Self> {
-        let falloff = match AnyFalloff::drawn(rng.usize(..), || rng.f32()).ok()? {
+        let is_usual = rng.bool();
+        let falloff = if is_usual { AnyFalloff::drawn } else { AnyFalloff::anywhere };
+        let falloff = match falloff(rng.usize(..), || rng.f32()).ok()? {
             AnyFalloff::Table(_) => {
                 luminaire::falloff::Table::new(tables[rng.usize(..tables.len())]).ok()?.into()
             }
             falloff => falloff,
         };
         let outer = HalfAngle::degrees(90.0 * 1e-3_f32.powf(rng.f32() * rng.f32()));
-        let part = |rng: &mut Rng| HalfAngle::degrees(outer.to_degrees() * rng.f32());
+        let part = |rng: &mut Rng| {
+            let part = if is_usual || rng.bool() { rng.f32() } else { 1.0 - 1e-6_f32.powf(rng.f32()) };
+            HalfAngle::degrees(outer.to_degrees() * part)
+        };
         let cone = Cone::from_outer(falloff, outer).ok()?;
         let cone = if rng.u8(..3) == 0 { cone.with_inner(part(rng)).ok()? } else { cone };
         let cone = if rng.u8(..6) == 0 { cone.with_cutoff(part(rng)).ok()? } else { cone };
         let farthest = f64::from(<E::Format as Scalar>::FARTHEST).min(1e6);
         let reach = if rng.bool() { 8.0 } else { farthest * 1e-4_f64.powf(rng.f64()) };
-        let position = DVec3::from_array([0; 3].map(|_| reach * (2.0 * rng.f64() - 1.0)));
-        let attenuation = AnyAttenuation::drawn(rng.usize(..), || rng.f32()).ok()?;
-        let intensity = if rng.u8(..4) == 0 { 1.0 } else { 10.0_f32.powf(7.0 * rng.f32() - 3.0) };
+        let position = DVec3::from_array([0; 3].map(|_| match rng.u8(..8) {
+            0 if !is_usual => farthest.copysign(rng.f64() - 0.5),
+            _ => reach * (2.0 * rng.f64() - 1.0),
+        }));
+        let attenuation = if is_usual { AnyAttenuation::drawn } else { AnyAttenuation::anywhere };
+        let attenuation = attenuation(rng.usize(..), || rng.f32()).ok()?;
+        let intensity = match rng.u8(..4) {
+            0 => 1.0,
+            1 if !is_usual => rng.choice([1e-9, 1e9])?,
+            2 if !is_usual => 10.0_f32.powf(18.0 * rng.f32() - 9.0),
+            _ => 10.0_f32.powf(7.0 * rng.f32() - 3.0),
+        };
         let axis = sweep::single(sweep::direction(rng));
         let light = SpotLight::new(sweep::single(position), axis, cone).ok()?;
         let light = light.with_attenuation(attenuation).with_intensity(intensity).ok()?;
         let near = 10.0_f32.powf(5.0 * rng.f32() - 3.0);
-        let distances = [near, near * 100.0_f32.powf(rng.f32())];
+        let distances = match attenuation.range() {
+            Some(range) if !is_usual && range < 1e5 => [range * (0.5 + 0.5 * rng.f32()), 1.01 * range],
+            _ => [near, near * 100.0_f32.powf(rng.f32())],
+        };
         let bound = E::bound(&light, distances[0]..=distances[1]).ok()?;
         let [inner, _, limit] = cone.versines().map(f64::from);
         let edges = match falloff.formula() {
@@ -257,7 +275,7 @@ fn assert_directional<S: Format>(least: f64) {
         let light = DirectionalLight::new(direction).and_then(|light| light.with_intensity(intensity));
         let light = light.expect("a sound light");
         let (compiled, bound) = (light.compile::<S>(), f64::from(light.error_bound::<S>().light));
-        let axis = f32::exact_direction(light.direction()).normalize();
+        let axis = f32::exact_direction(light.given_direction()).normalize();
         let error = |normal: Vec3<f32>| {
             let normal = S::normal(normal);
             let cosine = -axis.dot(S::exact_normal(normal));

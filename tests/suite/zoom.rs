@@ -220,6 +220,26 @@ fn the_ends_of_a_zoom_are_its_cones() {
     assert_quick_ends(sixteen);
 }
 
+/// Between two lights that were compiled singly, a point has the fine evaluation if either light has it there.
+#[test]
+fn a_zoom_is_as_fine_as_its_finer_end() {
+    let [narrow, wide] = [8.0, 60.0].map(|degrees| {
+        let bright = light(Cone::from_outer(Soft, half(degrees)).expect("a cone")).with_intensity(4.0);
+        bright.and_then(|light| light.compile::<Fx16>()).expect("a light")
+    });
+    let mut apart = 0;
+    for (from, to) in [(narrow, wide), (wide, narrow)] {
+        let between = from.zoomed(&to, Fx16::from_bits(1 << 13));
+        for step in 1..400_u16 {
+            let point = Fx16::point([0.0, 0.0, -0.02 * f32::from(step)]);
+            let ends = [narrow, wide].map(|light| light.is_fine(point));
+            assert_eq!(between.is_fine(point), ends.contains(&true), "{point:?}: {ends:?}");
+            apart += u32::from(ends == [true, false]);
+        }
+    }
+    assert_that!(apart > 10, apart);
+}
+
 /// The early-outs of a zoomed light change no bit, and outside of the cone is no light.
 fn assert_skips<S: Format, P: Falloff>(falloff: P) {
     let mut rng = Rng::with_seed(2);

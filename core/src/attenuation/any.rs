@@ -77,6 +77,17 @@ impl AttenuationRow {
     pub fn of_law(&self, numbers: &[f32]) -> Result<AnyAttenuation, Error> {
         (self.of)(&given(self.numbers, numbers), None)
     }
+
+    /// Creates a random attenuation, whose numbers are drawn by a function.
+    fn random(
+        &self,
+        drawn: impl Fn(&Number, f32) -> f32,
+        mut random: impl FnMut() -> f32,
+    ) -> Result<AnyAttenuation, Error> {
+        let numbers = each(self.numbers, |own| drawn(own, random()));
+        let has_range = self.window.is_some() && random() >= 0.1;
+        (self.of)(&numbers, has_range.then(|| drawn(&Number::range(), random())))
+    }
 }
 
 /// An attenuation of the list in its parts: a law of the distance, and the window that ends it.
@@ -189,11 +200,17 @@ macro_rules! any_attenuation {
             /// # Errors
             /// Numbers that the constructor refuses.
             #[cfg(feature = "arithmetic")]
-            pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
-                let row = &Self::LIST[index % Self::COUNT];
-                let numbers = each(row.numbers, |own| own.drawn(number()));
-                let has_range = row.window.is_some() && number() >= 0.1;
-                (row.of)(&numbers, has_range.then(|| Number::range().drawn(number())))
+            pub fn drawn(index: usize, number: impl FnMut() -> f32) -> Result<Self, Error> {
+                Self::LIST[index % Self::COUNT].random(Number::drawn, number)
+            }
+
+            /// Builds the attenuation like [`drawn`](Self::drawn), from numbers in all that is accepted.
+            ///
+            /// # Errors
+            /// Numbers that the constructor refuses.
+            #[cfg(feature = "arithmetic")]
+            pub fn anywhere(index: usize, number: impl FnMut() -> f32) -> Result<Self, Error> {
+                Self::LIST[index % Self::COUNT].random(Number::anywhere, number)
             }
 
             /// Returns the row of the attenuation.

@@ -31,8 +31,13 @@ use crate::{
 
 use super::above;
 
-/// Largest curvature of the inverse square on a flat surface. Like all constants here it is rounded up.
+/// The largest `c |15 s^2 - 3|`: the curvature of the inverse square on a flat surface. Like all constants here it is
+/// rounded up.
 const FALL: f64 = 4.1313;
+/// The largest `8 s c^2`: six of the product of both slopes, and two of the versine's own curvature.
+const BOTH: f64 = 3.0793;
+/// The largest `2 s c^2`: the curvature of the versine.
+const BENT: f64 = 0.7699;
 
 impl<P: Falloff> SpotLight<P, InverseSquare> {
     /// Returns an upper bound of the error of linear interpolation of the irradiance between points that are
@@ -69,10 +74,10 @@ impl<P: Falloff> SpotLight<P, InverseSquare> {
         let (nearest, true) = (positive(nearest)?, limit >= outer && outer > inner) else { return None };
         let h = positive(spacing)? / nearest;
         let (span, sine) = (outer - inner, square_root(2.0 * outer));
-        let curvature = 2.0 * outer * curvature / (span * span) + (1.0 + 3.0793 * sine) * slope / span;
+        let curvature = 2.0 * outer * curvature / (span * span) + (1.0 + BOTH * sine) * slope / span;
         // The axis is no edge: there the versine has no slope.
         let at_edges = start + if inner > 0.0 { end } else { 0.0 };
-        let crossed = sine.max(h * (1.0 + 0.7699 * sine));
+        let crossed = sine.max(h * (1.0 + BENT * sine));
         let error = h * h / 8.0 * (curvature + FALL) + h / 4.0 * at_edges * crossed / span;
         Some(above(f64::from(self.intensity()) / (nearest * nearest) * error))
             .filter(|bound| bound.is_finite())
@@ -87,6 +92,22 @@ mod tests {
         cone::Cone,
         falloff::{AnyFalloff, Linear, Power, Smooth, Soft},
     };
+
+    #[test]
+    fn constants_are_the_maxima_rounded_up() {
+        let most = |of: fn(f64, f64) -> f64| {
+            let sines = (0..=1_000_000).map(|i| f64::from(i) / 1e6);
+            sines.map(|s| of(s, (1.0 - s * s).sqrt())).fold(0.0, f64::max)
+        };
+        let maxima = [
+            most(|s, c| c * (15.0 * s * s - 3.0).abs()),
+            most(|s, c| 8.0 * s * c * c),
+            most(|s, c| 2.0 * s * c * c),
+        ];
+        for (constant, most) in [FALL, BOTH, BENT].into_iter().zip(maxima) {
+            assert!((most..most + 2e-4).contains(&constant), "{constant} of {most}");
+        }
+    }
 
     #[test]
     fn a_bound_is_finite_or_none() {

@@ -34,7 +34,8 @@ pub trait Curve: Encoding + Sized {
     /// [`encode_srgb_dithered`](super::encode_srgb_dithered) does for sRGB.
     ///
     /// Over a cell of 8 x 8 pixels the mean light of the codes equals the light, within 1/128 of the
-    /// step from one code's light to the next and 2^-24 of full scale.
+    /// step from one code's light to the next and 2^-23 of full scale: a light is truncated to 2^-24, and the light of
+    /// two codes is rounded to it.
     #[inline]
     fn encode_dithered<S: Scalar>(light: S, x: u32, y: u32) -> u8 {
         dithered::<S, Self, 255>(light, threshold(x, y))

@@ -56,6 +56,16 @@ impl FalloffRow {
     pub fn of(&self, numbers: &[f32]) -> Result<AnyFalloff, Error> {
         (self.of)(&given(self.numbers, numbers))
     }
+
+    /// Creates a random falloff, whose numbers are drawn by a function but for those that may be left out.
+    #[cfg(feature = "arithmetic")]
+    fn random(
+        &self,
+        drawn: impl Fn(&Number, f32) -> f32,
+        mut random: impl FnMut() -> f32,
+    ) -> Result<AnyFalloff, Error> {
+        (self.of)(&each(self.numbers, |own| own.default.unwrap_or_else(|| drawn(own, random()))))
+    }
 }
 
 /// Declares the enums over all falloffs of the list in `models`, and the visits of the list.
@@ -97,10 +107,17 @@ macro_rules! any_falloff {
             /// # Errors
             /// An invalid combination of numbers.
             #[cfg(feature = "arithmetic")]
-            pub fn drawn(index: usize, mut number: impl FnMut() -> f32) -> Result<Self, Error> {
-                let row = &Self::LIST[index % Self::COUNT];
-                let draw = |own: &Number| own.default.unwrap_or_else(|| own.drawn(number()));
-                (row.of)(&each(row.numbers, draw))
+            pub fn drawn(index: usize, number: impl FnMut() -> f32) -> Result<Self, Error> {
+                Self::LIST[index % Self::COUNT].random(Number::drawn, number)
+            }
+
+            /// Builds the falloff like [`drawn`](Self::drawn), from numbers in all that is accepted.
+            ///
+            /// # Errors
+            /// An invalid combination of numbers.
+            #[cfg(feature = "arithmetic")]
+            pub fn anywhere(index: usize, number: impl FnMut() -> f32) -> Result<Self, Error> {
+                Self::LIST[index % Self::COUNT].random(Number::anywhere, number)
             }
 
             /// Returns the row of the falloff.

@@ -180,7 +180,7 @@ pub trait Errors: Types {
     fn fine_below(_error: f32, _intensity: f32, _growth: f32) -> u32 {
         0
     }
-    /// Returns the distance that [`fine_below`](Self::fine_below) encodes; infinity if all points need
+    /// Returns the distance that [`fine_below`](Self::fine_below) encodes; infinity if all points have
     /// the fine evaluation.
     fn fine_within(_error: f32, _intensity: f32, _growth: f32) -> f64 {
         0.0

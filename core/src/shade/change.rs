@@ -30,7 +30,8 @@ macro_rules! change {
             /// Returns the same light at a part of its intensity, from 0 (dark) to 1 (unchanged).
             ///
             /// A part outside this range is clamped, and NaN is dark. The relative error is at most
-            /// 3 * 2^-16 in `Fx16` and 2^-27 in `Fx32` (derived).
+            /// 3 * 2^-16 in `Fx16` and 2^-27 in `Fx32` (derived), beside the error of a light of the dimmed
+            /// intensity: where the full light is clipped, that of the dimmed one is larger.
             #[must_use]
             pub fn dimmed(self, part: S) -> Self {
                 Self { intensity: self.intensity.times_scalar(part), ..self }

@@ -6,7 +6,7 @@
  *
  * | quantity | type | step | range |
  * |---|---|---|---|
- * | coordinate of a point or a light, vector to aim along | int32_t | 2^-16 | all; a light up to 32,639 |
+ * | coordinate of a point or a light, vector to aim along | int32_t | 2^-16 | all; a light up to 24,319 |
  * | intensity: 1 is full scale at distance 1 | int32_t | 2^-16 | from 0; below, 0 |
  * | full angle | uint32_t | 2^-16 degrees | to 180 degrees |
  * | component of a normal of length 1, linear colour, part of 1 | int16_t | 2^-14 | to 2^14 |

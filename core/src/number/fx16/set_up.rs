@@ -272,21 +272,27 @@ impl Errors for Fx16 {
     }
 
     fn fine_below(error: f32, intensity: f32, growth: f32) -> u32 {
-        let squared = fine_squared(error, intensity, growth);
-        if squared == f32::INFINITY {
+        // The squared distance, in units of the square of 2^-16 (the step of a length).
+        let squared = fine_squared(error, intensity, growth) * (1_u64 << 32) as f32;
+        // An offset of 33 bits or more is none: what would have so many names all points.
+        if squared >= (1_u64 << 63) as f32 * 2.0 {
             return u32::MAX;
         }
-        if squared == 0.0 {
-            return 0;
-        }
-        // The squared distance, in units of the square of 2^-16 (the step of a length).
-        let squared = ((squared * (1_u64 << 32) as f32) as u64).min((1 << 62) - 1);
+        let squared = squared as u64;
         let bits = (u64::BITS - squared.leading_zeros()).div_ceil(2);
-        bits << 26 | ((squared << (62 - 2 * bits)) >> 36) as u32
+        let upper = squared.checked_shl(u64::BITS - 2 * bits).unwrap_or(0) >> 38;
+        bits << 26 | upper as u32
     }
 
+    /// Decodes what points are compared with, so that its roundings are no error of this distance.
     fn fine_within(error: f32, intensity: f32, growth: f32) -> f64 {
-        trig::sqrt(fine_squared(error, intensity, growth)).into()
+        let below = Self::fine_below(error, intensity, growth);
+        if below == u32::MAX {
+            return f64::INFINITY;
+        }
+        let (bits, upper) = (below >> 26, below & ((1 << 26) - 1));
+        // `2^(bits - 13)` steps of a length, of 2^-16 each.
+        trig::square_root(upper.into()) * (1_u64 << bits) as f64 / (1_u64 << 29) as f64
     }
 
     #[inline]

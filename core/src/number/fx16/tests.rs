@@ -18,26 +18,58 @@ fn clipped_light_is_past_full_scale() {
     assert!(!Fx16::is_clipped(Fx16::from_bits(1 << 9), light(u32::MAX)));
 }
 
-/// Points are near below the distance whose square `fine_below` encodes.
-///
-/// For an error of half a linear code, this square is `BRIGHT * MOVING * intensity`.
+/// `fine_below` encodes the distance of `fine_squared` over all intensities and exponents of a decay, up to
+/// that of the farthest points: there it encodes all of them.
 #[test]
 fn points_are_near_below_the_encoded_distance() {
-    for intensity in [1e-4_f32, 0.01, 0.5, 3.0, 77.0, 4_000.0, 1e6, 1e9] {
-        let below = Fx16::fine_below(HALF_A_CODE, intensity, 2.0);
-        let distance = crate::trig::sqrt(0.5556 * 1.04 * intensity);
-        for i in 0..1_000_u32 {
-            let size = distance * (0.9 + 0.2 * i as f32 / 1_000.0);
-            let unit = [[1.0, 0.0, 0.0], [0.6, -0.8, 0.0], [-0.48, 0.6, 0.64]][i as usize % 3];
-            let point = unit.map(|c| Length::from_f32(c * size));
-            let offset = Offset16::between(Vec3::default(), Vec3::new(point[0], point[1], point[2]));
-            let is_open = (size / distance - 1.0).abs() < 0.01;
-            assert!(
-                is_open || offset.is_near(below) == (size < distance),
-                "is_near at {size}, expected below {distance}"
-            );
+    const STEP: f64 = 1.0 / 65_536.0;
+    let light = Vec3::new(-1.0, -1.0, -1.0).map(|c| Length::from_f32(c * Fx16::FARTHEST));
+    let (mut near, mut far, mut all) = (0, 0, 0);
+    for (step, growth) in
+        (-90..=90).flat_map(|step| [0.25, 0.7, 1.0, 2.0, 3.0, 16.0].map(|growth| (step, growth)))
+    {
+        let intensity = 10.0_f64.powf(f64::from(step) / 10.0) as f32;
+        // For an error of half a linear code, the squared distance is `BRIGHT * MOVING * intensity`.
+        let exact = (0.5556 * 1.04 * f64::from(intensity)).powf(1.0 / f64::from(growth));
+        let below = Fx16::fine_below(HALF_A_CODE, intensity, growth);
+        let within = Fx16::fine_within(HALF_A_CODE, intensity, growth);
+        if exact >= 65_536.0 {
+            assert_eq!((below, within), (u32::MAX, f64::INFINITY), "{intensity} {growth}");
+            all += 1;
+            continue;
+        }
+        let least = (exact * exact * (1.0 - 4e-6) - STEP * STEP).max(0.0).sqrt();
+        assert!(
+            (least..=exact * (1.0 + 2e-6)).contains(&within),
+            "{intensity} {growth}: {within}, not {exact}"
+        );
+        for i in 0..60_u32 {
+            // Beside the distance, and from a few steps on to all of the coordinates.
+            let size = [
+                exact * (0.999_8 + 0.000_4 * f64::from(i) / 60.0),
+                (f64::from(i) / 60.0 * 33.0).exp2() * STEP,
+            ];
+            let unit =
+                [[1.0, 0.0, 0.0], [0.6, 0.8, 0.0], [0.48, 0.6, 0.64], [0.577, 0.577, 0.578]][i as usize % 4];
+            for size in size {
+                let way = Vec3::from(unit.map(|c: f64| (c * size / STEP) as i64));
+                let room = i64::from(i32::MAX) - i64::from(light.x.to_bits());
+                if way.x.max(way.y).max(way.z) > room {
+                    continue;
+                }
+                let point = light.zip(way, |l, w| Length::from_bits((i64::from(l.to_bits()) + w) as i32));
+                let Vec3 { x, y, z } = way.map(|c| c as f64 * STEP);
+                let distance = (x * x + y * y + z * z).sqrt();
+                if (distance / within - 1.0).abs() > crate::bound::NEARLY {
+                    let is_near = Offset16::between(light, point).is_near(below);
+                    assert_eq!(is_near, distance < within, "{intensity} {growth}: {distance} of {within}");
+                    near += u32::from(is_near);
+                    far += u32::from(!is_near);
+                }
+            }
         }
     }
+    assert!(near > 10_000 && far > 10_000 && all > 50, "{near} near, {far} far, {all} of all points");
 }
 
 /// Evaluates a falloff at every `t`, and checks that both ends are exact and all values in
