@@ -12,10 +12,11 @@ pub use self::compiled::CompiledCone;
 use crate::{
     angle::{Angle, IntoAngle},
     error::{Error, Expected, Parameter, check_between},
-    falloff::{Falloff, Formula, Soft},
+    falloff::{Falloff, Formula, Soft, slope_beside_axis},
     number::{HALF_A_CODE, Quick, Scalar, Slopes, float::positive},
     search::bisect,
     stored::stored,
+    trig,
 };
 
 /// A cone of light with an angular falloff: full intensity on the axis, 0 from the outer angle
@@ -214,7 +215,8 @@ impl<P: Falloff> Cone<P> {
     /// falloff steeper. At the returned angle the error bound is just 1/510. The error bound is the
     /// format's error of the direction multiplied by the steepness of the falloff, plus all other
     /// rounding errors. For a step, no format bounds the error of the intensity; the position of
-    /// the step's edge is within 1/510 of the half angle.
+    /// the step's edge is within 1/510 of the half angle. So is that of an infinite slope on the axis, where a
+    /// difference of the lengths of direction and axis is magnified, too.
     ///
     /// In `f32` the error bound holds for all positions of light and point. The result exceeds 180
     /// degrees if the format can hold no cone with this falloff, such as `Fx16` with an inverted
@@ -309,13 +311,27 @@ fn slopes<P: Falloff>(falloff: P, hotspot: f32) -> Slopes {
     /// respect to the angle, multiplied by half this width.
     const RIM: f32 = 1.0 / 1024.0;
     let fraction = falloff.steepness(1.0 - RIM) * RIM / 2.0;
-    Slopes { angle: falloff.steepness(hotspot), fraction: fraction * (1.0 + RIM) }
+    Slopes {
+        angle: falloff.steepness(hotspot),
+        fraction: fraction * (1.0 + RIM),
+        beside_axis: slope_beside_axis(falloff.formula(), hotspot),
+    }
 }
 
 /// Returns the narrowest outer angle that a format can hold with these bounds of the derivatives.
 ///
 /// The result is 360 degrees or more if the format can hold no cone.
+///
+/// With a half angle `a`, the direction turns by a part of it, and lengths that differ by `l` change a versine by
+/// `l^2 / 2`, which is `l^2 / a^2` of the outer versine.
 fn narrowest<S: Scalar>(edge: &Slopes) -> Angle {
     let room = positive(HALF_A_CODE - S::rounding(edge));
-    Angle::radians(2.0 * S::DIRECTION_ERROR * edge.angle / room)
+    let turned = S::DIRECTION_ERROR * edge.angle / room;
+    if edge.beside_axis == 0.0 {
+        return Angle::radians(2.0 * turned);
+    }
+    let length = S::fine_stages(0.0).length as f32;
+    let shortened = length * length * edge.beside_axis / room;
+    // The root of `a^2 = turned a + shortened`.
+    Angle::radians(turned + trig::sqrt(turned * turned + 4.0 * shortened))
 }

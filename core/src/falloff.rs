@@ -35,7 +35,7 @@ mod real;
 mod step;
 mod table;
 
-pub(crate) use self::real::STRIP;
+pub(crate) use self::real::{STRIP, slope_beside_axis};
 use crate::{number::Scalar, source::Source};
 
 pub use self::{

@@ -58,7 +58,7 @@
 //! |---|---|---|---|---|
 //! | choose it for | a processor with a floating-point unit, a browser, a desktop | beams under one degree or minimal error, without a floating-point unit | everything else without a floating-point unit | the same, where a display hides the error |
 //! | largest error of a lit point of a soft spotlight of 36 degrees, linear codes (searched) | 3.6e-4 | 5.1e-5 | 0.29 | 0.80 |
-//! | a bound of that error, linear codes (derived) | 0.0040 | 3.0e-4 | 0.92 | 2.3 |
+//! | a bound of that error, linear codes (derived) | 0.0040 | 3.1e-4 | 0.92 | 2.3 |
 //! | instructions of a lit point, Cortex-M0 (counted) | 5,338 | 485 | 211 | 141 |
 //! | instructions, Cortex-M4F | 76.0 | 167 | 147 | 93.0 |
 //! | instructions, RV32IMC | 2,720 | 186 | 153 | 96.1 |
@@ -109,8 +109,8 @@
 //! # Domain
 //!
 //! Within the ranges of the table, the error of the falloff of a compiled cone is at most half a linear
-//! code, 1/510 of full scale (searched). Where the falloff jumps, the error of the edge's position is at most 1/510
-//! of the outer half angle. `tests/suite/domain.rs` tests the ends of each range, and
+//! code, 1/510 of full scale (searched). Where the falloff jumps or its slope is infinite, the error of the angle is
+//! at most 1/510 of the outer half angle. `tests/suite/domain.rs` tests the ends of each range, and
 //! `tests/slow` those of the angles and exponents.
 //!
 //! | | `f32` | [`Fx32`] | [`Fx16`] | outside |

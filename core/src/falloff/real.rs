@@ -50,6 +50,17 @@ const fn exponent(sample: f32) -> Number {
 /// intensity, as at a step.
 pub(crate) const STRIP: f64 = 1.0 / 510.0;
 
+/// Returns the derivative with respect to `t` at the end of the [`STRIP`] beside the axis or the hotspot, of a falloff
+/// whose derivative is infinite there; 0 for any other falloff.
+pub(crate) fn slope_beside_axis(formula: Formula<'_>, hotspot: f32) -> f32 {
+    match formula {
+        Formula::InvertedPower(exponent, floor) if exponent < 1.0 => {
+            InvertedRealPower { exponent, floor }.beside_strip(hotspot).1 as f32
+        }
+        _ => 0.0,
+    }
+}
+
 impl RealPower {
     /// Creates the power with this exponent.
     ///
@@ -95,6 +106,15 @@ impl InvertedRealPower {
     /// Returns `1 - floor^p`, by which the power with a floor is divided.
     pub(crate) fn height(self) -> f64 {
         if self.floor > 0.0 { 1.0 - real_power(self.floor.into(), self.exponent.into()) } else { 1.0 }
+    }
+
+    /// Returns the least `u` outside the [`STRIP`] of an exponent below 1, or of the floor, and the derivative there.
+    fn beside_strip(self, hotspot: f32) -> (f64, f64) {
+        let strip = f64::from(trig::sqrt(hotspot)) + STRIP;
+        let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
+        let outside = (strip * strip - hotspot) / (1.0 - hotspot);
+        let from = outside.max(self.floor.into()).clamp(1e-12, 1.0);
+        (from, p / real_power(from, 1.0 - p) / self.height())
     }
 
     /// Returns the largest `u` with this intensity.
@@ -206,16 +226,15 @@ impl Falloff for InvertedRealPower {
     /// points. For `p < 1` the inner point is the floor or the outer end of the `STRIP`, and the
     /// result is at least the steepness of a step.
     fn steepness(self, hotspot: f32) -> f32 {
-        let (p, hotspot) = (f64::from(self.exponent), f64::from(hotspot));
-        let (span, per_height) = (1.0 - hotspot, 2.0 * p / (1.0 - hotspot) / self.height());
-        if p >= 1.0 {
-            return per_height as f32;
+        let span = 1.0 - f64::from(hotspot);
+        let per_height = (2.0 * f64::from(self.exponent) / span / self.height()) as f32;
+        if self.exponent >= 1.0 {
+            return per_height;
         }
-        let strip = f64::from(trig::sqrt(hotspot as f32)) + STRIP;
-        let from = ((strip * strip - hotspot) / span).max(self.floor.into()).clamp(1e-12, 1.0);
-        let versine = hotspot + span * from;
-        let begin = trig::sqrt(versine as f32) * (per_height / real_power(from, 1.0 - p)) as f32;
-        begin.max(per_height as f32).max(1.0)
+        let (from, slope) = self.beside_strip(hotspot);
+        let versine = f64::from(hotspot) + span * from;
+        let begin = trig::sqrt(versine as f32) * (2.0 * slope / span) as f32;
+        begin.max(per_height).max(1.0)
     }
 
     fn integral(self, u: f32) -> f32 {

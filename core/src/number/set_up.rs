@@ -255,6 +255,10 @@ pub struct Slopes {
     pub angle: f32,
     /// Derivative with respect to the argument `t` of the falloff.
     pub fraction: f32,
+    /// Derivative with respect to `t` beside the axis, where it is infinite on it; else 0.
+    ///
+    /// There an error of a versine that does not shrink with the angle is magnified.
+    pub beside_axis: f32,
 }
 
 impl Slopes {
@@ -262,5 +266,5 @@ impl Slopes {
     ///
     /// With these values, the bound of half a linear code (1/510) for the intensity error limits
     /// the error of the step's position to 1/510 of the half angle.
-    pub const STEP: Self = Self { angle: 1.0, fraction: 0.0 };
+    pub const STEP: Self = Self { angle: 1.0, fraction: 0.0, beside_axis: 0.0 };
 }

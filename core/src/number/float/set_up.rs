@@ -222,7 +222,7 @@ impl Errors for f32 {
     /// contribute 4e-7. The rest comes from the lengths of direction and axis, from the difference
     /// of direction and axis, and from the square of this difference.
     fn rounding(edge: &Slopes) -> f32 {
-        edge.angle * 0.55e-6 + (edge.fraction * 1.5 + 1.5) * Self::STEP
+        edge.angle * 0.55e-6 + ((edge.fraction + edge.beside_axis) * 1.5 + 1.5) * Self::STEP
     }
 
     fn stages(_: f64) -> Stages {

@@ -239,7 +239,7 @@ impl Errors for Fx16 {
     /// of the fine direction is smaller by more than the rounding error.
     fn rounding(edge: &Slopes) -> f32 {
         const ROOM: f32 = 0.99 * HALF_A_CODE;
-        let fine = edge.angle * 0.25e-6 + edge.fraction * 1e-8 + Self::STEP;
+        let fine = edge.angle * 0.25e-6 + (edge.fraction + edge.beside_axis) * 1e-8 + Self::STEP;
         if fine <= ROOM { 0.0 } else { f32::INFINITY }
     }
 
@@ -268,13 +268,15 @@ impl Errors for Fx16 {
         let chord = trig::sqrt(2.0 * outer);
         let versine =
             edge.angle * (direction / chord + LENGTH / 2.0) + edge.fraction * (LENGTH * LENGTH / 2.0 / outer);
-        MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP)
+        // Beside the axis both terms are largest at one point.
+        let strip = edge.beside_axis * (LENGTH * LENGTH / 2.0 / outer + 3.0 / 65_536.0);
+        MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP) + strip
     }
 
     fn fine_below(error: f32, intensity: f32, growth: f32) -> u32 {
         // The squared distance, in units of the square of 2^-16 (the step of a length).
         let squared = fine_squared(error, intensity, growth) * (1_u64 << 32) as f32;
-        // An offset of 33 bits or more is none: what would have so many names all points.
+        // No offset has more than 32 bits.
         if squared >= (1_u64 << 63) as f32 * 2.0 {
             return u32::MAX;
         }
