@@ -12,13 +12,11 @@ use std::string::String;
 use super::boxes::{Interval, at_most};
 use super::fx16::errors::{AXIS_LENGTH, AXIS_TURN};
 use super::model::Constants;
-use super::{Evaluation, FINER, Kind, STEP};
+use super::{Evaluation, FINER, Kind, RANGE, STEP};
 
 /// The relative error of a mantissa of 16 bits that is rounded, and of one that is truncated.
 const ROUNDED: f64 = STEP / 4.0;
 const TRUNCATED: f64 = STEP / 2.0;
-/// A constant of a range: `f32` rounds a square, a reciprocal and the result.
-pub(super) const RANGE: f64 = 2.0 / 16_777_216.0;
 
 /// The part of a unit that truncation to `kept` bits loses at most.
 fn lost(bits: u32, kept: u32) -> f64 {

@@ -34,7 +34,7 @@ use self::gappa::{Script, checked, coq, proved};
 use self::model::Constants;
 use crate::{Angle, Cone, SpotLight, vec3::Vec3};
 
-use super::{Errors, Fx16, Fx32, Quick, Scalar, Stages, float, fx16, fx32};
+use super::{Errors, Fx16, Fx32, Quick, Scalar, Stages, float, fx16, fx32, stages::RANGE};
 
 /// A step of a fraction and of a scalar of 16 bits, and of 32 bits.
 const FINER: f64 = 1.0 / 32_768.0;
@@ -202,8 +202,6 @@ fn fine_stages_are_sums_of_what_is_proved() {
         |stated: f64, proved: f64, name: &str| assert!(stated >= proved, "{name}: {stated:e} of {proved:e}");
     // A component is within 1.001 steps.
     let turned = 1.001 * 3_f64.sqrt() * FINE_STEP;
-    // A constant of a range, of which `f32` rounds the square, the reciprocal and the result.
-    let range = geometry::RANGE;
     for evaluation in evaluations() {
         let (stages, newton) = (&evaluation.stages, evaluation.newton());
         let (axis_length, axis_turn, halved, mantissa) = match evaluation.kind {
@@ -216,7 +214,7 @@ fn fine_stages_are_sums_of_what_is_proved() {
         };
         at_least(stages.length, newton + axis_length, "length");
         at_least(stages.turn, turned + axis_turn + halved, "turn");
-        at_least(stages.near.relative, evaluation.length() + range + 2.0 * mantissa + 1e-12, "near");
+        at_least(stages.near.relative, evaluation.length() + RANGE + 2.0 * mantissa + 1e-12, "near");
     }
     // From 256 units on, a component of an offset of 2^23 loses up to half a unit.
     let (far, near) = (Fx16::fine_stages(300.0), Fx16::fine_stages(1.0));
@@ -237,8 +235,8 @@ fn axis_error<S: Scalar>(way: [f32; 3], to_f64: impl Fn(S::Unit) -> f64) -> [f64
     [(length(found) - 1.0).abs(), length(across)]
 }
 
-/// The set-up of an axis has no script. Random axes, of which half have one component that is much smaller, and
-/// climbs from the worst of them by units of the last place.
+/// The set-up of an axis has no script. Every other axis is random, each component with a scale of its own, and the
+/// others climb from the worst of these by units of the last place.
 #[test]
 fn axes_keep_their_stated_errors() {
     type Errors = fn([f32; 3]) -> [f64; 2];

@@ -7,6 +7,10 @@ pub(super) const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1_023 + exponent) as u64) << 52)
 }
 
+/// The relative error of a constant of a range: `f32` rounds its square, the reciprocal of that and the result.
+#[cfg(feature = "fixed")]
+pub(super) const RANGE: f64 = 1.2e-7;
+
 /// The share and the light, in steps of 2^-14, over which `Fx16` keeps the light of its coarse
 /// evaluation, which is clipped in any case.
 pub(crate) const KEPT: [u32; 2] = [1 << 9, 9 << 11];

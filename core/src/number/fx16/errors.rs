@@ -3,7 +3,10 @@
 //! `V` is the offset, scaled to 17 bits and not rounded, `v` the truncated offset of 15 bits, and `r`
 //! its reciprocal length `2^30 / |v|`.
 
-use crate::number::{Rounding, Stages, float, fx32, stages::power_of_two};
+use crate::number::{
+    Rounding, Stages, float, fx32,
+    stages::{RANGE, power_of_two},
+};
 
 /// A step of a scalar, and of light.
 const STEP: f64 = power_of_two(-14);
@@ -29,8 +32,6 @@ const TURNED: f64 = 1.576 / 16_384.0;
 pub(in crate::number) const AXIS_LENGTH: f64 = float::errors::AXIS_LENGTH + 0.866_1 * power_of_two(-30);
 /// The same, across the axis.
 pub(in crate::number) const AXIS_TURN: f64 = float::errors::AXIS_TURN + 0.866_1 * power_of_two(-30);
-/// A constant of a range, of which `f32` rounds the square and the reciprocal.
-const RANGE: f64 = 1.2e-7;
 /// The error of the root (exhaustive), in the coarse and in the quick evaluation.
 const ROOT: [f64; 2] = [9.0e-5, 2.0e-4];
 

@@ -1,6 +1,9 @@
 //! The errors of the stages of the 32-bit format, where each of them comes from.
 
-use crate::number::{Rounding, Stages, stages::power_of_two};
+use crate::number::{
+    Rounding, Stages,
+    stages::{RANGE, power_of_two},
+};
 
 /// A step of a scalar; a fraction has half of it.
 const STEP: f64 = power_of_two(-30);
@@ -46,8 +49,8 @@ pub(in crate::number) const STAGES: Stages = Stages {
     incidence: Rounding { absolute: AXIS_TURN + 0.51 * STEP, relative: AXIS_LENGTH },
     share: Rounding::absolute(STEP),
     // The direction's 2.4e-8, three squares and three products that are rounded down, two roundings to a
-    // mantissa, and a constant of a range, of which `f32` rounds the square and the reciprocal.
-    near: Rounding { absolute: STEP, relative: 4.6e-8 + 2.0 * MANTISSA + 1.2e-7 },
+    // mantissa, and a constant of a range.
+    near: Rounding { absolute: STEP, relative: 4.6e-8 + 2.0 * MANTISSA + RANGE },
     gain: 0.0,
     // Twice the excess' 2.4e-8. Its product with the gain has 11 bits at least, which lose up to 7.4e-4 of
     // twice an excess of 2.85e-4; four results are rounded down.
