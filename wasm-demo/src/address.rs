@@ -18,7 +18,6 @@ use crate::{
     state::{LIGHTS, State},
 };
 use luminaire::{
-    Vec3,
     attenuation::{AnyAttenuation, Polynomial},
     falloff::AnyFalloff,
 };
@@ -28,8 +27,9 @@ use luminaire_render::scenes::Example;
 /// The version of this format of addresses.
 const VERSION: &str = "1";
 
-/// A setting of a light: its letter, how it is written, and how it is read into a light.
-type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, Setting) -> Option<Setting>);
+/// A setting of a light: its letter, how it is written, and how it is read into a light. `None` is a text that
+/// is no such setting.
+type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, &mut Setting) -> Option<()>);
 
 /// The settings of a light: `x` off, `k` kind, `a` law of distance and `e` edge, by their names and numbers,
 /// `o` own cone, `b` and `f` beam and field angle, `l` fixture, `c` colour, `i` intensity as a multiple of
@@ -39,65 +39,65 @@ const SETTINGS: [Letter; 12] = [
     (
         'x',
         |light| (!light.is_on).then(String::new),
-        |text, light| text.is_empty().then_some(Setting { is_on: false, ..light }),
+        |text, light| text.is_empty().then(|| light.is_on = false),
     ),
     (
         'k',
         |light| Some(light.kind?.name().to_owned()),
-        |text, light| Some(Setting { kind: Some(*KINDS.iter().find(|kind| kind.name() == text)?), ..light }),
+        |text, light| KINDS.iter().find(|kind| kind.name() == text).map(|kind| light.kind = Some(*kind)),
     ),
     (
         'a',
         |light| Some(light.law?.written()),
         |text, light| {
             let older = read_numbers(text).and_then(|[a, b, c]| Some(Polynomial::new(a, b, c).ok()?.into()));
-            Some(Setting { law: Some(older.or_else(|| AnyAttenuation::read(text))?), ..light })
+            older.or_else(|| AnyAttenuation::read(text)).map(|law| light.law = Some(law))
         },
     ),
     (
         'o',
         |light| Some(own_cone::write(&light.own?)),
-        |text, light| Some(Setting { own: Some(own_cone::read(text)?), ..light }),
+        |text, light| own_cone::read(text).map(|cone| light.own = Some(cone)),
     ),
     (
         'b',
         |light| Some(light.design.beam?.to_string()),
-        |text, light| Some(Setting { design: Design { beam: Some(read(text)?), ..light.design }, ..light }),
+        |text, light| read(text).map(|degrees| light.design.beam = Some(degrees)),
     ),
     (
         'f',
         |light| Some(light.design.field?.to_string()),
-        |text, light| Some(Setting { design: Design { field: Some(read(text)?), ..light.design }, ..light }),
+        |text, light| read(text).map(|degrees| light.design.field = Some(degrees)),
     ),
     (
         'e',
         |light| Some(light.edge?.written()),
-        |text, light| Some(Setting { edge: Some(AnyFalloff::read(text)?), ..light }),
+        |text, light| AnyFalloff::read(text).map(|edge| light.edge = Some(edge)),
     ),
     (
         'l',
         |light| Some(fixture::slug(light.fixture?)),
-        |text, light| Some(Setting { fixture: Some(fixture::with_slug(text)?), ..light }),
+        |text, light| fixture::with_slug(text).map(|fixture| light.fixture = Some(fixture)),
     ),
     (
         'c',
         |light| light.color.map(|[red, green, blue]| format!("{red:02x}{green:02x}{blue:02x}")),
-        |text, light| Some(Setting { color: Some(channels(text)?), ..light }),
+        |text, light| channels(text).map(|color| light.color = Some(color)),
     ),
     (
         'i',
         |light| Some(light.intensity?.to_string()),
-        |text, light| Some(Setting { intensity: Some(read(text)?), ..light }),
+        |text, light| read(text).map(|intensity| light.intensity = Some(intensity)),
     ),
     (
         'p',
         |light| Some(numbers(&<[f32; 3]>::from(light.position?))),
-        |text, light| Some(Setting { position: Some(Vec3::from(read_numbers(text)?)), ..light }),
+        |text, light| read_numbers(text).map(|point: [f32; 3]| light.position = Some(point.into())),
     ),
     (
         't',
         |light| Some(numbers(&<[f32; 3]>::from(light.target?))),
-        |text, light| Some(Setting { target: Some(Vec3::from(read_numbers(text)?)), ..light }),
+        |text, light| read_numbers(text).map(|point: [f32; 3]| light.target = Some(point.into())),
     ),
 ];
 
@@ -190,7 +190,7 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
     let (mut lights, mut refused) = (Vec::new(), Vec::new());
     // No light at all is an empty text. A light that was added follows those of the scene.
     for word in text.split(';').filter(|word| !word.is_empty()) {
-        let read = read_light(word, |_| true);
+        let read = read_light(word, &|_| true);
         let (read, has_all) =
             read.filter(|(read, _)| read.iter().all(|light| light.of <= count)).unwrap_or_default();
         if !has_all {
@@ -209,7 +209,7 @@ fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>)
 
 /// Reads a light with its settings, or a range of lights. Returns also whether it has all settings:
 /// one that is bad, or with which `is_taken` is false, is left out.
-pub(crate) fn read_light(word: &str, is_taken: impl Fn(&Setting) -> bool) -> Option<(Vec<Setting>, bool)> {
+pub(crate) fn read_light(word: &str, is_taken: &dyn Fn(&Setting) -> bool) -> Option<(Vec<Setting>, bool)> {
     if let Some((first, last)) = word.split_once('-').filter(|_| !word.contains(':')) {
         let (first, last) = (first.parse::<usize>().ok()?, last.parse::<usize>().ok()?);
         let is_range = first < last && last - first < LIGHTS;
@@ -225,11 +225,12 @@ pub(crate) fn read_light(word: &str, is_taken: impl Fn(&Setting) -> bool) -> Opt
     for part in parts {
         let letter = part.chars().next().unwrap_or_default();
         let row = SETTINGS.iter().find(|(other, ..)| *other == letter);
-        let next = row.and_then(|(_, _, read)| read(&part[letter.len_utf8()..], setting));
-        match next.filter(|next| next.fixture.is_none_or(|own| is_zoom(&next.design, own)) && is_taken(next))
-        {
-            Some(next) => setting = next,
-            None => has_all = false,
+        let mut next = setting;
+        let is_read = row.is_some_and(|(_, _, read)| read(&part[letter.len_utf8()..], &mut next).is_some());
+        if is_read && next.fixture.is_none_or(|own| is_zoom(&next.design, own)) && is_taken(&next) {
+            setting = next;
+        } else {
+            has_all = false;
         }
     }
     Some((vec![setting], has_all))
@@ -246,7 +247,7 @@ mod tests {
         state::EXPOSURES,
         viewpoint::Viewpoint,
     };
-    use luminaire::Cone;
+    use luminaire::{Cone, Vec3};
     use luminaire_fixtures::FIXTURES;
     use luminaire_render::Output;
 

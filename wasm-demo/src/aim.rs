@@ -13,6 +13,7 @@ use crate::{
     stage::Stage,
     state::{EXPOSURE_STEP, EXPOSURES},
 };
+use libm::sincosf;
 use luminaire::{Vec3, attenuation::Attenuation, dynamic::AnyLight, projector::Fixture};
 use luminaire_render::Surfaces;
 use wasm_bindgen::prelude::*;
@@ -35,15 +36,14 @@ pub(crate) fn plus(point: Vec3<f32>, factor: f32, direction: Vec3<f32>) -> Vec3<
 }
 
 /// The directions at this angle off an axis, in radians.
-fn rays(axis: Vec3<f32>, off: f64) -> impl Iterator<Item = Vec3<f32>> {
+fn rays(axis: Vec3<f32>, off: f32) -> impl Iterator<Item = Vec3<f32>> {
     let across = perpendicular(axis);
     let beside = axis.cross(across);
-    let radius = sine(off);
+    let (radius, ahead) = sincosf(off);
     (0..RAYS).map(move |i| {
-        let around = std::f64::consts::TAU / RAYS as f64 * i as f64;
-        let direction =
-            plus(axis.map(|along| off.cos() as f32 * along), radius * around.cos() as f32, across);
-        plus(direction, radius * sine(around), beside)
+        let (sine, cosine) = sincosf(std::f32::consts::TAU / RAYS as f32 * i as f32);
+        let direction = plus(axis.map(|along| ahead * along), radius * cosine, across);
+        plus(direction, radius * sine, beside)
     })
 }
 
@@ -158,8 +158,8 @@ impl Stage {
     pub fn distances(&self, light: usize) -> Result<Vec<f32>, Refusal> {
         let AnyLight::Spot(spot) = self.lit(light)? else { return Ok(Vec::new()) };
         let surfaces = Surfaces::of(self.rig().scene());
-        let half = f64::from(spot.cone().outer().to_degrees() / 2.0).to_radians();
-        let rings = (1..=RINGS).map(|ring| half * f64::from(ring) / f64::from(RINGS));
+        let half = spot.cone().outer().to_radians() / 2.0;
+        let rings = (1..=RINGS).map(|ring| half * f32::from(ring) / f32::from(RINGS));
         let within = rings.flat_map(|off| rays(spot.axis(), off)).chain([spot.axis()]);
         let met = within.filter_map(|ray| surfaces.first(spot.position(), ray));
         let ends = met.fold(None, |ends: Option<[f32; 2]>, distance| {
@@ -190,7 +190,7 @@ impl Stage {
         let (camera, surfaces) = (self.camera(), Surfaces::of(self.rig().scene()));
         let (axis, position) = (spot.axis(), spot.position());
         let place = |point: Vec3<f32>| camera.project(point, aspect).map(|[x, y, _]| [x, y]);
-        let half = f64::from(spot.cone().field().to_degrees() / 2.0).min(85.0).to_radians();
+        let half = (spot.cone().field().to_degrees() / 2.0).min(85.0).to_radians();
         let meet = |direction| {
             let distance = surfaces.first(position, direction).unwrap_or(FARTHEST);
             (distance, plus(position, distance, direction))
@@ -294,11 +294,6 @@ fn perpendicular(axis: Vec3<f32>) -> Vec3<f32> {
     let across = axis.cross(helper);
     let length = across.dot(across).sqrt();
     across.map(|along| along / length)
-}
-
-/// Returns the sine of an angle in radians. The module has a cosine already.
-fn sine(angle: f64) -> f32 {
-    (angle - std::f64::consts::FRAC_PI_2).cos() as f32
 }
 
 /// Tells which of the rays, a closed ring, meet a surface that many of their neighbours meet too; all

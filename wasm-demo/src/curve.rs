@@ -6,7 +6,7 @@ use crate::{
     refusal::Refusal,
 };
 use luminaire::{
-    Cone,
+    Angle, Cone, HalfAngle,
     falloff::{AnyFalloff, Linear, Smooth},
 };
 
@@ -40,14 +40,15 @@ pub(crate) fn other(name: &str, beam: f32, angles: &[f32]) -> Result<Vec<f32>, R
         _ => return Err(Refusal::name("curve", name, "power, smooth or linear")),
     };
     let design = Design::of(Mark::Beam, beam);
-    let cone = Cone::from_field(falloff, luminaire::Angle::degrees(1.0))?;
+    let cone = Cone::from_field(falloff, Angle::degrees(1.0))?;
     let curve = |cone| Format::F32.intensities(&cone, angles);
     Ok(design.cone(Some(falloff), cone).and_then(curve).unwrap_or_default())
 }
 
 /// Returns `cos(angle)^n`, which is 1/2 at half the beam angle.
 fn power(beam: f32, angles: &[f32]) -> Vec<f32> {
-    let logarithm = |degrees: f32| f64::from(degrees).to_radians().cos().max(0.0).ln();
+    let logarithm =
+        |degrees| (1.0 - f64::from(Angle::from(HalfAngle::degrees(degrees)).versine())).max(0.0).ln();
     let half = logarithm(beam / 2.0);
     if !(half < 0.0 && half.is_finite()) {
         return Vec::new();

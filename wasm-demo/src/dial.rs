@@ -33,21 +33,21 @@ impl Stage {
         let setting = Setting { is_on: true, ..*self.held(light)? };
         let original = &self.rig().original(&setting)?;
         let full_scale = full_scale(self.state().scene);
-        let is_taken = |name: &str, value: f32| {
+        let is_taken: &dyn Fn(&str, f32) -> bool = &|name, value| {
             let mut next = setting;
             next.set_number(name, value, original, full_scale)
                 .and_then(|()| self.rig().accept(self.state(), light, &next))
                 .is_ok()
         };
         let ends = |name: &str, value: f32, ends: [f32; 2]| {
-            ends.map(|end| farthest(value, end, geometric, |value| is_taken(name, value))).into()
+            ends.map(|end| farthest(value, end, geometric, &|value| is_taken(name, value))).into()
         };
         // Of each number of a model: its usual values, as far as the light takes them.
         let all_ends = |kind: &str, list: &[Number], values: Vec<f32>| -> Vec<f32> {
             let each = (0..).zip(list).zip(values).flat_map(|((place, number), value): ((usize, _), _)| {
                 let (name, [least, most]) = (format!("{kind}-{place}"), number.limits);
                 let ends = number.usual.map(|end| end.max(least).min(most));
-                ends.map(|end| farthest(value, end, middle_of(number), |value| is_taken(&name, value)))
+                ends.map(|end| farthest(value, end, middle_of(number), &|value| is_taken(&name, value)))
             });
             each.collect()
         };
@@ -104,7 +104,7 @@ fn middle_of(number: &Number) -> Middle {
 }
 
 /// Returns the end, or the value nearest to it that is taken, between the end and the light's own value.
-fn farthest(value: f32, end: f32, middle: Middle, is_taken: impl Fn(f32) -> bool) -> f32 {
+fn farthest(value: f32, end: f32, middle: Middle, is_taken: &dyn Fn(f32) -> bool) -> f32 {
     if is_taken(end) {
         return end;
     }

@@ -31,15 +31,11 @@ impl Equality {
     /// Draws these stripes of both pictures, of this width and height in pixels, and compares them.
     pub(crate) fn new(
         mut renderer: Box<dyn Draw>,
-        (width, height): (u32, u32),
+        size: (u32, u32),
         stripes: Stripes,
         clock: &Clock,
         (scene, camera, fixtures): (&Scene, &Camera, &[Fixture]),
     ) -> Result<Self, Refusal> {
-        let places = || {
-            let rows = stripes.rows(height as usize).flatten();
-            rows.flat_map(|y| (0..width as usize).map(move |x| (x, y)))
-        };
         renderer.draw_geometry(scene, camera);
         renderer.draw_shadows(scene, fixtures)?;
         // The first draw touches its memory for the first time, which costs extra, so it is not
@@ -47,10 +43,10 @@ impl Equality {
         renderer.draw_light(fixtures)?;
         let (everything_ms, lit) = clock.time(|| renderer.draw_everything(fixtures));
         lit?;
-        let (everything, pairs) = (bits(&mut *renderer, places()), renderer.account().evaluated);
+        let (everything, pairs) = (bits(&mut *renderer, stripes, size), renderer.account().evaluated);
         let (lighting_ms, lit) = clock.time(|| renderer.draw_light(fixtures));
         lit?;
-        let (called_for, account) = (bits(&mut *renderer, places()), renderer.account());
+        let (called_for, account) = (bits(&mut *renderer, stripes, size), renderer.account());
         let differing = called_for.iter().zip(&everything).filter(|(one, other)| one != other).count();
         Ok(Self {
             pixels: everything.len(),
@@ -64,12 +60,16 @@ impl Equality {
 }
 
 /// Returns the bits of each pixel: its light and its displayed code.
-fn bits(renderer: &mut dyn Draw, places: impl Iterator<Item = (usize, usize)>) -> Vec<([u32; 3], [u8; 4])> {
+fn bits(renderer: &mut dyn Draw, stripes: Stripes, (width, height): (u32, u32)) -> Vec<([u32; 3], [u8; 4])> {
     renderer.encode();
-    let codes = renderer.pixels().as_chunks().0.iter().zip(places);
-    let pixel = |(&codes, (x, y)): (&[u8; 4], (usize, usize))| {
-        let light = renderer.linear(x, y).unwrap_or_default();
-        ([light.red, light.green, light.blue].map(f32::to_bits), codes)
-    };
-    codes.map(pixel).collect()
+    let mut bits = Vec::new();
+    let mut codes = renderer.pixels().as_chunks().0.iter();
+    for y in stripes.rows(height as usize).flatten() {
+        for x in 0..width as usize {
+            let light = renderer.linear(x, y).unwrap_or_default();
+            let codes = codes.next().copied().unwrap_or_default();
+            bits.push(([light.red, light.green, light.blue].map(f32::to_bits), codes));
+        }
+    }
+    bits
 }

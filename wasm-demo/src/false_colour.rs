@@ -84,8 +84,8 @@ fn linear(place: f64) -> [f64; 3] {
     let between = |[from, to]: [f64; 2]| from + (to - from) * place;
     let lightness = between(LIGHTNESS);
     let chroma = CHROMA[0] + CHROMA[1] * 4.0 * place * (1.0 - place);
-    let (sine, cosine) = between(HUE).to_radians().sin_cos();
-    let (a, b) = (chroma * cosine, chroma * sine);
+    let (sine, cosine) = libm::sincosf(between(HUE).to_radians() as f32);
+    let (a, b) = (chroma * f64::from(cosine), chroma * f64::from(sine));
     let l = lightness + 0.396_337_777_4 * a + 0.215_803_757_3 * b;
     let m = lightness - 0.105_561_345_8 * a - 0.063_854_172_8 * b;
     let s = lightness - 0.089_484_177_5 * a - 1.291_485_548_0 * b;

@@ -136,13 +136,10 @@ impl Map {
 
 /// The scale of costs: 1, 2 or 5 times a power of ten.
 fn scale_of_costs(counts: &[u16]) -> Scale {
-    let mut sorted = counts.to_vec();
-    sorted.sort_unstable();
-    let index = (HELD * sorted.len() as f64) as usize;
-    let most = f64::from(sorted.get(index).or(sorted.last()).copied().unwrap_or_default().max(1));
-    let power = 10_f64.powf(most.log10().floor());
-    let factor = [1.0, 2.0, 5.0, 10.0].into_iter().find(|factor| factor * power >= most).unwrap_or(10.0);
-    Scale::to(factor * power)
+    let held = ((HELD * counts.len() as f64) as usize + 1).min(counts.len());
+    let holds = |&end: &u32| counts.iter().filter(|&&count| u32::from(count) <= end).count() >= held;
+    let mut ends = (0..5).flat_map(|power| [1, 2, 5].map(|factor| factor * 10_u32.pow(power)));
+    Scale::to(ends.find(holds).unwrap_or(100_000).into())
 }
 
 #[cfg(test)]

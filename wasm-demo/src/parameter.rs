@@ -217,11 +217,7 @@ impl Parameter {
             (Kind::Choice { set, .. }, Value::Text(name)) => set(state, Some(&name))?,
             (Kind::Text { set, .. }, Value::Text(text)) => set(state, &text)?,
             (_, value) => {
-                return Err(Refusal::name(
-                    self.name,
-                    &format!("{value:?}"),
-                    "a value of the parameter's kind",
-                ));
+                return Err(Refusal::name(self.name, &value.text(), "a value of the parameter's kind"));
             }
         }
         Ok(())
@@ -230,11 +226,9 @@ impl Parameter {
     /// Writes the value of a state for an address; `None` if the scene opens with it.
     pub(crate) fn write(&self, state: &State, opened: &State) -> Option<String> {
         let value = self.get(state);
-        (value != self.get(opened)).then(|| match (&self.kind, value) {
-            (Kind::Flag { text: (text, _), .. }, _) => (*text).to_owned(),
-            (_, Value::Number(number)) => number.to_string(),
-            (_, Value::Text(text)) => text,
-            _ => String::new(),
+        (value != self.get(opened)).then(|| match self.kind {
+            Kind::Flag { text: (text, _), .. } => text.to_owned(),
+            _ => value.text(),
         })
     }
 
@@ -319,6 +313,18 @@ fn set_switched(state: &mut State, text: &str) -> Result<(), Refusal> {
     Ok(())
 }
 
+impl Value {
+    /// The value in words and in addresses.
+    fn text(self) -> String {
+        match self {
+            Self::Nothing => String::new(),
+            Self::Flag(on) => on.to_string(),
+            Self::Number(number) => number.to_string(),
+            Self::Text(text) => text,
+        }
+    }
+}
+
 impl From<bool> for Value {
     fn from(on: bool) -> Self {
         Self::Flag(on)
@@ -388,7 +394,7 @@ mod tests {
         for (name, value, words) in [
             ("exposure", Value::Number(7.0), "exposure = 7: expected -14 to 6 stops"),
             ("exposure", Value::Number(f32::NAN), "exposure = NaN"),
-            ("exposure", Value::Flag(true), "exposure = \"Flag(true)\""),
+            ("exposure", Value::Flag(true), "exposure = \"true\""),
             ("format", Value::Nothing, "number format = \"\": expected fx16, fx32 or f32"),
             ("map", "heat".into(), "subject of the map = \"heat\": expected nothing, lights, cost or tiles"),
             ("display", "gray3".into(), "display = \"gray3\": expected gray1, gray2, gray4"),

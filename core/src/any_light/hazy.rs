@@ -4,9 +4,8 @@ use super::CompiledAnyLight;
 use crate::{
     attenuation::{AnyAttenuation, Attenuation, InverseSquare},
     cone::CompiledCone,
-    falloff::{AnyFalloff, CompiledAnyFalloff, Falloff, WithFalloff, with_falloff},
+    falloff::{AnyFalloff, CompiledAnyFalloff, Falloff},
     haze::{AtNodes, BeamScattering, Haze, TransmittanceFn, ViewRays},
-    number::float::FloatRamp,
 };
 
 impl CompiledAnyLight<f32> {
@@ -19,13 +18,10 @@ impl CompiledAnyLight<f32> {
     }
 }
 
-/// Evaluates an expression with the concrete types of the falloffs that most beams have, and with the
-/// enums for all others. A loop for each falloff of the list would fill a module with loops that few beams use.
-macro_rules! with_frequent_falloff {
-    ($cone:expr, $falloff:ident, $curve:ident => $answer:expr) => {
-        with_frequent_falloff!(@ $cone, $falloff, $curve, $answer, Soft, Hard, Quadratic, Cubic)
-    };
-    (@ $cone:expr, $falloff:ident, $curve:ident, $answer:expr, $($variant:ident),*) => {
+/// Evaluates an expression with the concrete types of these falloffs, and with the enums for all others: a loop
+/// for each falloff of the list would fill a module with loops that few beams use.
+macro_rules! with_concrete {
+    ([$($variant:ident),*], $cone:expr, $falloff:ident, $curve:ident => $answer:expr) => {
         match ($cone.falloff, $cone.curve) {
             $((AnyFalloff::$variant($falloff), CompiledAnyFalloff::$variant($curve)) => $answer,)*
             ($falloff, $curve) => $answer,
@@ -42,17 +38,17 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// Computes the in-scattered light of `N` rays. The result is bit-identical to
     /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
     ///
-    /// For the inverse-square law there is one loop for polynomials without a hotspot, and for all other
-    /// falloffs one that chooses the falloff once for all rays. All other attenuations share one loop with
-    /// branches on falloff and attenuation.
+    /// For the inverse-square law there is one loop for polynomials without a hotspot, and one for each of the
+    /// other falloffs but the step. All other attenuations share one loop with branches on falloff and
+    /// attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if let Some(curve) = self.polynomial() {
             for (i, light) in lights.iter_mut().enumerate() {
                 *light = self.in_closed_form(curve, &rays.at(i));
             }
         } else if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
-            let CompiledCone { ramp, falloff, curve, .. } = self.falloff;
-            let at_each = |versines: &AtNodes<N>, intensities: &mut AtNodes<N>| match curve {
+            let ramp = self.falloff.ramp;
+            let at_nodes = |versines: &AtNodes<N>, intensities: &mut AtNodes<N>| match self.falloff.curve {
                 CompiledAnyFalloff::Power(power) => {
                     let t = |versine| ramp.rise(versine);
                     raised(versines, intensities, power.exponent(), t, |x| x);
@@ -61,9 +57,14 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
                     let u = |versine| 1.0 - ramp.rise(versine);
                     raised(versines, intensities, power.exponent(), u, |x| 1.0 - x);
                 }
-                _ => with_falloff(falloff, curve, AtEach { ramp, versines, intensities }),
+                _ => with_concrete!(
+                    [Soft, Hard, Linear, Smooth, Quadratic, Cubic, RealPower, InvertedRealPower, Table],
+                    self.falloff, falloff, curve => {
+                        at_each(&CompiledCone::from_parts(ramp, falloff, curve), versines, intensities);
+                    }
+                ),
             };
-            self.by_nodes_each(rays, at_each, lights);
+            self.by_nodes_each(rays, at_nodes, lights);
         } else {
             for (i, light) in lights.iter_mut().enumerate() {
                 *light = self.by_nodes(&rays.at(i));
@@ -84,7 +85,7 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
         lights: &mut [f32; N],
     ) {
         if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
-            with_frequent_falloff!(self.falloff, falloff, curve => {
+            with_concrete!([Soft, Hard, Quadratic, Cubic], self.falloff, falloff, curve => {
                 each_through(&self.by_square(falloff, curve), rays, filter, lights)
             });
         } else {
@@ -123,23 +124,13 @@ fn raised<const N: usize>(
 }
 
 /// Sets the intensities at the nodes of rays.
-struct AtEach<'a, const N: usize> {
-    ramp: FloatRamp,
-    versines: &'a AtNodes<N>,
-    intensities: &'a mut AtNodes<N>,
-}
-
-impl<const N: usize> WithFalloff<f32> for AtEach<'_, N> {
-    type Output = ();
-
-    #[inline]
-    fn falloff<P: Falloff>(self, falloff: P, curve: P::Compiled<f32>) {
-        let cone = CompiledCone::<f32, P>::from_parts(self.ramp, falloff, curve);
-        let Self { versines, intensities, .. } = self;
-        for (intensities, versines) in intensities.as_flattened_mut().iter_mut().zip(versines.as_flattened())
-        {
-            cone.at_each(versines, intensities);
-        }
+fn at_each<P: Falloff, const N: usize>(
+    cone: &CompiledCone<f32, P>,
+    versines: &AtNodes<N>,
+    intensities: &mut AtNodes<N>,
+) {
+    for (intensities, versines) in intensities.as_flattened_mut().iter_mut().zip(versines.as_flattened()) {
+        cone.at_each(versines, intensities);
     }
 }
 

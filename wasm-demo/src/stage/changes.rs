@@ -122,7 +122,7 @@ impl Stage {
         is_candela: bool,
     ) -> Result<(), Refusal> {
         let Setting { of, is_on, position, target, .. } = *self.setting(light)?;
-        let read = address::read_light(&format!("{of}{settings}"), |_| true);
+        let read = address::read_light(&format!("{of}{settings}"), &|_| true);
         let (put, _) = read
             .filter(|(_, has_all)| *has_all)
             .ok_or_else(|| Refusal::name("light", settings, "the settings of an address"))?;
@@ -234,7 +234,7 @@ impl Stage {
         for (light, setting) in asked.lights.iter_mut().enumerate() {
             if let Err(refusal) = rig.accept(&others, light, setting) {
                 let is_taken = |part: &Setting| rig.accept(&others, light, part).is_ok();
-                let rest = address::read_light(&address::light_text(setting), is_taken);
+                let rest = address::read_light(&address::light_text(setting), &is_taken);
                 *setting = rest.map_or(Setting::of(setting.of), |(rest, _)| rest[0]);
                 refused.push(Refusal(format!("light {} is without this setting: {refusal}", light + 1)));
             }
