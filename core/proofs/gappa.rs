@@ -35,6 +35,11 @@ impl Text {
         self.within(name, [f64::NEG_INFINITY, f64::INFINITY])
     }
 
+    /// The nearest integer, the even one of two.
+    pub(super) fn nearest(self) -> Self {
+        Self(format!("int<ne>({self})"))
+    }
+
     fn within(self, name: &str, range: [f64; 2]) -> Self {
         WORDS.with_borrow_mut(|words| {
             let same =

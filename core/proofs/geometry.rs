@@ -12,7 +12,8 @@ use std::string::String;
 use super::boxes::{Interval, at_most};
 use super::fx16::errors::{AXIS_LENGTH, AXIS_TURN};
 use super::model::Constants;
-use super::{Evaluation, FINER, Kind, RANGE, STEP};
+use super::real::INVERSE_POWER;
+use super::{Evaluation, FINE_STEP, FINER, Kind, RANGE, STEP};
 
 /// The relative error of a mantissa of 16 bits that is rounded, and of one that is truncated.
 const ROUNDED: f64 = STEP / 4.0;
@@ -71,34 +72,43 @@ impl Cell {
     }
 }
 
-/// Proves the errors of length, direction, cosine and attenuation of an evaluation of 15 bits, and that of
-/// the estimate of a fine one.
+/// A factor that is within an error of 1.
+fn both(error: f64) -> Interval {
+    Interval::new(1.0 - error, 1.0 + error)
+}
+
+/// Shows that a function of cells is at most a bound, where truncation loses this part of a unit and the root has this
+/// error.
+fn show(
+    name: &str,
+    bound: f64,
+    [lost, root]: [f64; 2],
+    function: &dyn Fn(&Cell) -> f64,
+) -> Result<(), String> {
+    let whole = [Interval::new(16_384.0, 32_768.0), Interval::new(-1.0, 1.0), Interval::new(-1.0, 1.0)];
+    [1.0, -1.0].into_iter().try_for_each(|sign| {
+        // The sums of the bounds themselves are rounded.
+        let cell = |part: &[Interval; 3]| function(&Cell::new(part, sign, lost, Interval::new(-root, root)));
+        at_most(bound + 1e-15, whole, cell).map_err(|part| format!("{name}: over {bound:e} in {part:?}"))
+    })
+}
+
+/// Proves the errors of length, direction, cosine and attenuation of an evaluation of 15 bits, or those of a fine one.
 pub(super) fn prove(evaluation: &Evaluation, constants: &Constants) -> Result<(), String> {
     let (bits, is_quick) = match evaluation.kind {
         Kind::Coarse(bits) => (bits, false),
         Kind::Quick(bits) => (bits, true),
-        Kind::Fine16 | Kind::Fine32 => (32, false),
+        Kind::Fine16 | Kind::Far16 | Kind::Fine32 => return prove_finely(evaluation),
     };
     let stages = &evaluation.stages;
     let lost_of_15 = lost(bits, 15);
     let one = Interval::exactly(1.0);
     let unit = Interval::exactly(1_073_741_824.0);
-    let both = |error: f64| Interval::new(1.0 - error, 1.0 + error);
     let root = Interval::new(-evaluation.root, evaluation.root);
     let truncated = Interval::new(1.0 - TRUNCATED, 1.0);
-    let whole = [Interval::new(16_384.0, 32_768.0), Interval::new(-1.0, 1.0), Interval::new(-1.0, 1.0)];
     let show = |name: &str, bound: f64, function: &dyn Fn(&Cell) -> f64| {
-        [1.0, -1.0].into_iter().try_for_each(|sign| {
-            // The sums of the bounds themselves are rounded.
-            let cell = |part: &[Interval; 3]| function(&Cell::new(part, sign, lost_of_15, root));
-            at_most(bound + 1e-15, whole, cell).map_err(|part| format!("{name}: over {bound:e} in {part:?}"))
-        })
+        show(name, bound, [lost_of_15, evaluation.root], function)
     };
-    // A fine evaluation has the estimate of its reciprocal length from 15 bits.
-    if matches!(evaluation.kind, Kind::Fine16 | Kind::Fine32) {
-        let estimate = |cell: &Cell| (cell.stretch * (one + root) - one).magnitude();
-        return show("estimate", evaluation.estimate(), &estimate);
-    }
     // The multiplier of an offset of up to 17 bits, the bits that the offset loses, and the direction's bias.
     let multiplier = |cell: &Cell| {
         if is_quick {
@@ -145,6 +155,9 @@ pub(super) fn prove(evaluation: &Evaluation, constants: &Constants) -> Result<()
         let squared = one / cell.stretch.squared() * both(ROUNDED) * given - one;
         far.magnitude().max(squared.magnitude())
     })?;
+    show("inverse power", stages.inverse_power[1] - INVERSE_POWER[1], &|cell| {
+        (distance(cell) - one).magnitude()
+    })?;
     show("inverse square", stages.inverse_square, &|cell| {
         let square = Interval::new(0.0, 1.0) * cell.length.squared() / Interval::exactly(2_f64.powi(44));
         let squared = (cell.stretch * (one + root)).squared() - square;
@@ -158,4 +171,26 @@ pub(super) fn prove(evaluation: &Evaluation, constants: &Constants) -> Result<()
         let divisor = distance(cell).squared() * truncated * rounded * rounded;
         (truncated * both(ROUNDED) * both(0.501 / 32_768.0) / divisor - one).magnitude()
     })
+}
+
+/// Proves the error of a fine evaluation's estimate of a reciprocal length, which is that of 15 bits, and the
+/// attenuation by a polynomial.
+fn prove_finely(evaluation: &Evaluation) -> Result<(), String> {
+    let one = Interval::exactly(1.0);
+    let root = evaluation.root;
+    let estimate = |cell: &Cell| (cell.stretch * both(root) - one).magnitude();
+    show("estimate", evaluation.estimate(), [lost(32, 15), root], &estimate)?;
+    // A mantissa that is rounded, one that is truncated, what the smaller one of two loses in a sum, and a reciprocal.
+    let [rounded, truncated, aligned, inverse] = match evaluation.kind {
+        Kind::Fine32 => [FINE_STEP * 4.0, 0.0, 0.0, 0.9 / 134_217_728.0],
+        _ => [ROUNDED, TRUNCATED, FINE_STEP, 0.501 / 32_768.0],
+    };
+    let truncated = Interval::new(1.0 - truncated, 1.0);
+    let distance = both(evaluation.length()) * both(evaluation.halved()) * both(rounded);
+    // As in a coarse evaluation: two products with the distance and two sums.
+    let computed = both(rounded).squared() * both(rounded).squared() * both(aligned).squared();
+    let divisor = distance.squared() * truncated * computed;
+    let error = (truncated * both(rounded) * both(inverse) / divisor - one).magnitude();
+    let stated = evaluation.stages.inverse_polynomial;
+    if error > stated { Err(format!("inverse polynomial: {error:e} over {stated:e}")) } else { Ok(()) }
 }

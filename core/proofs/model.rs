@@ -169,6 +169,22 @@ impl Constants {
         (value.clone() + value.down(15) + N::from(2)).down(2)
     }
 
+    /// A component of a direction, of which 14 fraction bits are multiplied by a normal.
+    pub(in crate::number) fn rounded_component<N: Number>(&self, direction: N) -> N {
+        (direction + N::from(1 << 15)).down(16)
+    }
+
+    /// The cosine of light that has the same direction everywhere, before the cap, of an inner product with
+    /// `bits` bits more than it, and with the opposite sign.
+    pub(in crate::number) fn incidence<N: Number>(&self, along: N, bits: u32) -> N {
+        (N::from(1 << (bits - 1)) - along).down(bits)
+    }
+
+    /// The power of a fraction from that with 16 bits more.
+    pub(in crate::number) fn power<N: Number>(&self, power: N) -> N {
+        (power + N::from(1 << 15)).word("raised").down(16)
+    }
+
     /// The cosine, before the cap, of an inner product with the opposite sign.
     pub(in crate::number) fn cosine<N: Number>(&self, facing: N, reciprocal: N) -> N {
         let along = facing.signed("facing").down(self.along).word("along");
@@ -230,6 +246,17 @@ impl Constants {
     /// `t u slope`, with 31 fraction bits, of a slope with 28.
     pub(in crate::number) fn lift<N: Number>(&self, t: N, u: N, slope: N) -> N {
         (self.fine_times(t, u) * slope).down(32).word("lift") * N::from(16)
+    }
+
+    /// A sample and a share of the step to the next one, which is smaller if it `falls`, as a fraction.
+    pub(in crate::number) fn fine_sample<N: Number>(&self, here: N, step: N, share: N, falls: bool) -> N {
+        let (start, step) = ((here * N::from(1 << 15)).word("start"), (share * step).down(16).word("step"));
+        self.fine_value(if falls { start - step } else { start + step })
+    }
+
+    /// A sample with 15 fraction bits more, as a fraction.
+    pub(in crate::number) fn fine_value<N: Number>(&self, value: N) -> N {
+        value.clone() + (value + N::from(1 << 15)).down(16).word("part")
     }
 
     /// A component of the cosine of a direction and a normal of 14 bits, with 30 fraction bits.

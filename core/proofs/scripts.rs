@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use super::gappa::{Script, Text};
 use super::model::{Constants, Number};
-use super::{Evaluation, FINE_STEP, FINER, Kind, STEP};
+use super::{Evaluation, FINE_STEP, FINER, Kind, STEP, fx16, fx32};
 
 type Scripts = Vec<(Script, String)>;
 
@@ -32,7 +32,10 @@ pub(super) fn of(evaluation: &Evaluation, constants: &Constants) -> Scripts {
             add(cosine(evaluation, constants));
             add(light(evaluation, constants));
             add(gains(evaluation, constants));
+            add(powers(evaluation, constants));
         }
+        // Its stages are those near the light, with what is lost beside them.
+        Kind::Far16 => return scripts,
         Kind::Fine16 | Kind::Fine32 => {
             add(excess(evaluation, constants));
             add(corrected(evaluation, constants));
@@ -43,8 +46,14 @@ pub(super) fn of(evaluation: &Evaluation, constants: &Constants) -> Scripts {
             add(fine_cosine(evaluation, constants));
             add(fine_light(evaluation, constants));
             add(fine_length(evaluation, constants));
+            for falls in [false, true] {
+                add(fine_samples(evaluation, constants, falls));
+            }
         }
     }
+    add(set_up(evaluation));
+    add(rounded(evaluation, constants));
+    add(incidence(evaluation, constants));
     scripts
 }
 
@@ -238,19 +247,100 @@ fn light(evaluation: &Evaluation, constants: &Constants) -> Script {
     script
 }
 
-/// The rounding of a gain to a mantissa of 16 bits, and that of light to its last bit.
+/// The rounding of a gain to a mantissa of 16 bits, and the truncation to its upper 16 bits.
 fn gains(evaluation: &Evaluation, constants: &Constants) -> Script {
     let mut script = named(evaluation, "gains");
     let mantissa = script.integer("m", [2_147_483_648.0, 4_294_967_295.0]);
-    let rounded = constants.normalised(mantissa);
+    let rounded = constants.normalised(mantissa.clone());
     script.rounds(&rounded, "m / 65536", &format!("{} / 2", constants.gain_half), "", [-0.5, 0.5]);
     script.states("rounded * 65536 / m - 1", [-STEP / 4.0, STEP / 4.0]);
     script.equal("rounded * 65536 / m - 1", "(rounded - m / 65536) * 65536 / m", "m");
-    let lit = script.integer("lit", [0.0, 4_294_967_295.0]);
+    mantissa.down(16).named("upper");
+    script.states("upper * 65536 / m - 1", [-evaluation.stages.gain, 0.0]);
+    script.equal("upper * 65536 / m - 1", "(upper - m / 65536) * 65536 / m", "m");
+    script
+}
+
+/// The rounding of a power to a fraction.
+fn powers(evaluation: &Evaluation, constants: &Constants) -> Script {
+    let mut script = named(evaluation, "powers");
+    let power = script.integer("p", [0.0, 2_147_483_648.0]);
+    let found = constants.power(power).named("found");
+    let bound = evaluation.stages.power.absolute / FINER;
+    script.rounds(&found, "p / 65536", "1 / 2", "", [-bound, bound]);
+    script
+}
+
+/// What is rounded at set-up: a versine, in units of 2^-29, and a coefficient of a falloff.
+fn set_up(evaluation: &Evaluation) -> Script {
+    let stages = &evaluation.stages;
+    let mut script = named(evaluation, "set_up");
+    let versine = script.given("v", [0.0, 4_294_967_295.0]).nearest().named("versine");
+    let bound = stages.set_up / FINE_STEP * 0.5;
+    script.states(format!("{versine} - v"), [-bound, bound]);
+    let coefficient = script.given("c", [-4_294_967_296.0, 4_294_967_296.0]).nearest().named("coefficient");
+    if evaluation.kind == Kind::Fine32 {
+        // Of 30 fraction bits, 28 are kept.
+        let bound = stages.weight / FINE_STEP / 4.0;
+        let kept = coefficient.down(2).named("kept");
+        script.states(format!("{kept} - c / 4"), [-bound, bound]);
+        script.equal(format!("{kept} - c / 4"), "(kept - coefficient / 4) + (coefficient - c) / 4", "");
+    } else {
+        let bound = stages.weight / STEP;
+        script.states(format!("{coefficient} - c"), [-bound, bound]);
+    }
+    script
+}
+
+/// The rounding of light, and that of a share of a range, to the last bit.
+fn rounded(evaluation: &Evaluation, constants: &Constants) -> Script {
+    let stages = &evaluation.stages;
+    let mut script = named(evaluation, "rounded");
+    let product = script.integer("lit", [0.0, 4_294_967_295.0]);
     let step = script.given("s", [1.0, 4_294_967_296.0]);
-    let light = constants.quotient(lit, step, 1).named("light");
-    let bound = evaluation.stages.light.absolute / STEP;
-    script.rounds(&light, "lit / s", "1 / 2", "s", [-bound, bound]);
+    let found = constants.quotient(product.clone(), step.clone(), 1).named("found");
+    let unit = if evaluation.kind == Kind::Fine32 { FINE_STEP } else { STEP };
+    let bound = stages.light.absolute / unit;
+    script.rounds(&found, "lit / s", "1 / 2", "s", [-bound, bound]);
+    if evaluation.kind == Kind::Fine16 {
+        // This share has 31 bits, and is rounded down.
+        let share = product.divided(step).named("down");
+        script.states(format!("{share} - lit / s"), [-stages.near.absolute / FINE_STEP * 2.0, 0.0]);
+    } else {
+        let bound = stages.near.absolute / unit;
+        script.states(format!("{found} - lit / s"), [-bound, bound]);
+    }
+    script
+}
+
+/// The cosine of light that has the same direction everywhere, without the error of the direction.
+fn incidence(evaluation: &Evaluation, constants: &Constants) -> Script {
+    let mut script = named(evaluation, "incidence");
+    let stated = evaluation.stages.incidence.absolute;
+    if evaluation.kind == Kind::Fine32 {
+        // Three products are rounded down.
+        let whole = script.given("whole", [-1.2e18, 1.2e18]);
+        let lacking = script.given("lacking", [0.0, 3.0]);
+        let found = constants.incidence(whole - lacking, 28).named("found");
+        let bound = (stated - fx32::errors::AXIS_TURN) / FINE_STEP;
+        script.equal(
+            format!("{found} + whole / 268435456"),
+            "(found - (134217728 - (whole - lacking)) / 268435456) + 1 / 2 + lacking / 268435456",
+            "",
+        );
+        script.states(format!("{found} + whole / 268435456"), [-bound, bound]);
+        return script;
+    }
+    let direction = script.integer("d", [-1_073_800_000.0, 1_073_800_000.0]);
+    let component = constants.rounded_component(direction).named("component");
+    // Three components are within `sqrt(3)` of one, and a normal is longer than 1 by less than 5.3e-5.
+    let of_axis = fx16::errors::AXIS_LENGTH + fx16::errors::AXIS_TURN;
+    let bound = ((stated - of_axis) / STEP - 0.5) / 1.732_051 / (1.0 + 5.3e-5);
+    script.rounds(&component, "d / 65536", "1 / 2", "", [-bound, bound]);
+    let along = script.integer("along", [-536_870_912.0, 536_870_912.0]);
+    let found = constants.incidence(along, 14).named("cosine");
+    script.equal(format!("{found} + along / 16384"), "(cosine - (8192 - along) / 16384) + 1 / 2", "");
+    script.states(format!("{found} + along / 16384"), [-0.5, 0.5]);
     script
 }
 
@@ -344,7 +434,9 @@ fn fine_products(evaluation: &Evaluation, constants: &Constants) -> Script {
     let t = script.integer("t", [0.0, 2_147_483_648.0]);
     let u = (Text::from(1 << 31) - t.clone()).named("u");
     let smooth = constants.fine_smooth(t.clone(), u.clone()).named("smooth");
-    let bound = stages.product.absolute / unit;
+    // Products of fractions, of values and of shares are the same operation.
+    let same = [stages.product, stages.value, stages.share].map(|product| product.absolute);
+    let bound = same.into_iter().fold(f64::INFINITY, f64::min) / unit;
     script.states("fraction - t * t / 2147483648", [-bound, 0.0]);
     script.equal("fraction - t * t / 2147483648", "(upper - t * t / 4294967296) * 2", "");
     let exact = "t * t * (6442450944 - 2 * t) / 4611686018427387904";
@@ -370,6 +462,29 @@ fn fine_products(evaluation: &Evaluation, constants: &Constants) -> Script {
     let bound = stages.weight * 268_435_456.0;
     script.states(format!("{bend} - h * t / 2147483648"), [-bound, 0.0]);
     script.equal(format!("{bend} - h * t / 2147483648"), "(upper4 - h * t / 4294967296) * 2", "");
+    script
+}
+
+/// The interpolation of samples to a fraction.
+fn fine_samples(evaluation: &Evaluation, constants: &Constants, falls: bool) -> Script {
+    let mut script = named(evaluation, if falls { "falling_samples" } else { "samples" });
+    let here = script.integer("here", [0.0, 65_535.0]);
+    let apart = script.integer("apart", [0.0, 65_535.0]);
+    let share = script.integer("share", [0.0, 2_147_483_648.0]);
+    let sign = if falls { "-" } else { "+" };
+    let exact = format!("(here * 32768 {sign} share * apart / 65536)");
+    script.given(&exact, [0.0, 2_147_450_880.0]);
+    let found = constants.fine_sample(here, apart, share, falls).named("found");
+    let bound = evaluation.stages.sample.absolute / FINE_STEP * 2.0;
+    script.states(format!("{found} - {exact} * 65536 / 65535"), [-bound, bound]);
+    script.equal(
+        format!("{found} - {exact} * 65536 / 65535"),
+        format!(
+            "(part - ((start {sign} step) + 32768) / 65536) + 1 / 2 \
+             {sign} (step - share * apart / 65536) * 65537 / 65536 - {exact} / 4294901760"
+        ),
+        "",
+    );
     script
 }
 

@@ -238,8 +238,7 @@ impl Fraction<f32> for Carried<'_> {
             _ => f64::INFINITY,
         };
         let [a, b] = [slope(self.low), slope(self.high)];
-        // The error of the power itself: see `Fraction::real_power`.
-        let own = |_: &Stages| Rounding::absolute(2e-9 + 6.5e-10 * p);
+        let own = |_: &Stages| Rounding::absolute(exponent.error());
         let mapped = self.mapped([power(self.low), power(self.high)], [a.min(b), a.max(b)], own);
         mapped.rounded(|stages| stages.power)
     }

@@ -1,12 +1,14 @@
-//! `cargo xtask prove`: the errors of the fixed-point stages, by Gappa and Coq.
+//! `cargo xtask prove`: the errors of the fixed-point stages, by Gappa and Coq, and the list of them.
 
-use anyhow::Result;
+use std::fs;
+
+use anyhow::{Context, Result, ensure};
 
 use tools::command::cargo;
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::tally::{self, Tally};
-use tools::{install, tool};
+use tools::{install, project, tool};
 
 /// Adds the step. As root on Debian, it installs Gappa, Coq and the library that checks Gappa's proofs.
 pub(crate) fn step(suite: &mut Suite) {
@@ -18,5 +20,11 @@ fn prove(progress: &Progress) -> Result<Tally> {
     install::program(&tool::COQ, progress)?;
     let mut test = cargo(["test", "--package", "luminaire", "--lib", "--features", "fixed"]);
     test.args(["--", "proofs", "model_of_the_proofs", "--nocapture"]).env("LUMINAIRE_COQ", "1");
-    tally::cargo_test(test, progress)
+    let tally = tally::cargo_test(test, progress)?;
+    let list = project::target().join("proofs/stages.md");
+    let list = fs::read_to_string(&list).with_context(|| format!("cannot read {}", list.display()))?;
+    let text = fs::read_to_string(project::root().join("docs/NUMERICS.md"))
+        .context("cannot read docs/NUMERICS.md")?;
+    ensure!(text.contains(&list), "docs/NUMERICS.md does not have this list of the stages:\n{list}");
+    Ok(tally)
 }

@@ -5,6 +5,7 @@
 
 use crate::number::{
     Rounding, Stages, float, fx32,
+    real::INVERSE_POWER,
     stages::{RANGE, power_of_two},
 };
 
@@ -15,7 +16,7 @@ const FINER: f64 = power_of_two(-15);
 /// The relative error of a mantissa of 16 bits that is rounded, and of one that is truncated.
 const MANTISSA: [f64; 2] = [power_of_two(-16), power_of_two(-15)];
 /// The relative error of a gain attenuated by a power of the distance, without that of the distance.
-const POWER: f64 = 2.0 * MANTISSA[0] + MANTISSA[1];
+const POWER: f64 = 2.0 * MANTISSA[0] + MANTISSA[1] + INVERSE_POWER[0];
 /// `v` loses at most this part of a unit of each component, if the offset has this bit length. An
 /// offset of 15 bits or less loses nothing.
 const fn lost(bits: u32, kept: u32) -> f64 {
@@ -115,28 +116,42 @@ pub(super) const FINE: Stages = Stages {
     // A square that is rounded down by 2 units of 2^-31, three times, and twice a product.
     smooth: Rounding::absolute(5.0 * power_of_two(-30)),
     place: Rounding::NONE,
-    sample: Rounding::absolute(power_of_two(-28)),
-    power: Rounding::absolute(power_of_two(-30)),
+    sample: fx32::errors::STAGES.sample,
+    power: Rounding::NONE,
     // A direction, and three products that are rounded down. The direction's length is that of the
     // cosine itself.
     cosine: Rounding { absolute: 2.65e-9 + 3.0 * power_of_two(-30), relative: 2.4e-8 },
     incidence: Rounding::absolute((0.866_2 + 0.5) * STEP + AXIS_LENGTH + AXIS_TURN),
     share: Rounding::absolute(power_of_two(-30)),
-    near: Rounding { absolute: power_of_two(-30), relative: 5e-7 },
+    // The length of an offset, a constant, and their product of at least 29 bits, which is rounded down; then the
+    // share is rounded down.
+    near: Rounding {
+        absolute: power_of_two(-31),
+        relative: fx32::errors::DISTANCE + RANGE + power_of_two(-29),
+    },
     gain: 0.0,
-    // That of `Fx32`, and an offset that is halved.
-    inverse_square: 4.2e-7 + 4.2e-7,
+    // As in `Fx32`, of an estimate whose error is 1.75e-4.
+    inverse_square: 4.2e-7,
     given: fx32::errors::STAGES.given,
-    inverse_polynomial: 8.0 * MANTISSA[0] + 3.0 * MANTISSA[1],
-    inverse_power: [POWER, 2.0 * MANTISSA[0]],
+    // Twice a distance that is rounded to a mantissa; a coefficient and the gain are truncated, and two products, two
+    // sums, the reciprocal and the last product are rounded.
+    inverse_polynomial: 2.0 * fx32::errors::DISTANCE + 8.01 * MANTISSA[0] + 2.0 * MANTISSA[1],
+    inverse_power: [POWER, fx32::errors::DISTANCE + MANTISSA[0] + INVERSE_POWER[1]],
     light: Rounding::absolute(STEP / 2.0),
 };
 
-/// The fine evaluation, from 256 units on: the coordinates are halved and lose up to half a unit of a
-/// difference of at least 2^23, which turns it by up to `sqrt(3) / 2^24`.
-pub(super) const FAR: Stages = Stages {
-    turn: FINE.turn + 1.04e-7,
-    cosine: Rounding { absolute: FINE.cosine.absolute + 1.04e-7, relative: FINE.cosine.relative },
+/// What coordinates that are halved lose: up to half a unit of a difference of at least 2^23, which turns it by up to
+/// `sqrt(3) / 2^24`, and changes its length by this part.
+const HALVED: f64 = 1.04e-7;
+
+/// The fine evaluation, from 256 units on.
+pub(in crate::number) const FAR: Stages = Stages {
+    turn: FINE.turn + HALVED,
+    cosine: Rounding { absolute: FINE.cosine.absolute + HALVED, relative: FINE.cosine.relative },
+    near: Rounding { absolute: FINE.near.absolute, relative: FINE.near.relative + 2.0 * HALVED },
+    inverse_square: FINE.inverse_square + 2.001 * HALVED,
+    inverse_polynomial: FINE.inverse_polynomial + 2.001 * HALVED,
+    inverse_power: [FINE.inverse_power[0], FINE.inverse_power[1] + HALVED],
     ..FINE
 };
 

@@ -235,6 +235,15 @@ fn the_model_of_the_proofs_has_the_bits_of_the_coarse_stages() {
         let cosine = model.cosine(-i128::from(facing), reciprocal).min(1 << 15);
         assert_eq!(i128::from(ray.cosine(facing, normal).0), cosine, "{way:?} {normal:?}");
 
+        let components = ray.direction().map(|c| model.rounded_component(i128::from(c.to_bits())));
+        let products = components.zip(normal, |c, n| c * i128::from(n.to_bits()));
+        let incidence = model.incidence(products.x + products.y + products.z, 14).clamp(0, 1 << 14);
+        assert_eq!(
+            i128::from(Fx16::incidence(ray.direction(), normal).to_bits()),
+            incidence,
+            "{way:?} {normal:?}"
+        );
+
         let mantissa = random.u32(1 << 31..);
         let rounded = model.normalised(i128::from(mantissa));
         let gain = Gain16::normalised(mantissa, 0);
@@ -249,6 +258,13 @@ fn the_model_of_the_proofs_has_the_bits_of_the_coarse_stages() {
         let exact = model.quotient(i128::from(lit), 1 << shift, 1);
         assert_eq!(i128::from(Light16::shifted(lit, shift as i32).to_bits()), exact, "{lit} {shift}");
 
+        let axis = Vec3::new(random.i32(..), random.i32(..), random.i32(..)).map(|c| c / 3);
+        let apart = quick.direction().zip(axis, |d, s| i128::from(d.to_bits()) - i128::from(s));
+        let Vec3 { x, y, z } = apart.map(|c| model.difference(c, 1 << 16));
+        let ramp = FixedRamp::new(0.0, 2.0, 2.0);
+        let t = ramp.rise(Versine::from_bits((x * x + y * y + z * z) as u32));
+        assert_eq!(quick.rise(Fx16::quick_axis(axis.map(Fx32::from_bits)), ramp), t, "{way:?} {axis:?}");
+
         let zoom = random.u32(0..=MOST_ZOOM);
         let ramp = FixedRamp::from_bits([zoom, 0, 0, 0, 0, 0, 0, 0, 0]);
         let apart =
@@ -259,6 +275,32 @@ fn the_model_of_the_proofs_has_the_bits_of_the_coarse_stages() {
         let squared = steps.x * steps.x + steps.y * steps.y + steps.z * steps.z;
         let exact = if is_near { squared } else { Versine::MAX.to_bits().into() };
         assert_eq!(i128::from(versine(ray.direction(), axis, ramp).to_bits()), exact, "{apart:?} {zoom}");
+    }
+}
+
+/// The offset between two places is that of their difference, or of half of it where that has more than 24 bits. The
+/// light is within the farthest coordinates, and the point anywhere.
+#[test]
+fn an_offset_is_that_of_the_difference() {
+    let mut random = fastrand::Rng::with_seed(4);
+    let farthest = Length::from_f32(Fx16::FARTHEST).to_bits();
+    for step in 0..400_000 {
+        let light = [(); 3].map(|()| random.i32(-farthest..=farthest));
+        // Nearby in most cases, so that there are offsets of all bit lengths.
+        let reach = if step % 4 == 0 { 32 } else { random.u32(1..=25) };
+        let point = light.map(|c| c.saturating_add(random.i32(..) >> (32 - reach)));
+        let point = if step % 8 == 0 { [(); 3].map(|()| random.i32(..)) } else { point };
+        let [way, half] = [0, 1].map(|down| {
+            let component = |i: usize| i64::from(point[i] >> down) - i64::from(light[i] >> down);
+            [component(0), component(1), component(2)]
+        });
+        let is_long = way.iter().any(|c| !(-(1 << 24)..1 << 24).contains(c));
+        let [light, point] = [light, point].map(|place| Vec3::from(place.map(Length::from_bits)));
+        let exact = Offset16::new(Vec3::from((if is_long { half } else { way }).map(|c| c as i32)));
+        let (found, quick) = (Offset16::between(light, point), QuickOffset16::between(light, point));
+        let bits = exact.bits + u32::from(is_long);
+        assert_eq!((found.way(), found.bits), (exact.way(), bits), "{light:?} {point:?}");
+        assert_eq!((quick.way, quick.bits), (exact.coarse(), bits), "{light:?} {point:?}");
     }
 }
 
@@ -279,6 +321,9 @@ fn the_model_of_the_proofs_has_the_bits_of_coarse_falloffs() {
         let [a, b] = [0; 2].map(|_: i16| Fx16::from_bits(random.i16(0..=1 << 14)));
         assert_eq!(bits(a.times(b)), model.share_of(bits(a), bits(b)));
         assert_eq!(bits(fraction.smooth()), model.smooth(t));
+        let exponent = RealExponent::new(2.5, 0.0);
+        let power = model.power(i128::from(exponent.of_bits((t << 16) as u32)));
+        assert_eq!(i128::from(fraction.real_power(exponent).0), power);
         let (g, h) = (random.f32() * 4.0 - 1.0, random.f32() * 6.0 - 4.0);
         if Cubic::with_slopes(1.0 + g, 1.0 - g - h).is_ok() {
             let [g, h] = [g, h].map(Fx16::weight);
@@ -292,12 +337,5 @@ fn the_model_of_the_proofs_has_the_bits_of_coarse_falloffs() {
             let value = model.interpolated(here, next - here, (1 << 15) - t);
             assert_eq!(bits(fraction.sample(&samples)), model.of_sixteen_bits(value), "{t} {samples:?}");
         }
-    }
-    // A value of 16 bits is within the error that remains of a sample's, beside half a unit of 2^-16.
-    let stated = (Fx16::stages(1.0).sample.absolute * 16_384.0) - 0.125 * 65_536.0 / 65_535.0;
-    for value in 0..=65_535_i32 {
-        let error =
-            f64::from(Fraction16::of_sixteen_bits(value).to_bits()) - f64::from(value) * 16_384.0 / 65_535.0;
-        assert!(error.abs() <= stated, "{value}: {error}, expected up to {stated}");
     }
 }

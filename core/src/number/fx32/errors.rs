@@ -2,6 +2,7 @@
 
 use crate::number::{
     Rounding, Stages,
+    real::INVERSE_POWER,
     stages::{RANGE, power_of_two},
 };
 
@@ -14,6 +15,10 @@ const MANTISSA: f64 = power_of_two(-28);
 pub(in crate::number) const AXIS_LENGTH: f64 = 4.7e-10 + 0.5 * STEP + 0.866_1 * STEP;
 /// The same, across the axis.
 pub(in crate::number) const AXIS_TURN: f64 = 0.866_2 * STEP;
+
+/// The relative error of a distance: the direction's 2.4e-8, three squares and three products that are rounded down.
+/// A halved offset changes it by 0.71 steps.
+pub(in crate::number) const DISTANCE: f64 = 4.7e-8;
 
 /// The evaluation.
 pub(in crate::number) const STAGES: Stages = Stages {
@@ -39,8 +44,11 @@ pub(in crate::number) const STAGES: Stages = Stages {
     // A square that is rounded down by 2 units of 2^-31, three times, and twice a product.
     smooth: Rounding::absolute(5.0 * STEP),
     place: Rounding::NONE,
-    sample: Rounding::absolute(power_of_two(-28)),
-    power: Rounding::absolute(STEP),
+    // A share of the step to the next sample is rounded down, and the sum, too, beside half a unit of its conversion:
+    // 2 units of 2^-31.
+    sample: Rounding::absolute(STEP),
+    // The bits of a power are those of the result.
+    power: Rounding::NONE,
     // Three products of half a component are rounded down in units of 2^-27; a component of the
     // direction is within a step, and half of one of the normal loses half a unit, which is a step. The
     // direction's length is that of the cosine itself.
@@ -48,16 +56,17 @@ pub(in crate::number) const STAGES: Stages = Stages {
     // The axis; products lose less than a hundredth of a step, and the sum is rounded.
     incidence: Rounding { absolute: AXIS_TURN + 0.51 * STEP, relative: AXIS_LENGTH },
     share: Rounding::absolute(STEP),
-    // The direction's 2.4e-8, three squares and three products that are rounded down, two roundings to a
-    // mantissa, and a constant of a range.
-    near: Rounding { absolute: STEP, relative: 4.6e-8 + 2.0 * MANTISSA + RANGE },
+    // A distance, two roundings to a mantissa, and a constant of a range. Then it is rounded to a scalar.
+    near: Rounding { absolute: STEP / 2.0, relative: DISTANCE + 2.0 * MANTISSA + RANGE },
     gain: 0.0,
     // Twice the excess' 2.4e-8. Its product with the gain has 11 bits at least, which lose up to 7.4e-4 of
     // twice an excess of 2.85e-4; four results are rounded down.
     inverse_square: 5.0e-7,
     // The product is rounded down: by 2 of a gain that is at least `2^31 / 12` if it is attenuated.
     given: 2.0 * 12.1 * power_of_two(-31),
-    inverse_polynomial: 2.0 * 6.0e-8 + 8.0 * MANTISSA,
-    inverse_power: [2e-8, 1.4e-8 + 6.0e-8],
-    light: Rounding::absolute(STEP),
+    // Twice a distance that is rounded to a mantissa; two products, two sums, the reciprocal, which is within 0.9 units
+    // of at least 2^27, and the last product.
+    inverse_polynomial: 2.0 * (DISTANCE + MANTISSA) + 6.81 * MANTISSA,
+    inverse_power: [2.0 * MANTISSA + INVERSE_POWER[0], DISTANCE + MANTISSA + INVERSE_POWER[1]],
+    light: Rounding::absolute(STEP / 2.0),
 };

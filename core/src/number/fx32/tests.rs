@@ -1,7 +1,7 @@
 //! Errors of the stages, over every argument where that is possible.
 
 use super::{set_up::inner, *};
-use crate::number::{Directions, Fx16, fx16::Gain16, proofs::model::Constants};
+use crate::number::{Directions, Fx16, Scalar, fx16::Gain16, proofs::model::Constants};
 
 extern crate std;
 
@@ -96,6 +96,27 @@ fn a_short_mantissa_is_the_same_gain() {
     }
 }
 
+/// The offset between two places is that of their difference, or of half of it where that does not fit 32 bits.
+#[test]
+fn an_offset_is_that_of_the_difference() {
+    let mut random = fastrand::Rng::with_seed(5);
+    let farthest = Length::from_f32(Fx32::FARTHEST).to_bits();
+    for step in 0..400_000 {
+        let light = [(); 3].map(|()| random.i32(-farthest..=farthest));
+        let reach = if step % 4 == 0 { 32 } else { random.u32(1..=24) };
+        let point = light.map(|c| c.saturating_add(random.i32(..) >> (32 - reach)));
+        let point = if step % 8 == 0 { [(); 3].map(|()| random.i32(..)) } else { point };
+        let way: [i64; 3] = core::array::from_fn(|i| i64::from(point[i]) - i64::from(light[i]));
+        let is_long = way.iter().any(|c| i32::try_from(*c).is_err());
+        let exact = way.map(|c| if is_long { ((c + 1) >> 1).min(i32::MAX.into()) } else { c } as i32);
+        let exact = Offset32::new(exact.into());
+        let [light, point] = [light, point].map(|place| Vec3::from(place.map(Length::from_bits)));
+        let found = Offset32::between(light, point);
+        let bits = exact.bits + u32::from(is_long);
+        assert_eq!((found.way, found.bits), (exact.way, bits), "{light:?} {point:?}");
+    }
+}
+
 /// The proofs are about a model of the stages. It has the bits of the kernel.
 #[test]
 fn the_model_of_the_proofs_has_the_bits_of_the_fine_stages() {
@@ -134,6 +155,19 @@ fn the_model_of_the_proofs_has_the_bits_of_the_fine_stages() {
         let (fraction, t, u) = (Fine(t), i128::from(t), i128::from((1 << 31) - t));
         assert_eq!(i128::from(fraction.times(Fine(b)).0), model.fine_times(t, b.into()));
         assert_eq!(i128::from(fraction.smooth().0), model.fine_smooth(t, u).min(1 << 31));
+        let samples = [random.u16(..), random.u16(..)];
+        let (here, apart) = (samples[0], samples[0].abs_diff(samples[1]));
+        let value = model.fine_sample(here.into(), apart.into(), u % (1 << 31), samples[1] < here);
+        if t > 0 {
+            let found = Fraction::<Fx32>::sample(fraction, &samples);
+            assert_eq!(i128::from(found.0), value.min(1 << 31), "{t} {samples:?}");
+        }
+        let [d, n] = [0; 2].map(|_: i32| {
+            let mut component = || Fx32::from_bits(random.i32(-(1 << 29)..1 << 29));
+            Vec3::new(component(), component(), component())
+        });
+        let incidence = model.incidence(i128::from(inner(d, n)), 28).clamp(0, 1 << 30);
+        assert_eq!(i128::from(Fx32::incidence(d, n).to_bits()), incidence, "{d:?} {n:?}");
         let slope = random.i32(0..=1 << 28);
         assert_eq!(i128::from(fraction.lifted(slope).0), t + model.lift(t, u, slope.into()));
     }
