@@ -91,7 +91,7 @@ impl FixedRamp {
     pub(super) fn with_zoom(inner: f32, outer: f32, limit: f32, zoom: u32) -> Self {
         let limit = if limit < outer { limit } else { outer };
         let [inner, limit] = [inner, limit].map(|versine| magnified(versine, zoom).to_bits());
-        let outer = (outer * (1_u64 << (29 + 2 * zoom)) as f32 + 0.5) as u64;
+        let outer = rounded(outer * (1_u64 << (29 + 2 * zoom)) as f32) as u64;
         let span = outer.saturating_sub(inner.into()).max(1);
         let divisor = ((span << span.leading_zeros()) >> 32) as u32;
         Self::with_span(zoom, inner, limit, divisor, u64::BITS - span.leading_zeros())
@@ -289,6 +289,16 @@ mod tests {
             let inner = outer * [0.0, 0.3, 0.97][i as usize % 3];
             [outer, outer - 0.4 * (outer - inner)].map(|limit| FixedRamp::new(inner, outer, limit))
         })
+    }
+
+    /// Integers of 24 bits are versines as they are: half a unit more would be rounded to the next even one.
+    #[test]
+    fn the_outer_versine_is_the_nearest() {
+        for units in (1_u32 << 23..1 << 24).step_by(1_001) {
+            let versine = units as f32 / (1_u32 << 29) as f32;
+            let ramp = FixedRamp::with_zoom(0.0, versine, versine, 0);
+            assert_eq!(ramp.fine_mantissa, inverse_32(units << 8), "{units}");
+        }
     }
 
     #[test]
