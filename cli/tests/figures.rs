@@ -207,7 +207,7 @@ const STAGES: [(&str, &str, &str, &str); 18] = [
     ("core/src/number/fx16.rs", "fx16", "times", "cosine times falloff, 14 | {} steps |"),
     ("core/src/number/fx16.rs", "fx16", "gain times relative", "| {}, relative, for a product |"),
     ("core/src/number/fx16.rs", "fx16", "ray light relative", "over `\\|v\\|^2`, 14 | {}, relative |"),
-    ("core/src/number/fx32.rs", "fx32", "ray direction of the stated", "| {} times 2.65e-9 radians;"),
+    ("core/src/number/fx32.rs", "fx32", "ray direction of the stated", "| {} times 2.68e-9 radians;"),
     ("core/src/number/fx32.rs", "fx32", "ray direction its length", "its length {} |"),
     ("core/src/number/fx32.rs", "fx32", "ray versine of the outer", "| {} of the outer versine |"),
     ("core/src/number/fx32.rs", "fx32", "ray cosine", "| {} steps of 2^-30 |"),

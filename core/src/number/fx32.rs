@@ -12,7 +12,7 @@
 //! | offset | [`Offset::between`] | `W`, of 31 bits | none, but for one bit beyond 32,768 units |
 //! | early-outs | [`Offset::facing`], [`is_outside`] | of 15 bits of `W`: a sign; a comparison of squares | a margin: no lit point is rejected |
 //! | root | [`root::quick_inverse_sqrt_16`] | estimate of `2^46 / \|W\|`, of 15 or 16 bits | 2.85e-4, relative, of 15 bits of `W` |
-//! | direction | [`FineRay::new`], [`normalised`] | unit vector, 30: the product with the estimate, and one step of Newton | 1.1 times 2.65e-9 radians; its length 2.1e-8 |
+//! | direction | [`FineRay::new`], [`normalised`] | unit vector, 30: the product with the estimate, and one step of Newton | 1.1 times 2.68e-9 radians; its length 2.1e-8 |
 //! | versine | [`versine`] | `\|l - s\|^2 / 2`, 29 and two for each step of the ramp's zoom | 3e-8 of the outer versine |
 //! | ramp | [`FixedRamp::rise_finely`] | `t`, 31 | 1.7e-7 after a zoom, set-up included |
 //! | falloff | [`Fine`]: [`times`](Fine::times) is the soft edge | intensity, 31 | a product 2^-30 |

@@ -228,11 +228,11 @@ impl Errors for Fx32 {
     // The components of a direction are within one step of 2^-30 and those of an axis within half a
     // step, up to a common factor: together they turn by `1.5 sqrt(3) / 2^30 = 2.42e-9`. Two errors
     // of a versine are largest, relative to the outer versine, in the narrowest cone, a step with a
-    // half angle `a` of 1.35e-6: half the square of the difference of the two lengths, at most 2.4e-8,
-    // is as much as a turn by `(2.4e-8)^2 / 2 a = 2.13e-10`, and the last place of the versine by
+    // half angle `a` of 1.35e-6: half the square of the difference of the two lengths, at most 2.4e-8 and
+    // 1.75e-9, is as much as a turn by `(2.575e-8)^2 / 2 a = 2.46e-10`, and the last place of the versine by
     // `3 / 2^59 a = 4e-12`. The constant does not include the halving of an offset with a component
     // of more than 32,768 units, which turns the direction by 0.71 steps more.
-    const DIRECTION_ERROR: f32 = 2.65e-9;
+    const DIRECTION_ERROR: f32 = 2.68e-9;
     const NEAREST: f64 = 1.0 / 65_536.0;
     const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
 
