@@ -14,6 +14,7 @@ pub mod words;
 
 pub mod design;
 pub mod display;
+pub mod entries;
 pub mod haze;
 pub mod linearity;
 pub mod monotony;
@@ -22,6 +23,7 @@ pub mod symmetry;
 pub mod totality;
 
 pub use design::two_angles_come_back;
+pub use entries::quick_entries_agree;
 pub use haze::beams_that_are_not_met_are_dark;
 use luminaire::{Fx16, Fx32};
 pub use reach::quick_rows_have_the_light_of_their_points;
@@ -39,6 +41,7 @@ macro_rules! in_every_format {
 
 in_every_format! {
     design::descriptions_are_taken_or_refused,
+    entries::entries_agree,
     totality::spotlights_answer,
     totality::distances_answer,
     totality::highlights_answer,

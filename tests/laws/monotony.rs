@@ -62,7 +62,9 @@ pub fn distances_fall<S: Format>(words: &[u32]) {
 
 fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let range = scene::range(words);
-    let most = words.one_of([80.0, 1.25 * range]);
+    // Coordinates of fixed point end here.
+    let end = if S::NAME == "f32" { f32::MAX } else { 32_767.0 };
+    let most = words.one_of([80.0, 1.25 * range]).min(end);
     let (near, step) = (words.between(0.0, most), words.between(0.0, 1.0).powi(8));
     let [near, far] = [near, near + step].map(|distance| (distance * 65_536.0).round() / 65_536.0);
     let source = PointLight::new(Vec3::default()).ok()?;

@@ -5,6 +5,7 @@ use luminaire::{
     Angle, Cone, HalfAngle, Material, Rgb, Scalar, SpotLight, Vec3,
     attenuation::AnyAttenuation,
     falloff::{AnyFalloff, Falloff, Table},
+    models::Number,
     specular::SpecularLobe,
 };
 
@@ -17,23 +18,25 @@ pub fn falloff(words: &mut Words<'_>) -> Option<AnyFalloff> {
     if index == AnyFalloff::COUNT {
         return Table::new(&SAMPLES).ok().map(AnyFalloff::from);
     }
-    AnyFalloff::drawn(index, || words.number(0.0, 1.0)).ok()
+    let draw = if words.is_end() { AnyFalloff::anywhere } else { AnyFalloff::drawn };
+    draw(index, || words.number(0.0, 1.0)).ok()
 }
 
 /// An attenuation of the list.
 pub fn attenuation(words: &mut Words<'_>) -> Option<AnyAttenuation> {
     let row = &AnyAttenuation::LIST[words.choice(AnyAttenuation::COUNT as u32) as usize];
-    let numbers: Vec<_> = row.beside_range().map(|number| number.drawn(words.number(0.0, 1.0))).collect();
+    let draw = if words.is_end() { Number::anywhere } else { Number::drawn };
+    let numbers: Vec<_> = row.beside_range().map(|number| draw(number, words.number(0.0, 1.0))).collect();
     let has_range = row.window.is_none() || words.choice(10) > 0;
     let range = has_range.then(|| range(words));
     row.of(&numbers, range).ok()
 }
 
-/// A range of an attenuation: up to 40, or from the shortest that is accepted to 2^14.
+/// A range of an attenuation: up to 40, or any that is accepted.
 pub fn range(words: &mut Words<'_>) -> f32 {
     if words.is_end() {
-        let middle = words.between(-9.9, 14.0).exp2();
-        return words.one_of([0.001, middle, 16_384.0]);
+        let middle = words.between(-9.9, 29.8).exp2();
+        return words.one_of([0.001, middle, 1e9]);
     }
     words.number(0.0, 40.0)
 }

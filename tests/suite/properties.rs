@@ -57,6 +57,8 @@ macro_rules! hold {
 }
 
 hold! {
+    entries_agree,
+    quick_entries_agree,
     spotlights_answer,
     distances_answer,
     highlights_answer,

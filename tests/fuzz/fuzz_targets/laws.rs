@@ -8,7 +8,9 @@ mod laws;
 use libfuzzer_sys::fuzz_target;
 use luminaire_fuzz::{Law, hold};
 
-const LAWS: [Law; 11] = [
+const LAWS: [Law; 13] = [
+    laws::entries_agree,
+    laws::quick_entries_agree,
     laws::falloffs_fall,
     laws::distances_fall,
     laws::intensity_adds,
