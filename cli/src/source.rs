@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use luminaire::dynamic::AnyLight;
 use luminaire_exchange::{
-    Lamp, Lamps, Place, Refusal, Sheet, System, Use, fixture, largest, numbers, placed, read,
+    Lamp, Lamps, Place, Reading, Refusal, Sheet, System, Use, fixture, largest, numbers, placed, read,
 };
 
 use crate::text::say;
@@ -79,9 +79,12 @@ pub(crate) struct Source {
     #[arg(long, value_name = "LUX")]
     pub(crate) full_scale: Option<f64>,
     /// Largest difference of a cheaper cone from a measured light, in linear codes; beyond it the light is
-    /// a table [default: 1]
+    /// a table. As large a difference of a plane from the mean of all is taken, too [default: 1]
     #[arg(long, value_name = "CODES")]
     pub(crate) fit: Option<f64>,
+    /// Take the mean of a measured light's planes, however they differ
+    #[arg(long)]
+    pub(crate) round: bool,
 }
 
 /// A file, or another source, with its lights.
@@ -202,7 +205,7 @@ impl Source {
             if shows_progress && done % 16 == 0 {
                 let _ = write!(stderr(), "\r{done} of {} files", paths.len());
             }
-            let lamps = open(path, system, self.fit.unwrap_or(1.0));
+            let lamps = open(path, system, self.reading());
             let loaded = lamps.and_then(|lamps| self.loaded(lamps, spot));
             inputs.push(Input { name: shown(path.as_os_str()), is_file: true, loaded });
         }
@@ -255,6 +258,12 @@ impl Source {
         Ok(Use { full_scale: lux.unwrap_or(usage.full_scale), ..usage })
     }
 
+    /// How measured intensities are read.
+    fn reading(&self) -> Reading {
+        let fit = self.fit.unwrap_or(Reading::default().fit);
+        Reading { fit, is_round: self.round }
+    }
+
     /// Says which options have no effect on these lights. `has_throw` is whether the command has a
     /// use for the throw of any light.
     pub(crate) fn say_idle(&self, spot: &Spot, has_throw: bool, inputs: &[Input]) {
@@ -279,6 +288,7 @@ impl Source {
                 "only photometry is scaled by the light at a distance",
             ),
             ("fit", self.fit.is_some() && !has(&[Ies, Eulumdat]), "no light is that of a photometric file"),
+            ("round", self.round && !has(&[Ies, Eulumdat]), "no light is that of a photometric file"),
             ("position", spot.position.is_some() && !placed, "a directional light has none"),
             ("axis", spot.axis.is_some() && !aimed, "a point light has none"),
         ] {
@@ -303,7 +313,7 @@ fn is_of(path: &Path, system: Option<System>) -> bool {
 }
 
 /// Reads a file, but for one that is too large.
-fn open(path: &Path, system: Option<System>, fit: f64) -> Result<Lamps, Refusal> {
+fn open(path: &Path, system: Option<System>, reading: Reading) -> Result<Lamps, Refusal> {
     let name = shown(path.as_os_str());
     let unread =
         |error: io::Error| Refusal::new("file", &name, format_args!("a file that can be read: {error}"));
@@ -317,7 +327,13 @@ fn open(path: &Path, system: Option<System>, fit: f64) -> Result<Lamps, Refusal>
         let size = if size > most { size.to_string() } else { format!("more than {most}") };
         return Err(Refusal::new("size", size, format_args!("at most {most} bytes")));
     }
-    read(&name, &bytes, system, fit)
+    read(&name, &bytes, system, reading).map_err(|mut refusal| {
+        if refusal.parameter == "symmetry" {
+            refusal.expected +=
+                "; --fit takes the mean of planes that differ by up to its codes, and --round that of any";
+        }
+        refusal
+    })
 }
 
 /// Writes the file of an option.

@@ -139,6 +139,28 @@ fn errors_name_the_parameter_and_stay_short() {
 }
 
 #[test]
+fn planes_that_differ_are_taken_by_fit_or_as_round() {
+    let file = temporary("uneven.ies");
+    let uneven =
+        "IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 3 2 1 2 0 0 0\n1 1 1\n0 10 20\n0 180\n1000 500 0\n1000 700 0\n";
+    std::fs::write(&file, uneven).expect("a file");
+    let output = luminaire(&["import", &file.display().to_string()]);
+    let told = String::from_utf8(output.stdout).expect("a text");
+    let differs = "the horizontal plane 180 differs from the mean of the planes by 25.5 of 255 codes (10.0 % of the peak) at \
+                   the vertical angle 10";
+    assert!(!output.status.success() && told.contains(differs) && told.contains("--round"), "{told}");
+    for option in ["--fit 26", "--round"] {
+        let told = text(&format!("import {} {option}", file.display()));
+        assert!(told.contains(&format!("The light is taken as round: {differs}.")), "{told}");
+        let off = told
+            .split("differs by up to ")
+            .nth(1)
+            .and_then(|rest| rest.split(' ').next()?.parse::<f64>().ok());
+        assert!(off.is_some_and(|codes| (25.5..52.0).contains(&codes)), "{told}");
+    }
+}
+
+#[test]
 fn chart_has_both_marks_and_still_is_a_lit_wall() {
     let (chart, wall) = (temporary("chart.svg"), temporary("wall.png"));
     text(&format!("import files/spot.ies --svg {}", chart.display()));

@@ -178,6 +178,7 @@ fn options_have_their_effect_or_say_that_they_have_none() {
         ("export --to glsl --light 2 --throw 3 --fit 2 --full-scale 9", 0, "note: --light has no effect"),
         ("export --to glsl --throw 3", 0, "note: --throw has no effect"),
         ("import KINDS --fit 2", 0, "note: --fit has no effect"),
+        ("import KINDS --round", 0, "note: --round has no effect"),
         ("import KINDS --light sun --position 1,2,3", 0, "note: --position has no effect"),
         ("import KINDS --light point --axis 1,2,3", 0, "note: --axis has no effect"),
         (

@@ -7,7 +7,8 @@ use luminaire_export::json;
 use crate::convert;
 use crate::lamp::{Lamp, Lamps};
 use crate::measured;
-use crate::read::{self, Found};
+use crate::read::{self, Found, photometry::Photometry};
+use crate::reading::Reading;
 use crate::record::{Kind, Record, Value};
 use crate::refusal::Refusal;
 use crate::system::System;
@@ -18,14 +19,13 @@ use crate::text::{LARGEST, decode};
 ///
 /// Without a system, the extension of the name decides, and of JSON the content. A text that begins
 /// with `# system: NAME` has a value `key=value` in each line, and what the system has no words for
-/// in lines such as `# kind: point`: see [`Parameters::text`](crate::Parameters::text). `tolerance`
-/// is the largest difference in linear codes at which a cheaper cone takes the place of a measured
-/// light's table, in [0, 255].
+/// in lines such as `# kind: point`: see [`Parameters::text`](crate::Parameters::text). What is lost of measured
+/// intensities is part of the light's difference.
 ///
 /// # Errors
 /// A name without a known extension; a file that its reader does not accept, or in which there is no light,
 /// with the reasons that are known. A light of a file that cannot be read is in [`Lamps::refused`].
-pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) -> Result<Lamps, Refusal> {
+pub fn read(name: &str, bytes: &[u8], system: Option<System>, reading: Reading) -> Result<Lamps, Refusal> {
     let system = match system {
         Some(system) => system,
         None => recognised(name, bytes)?,
@@ -33,8 +33,8 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, tolerance: f64) ->
     let text = || decode(bytes);
     let lamps = match system {
         _ if bytes.starts_with(BEGIN.as_bytes()) => values(system, &text()?),
-        System::Ies => photometry(system, read::ies::read(&text()?)?, tolerance),
-        System::Eulumdat => photometry(system, read::eulumdat::read(&text()?)?, tolerance),
+        System::Ies => photometry(system, read::ies::read, &text()?, reading),
+        System::Eulumdat => photometry(system, read::eulumdat::read, &text()?, reading),
         System::Gdtf => read::gdtf::read(bytes).map(zoomed),
         System::Ofl => read::ofl::read(&text()?).map(zoomed),
         System::Luminaire => own(&text()?),
@@ -170,12 +170,18 @@ fn zoomed(lamps: Lamps) -> Lamps {
     Lamps { lamps: lamps.lamps.into_iter().flat_map(Lamp::ends).collect(), ..lamps }
 }
 
-fn photometry(system: System, read: read::photometry::Photometry, tolerance: f64) -> Result<Lamps, Refusal> {
-    if !(0.0..=255.0).contains(&tolerance) {
-        return Err(Refusal::new("fit", tolerance, "a number from 0 to 255 linear codes"));
+fn photometry(
+    system: System,
+    reader: fn(&str, Reading) -> Result<Photometry, Refusal>,
+    text: &str,
+    reading: Reading,
+) -> Result<Lamps, Refusal> {
+    if !(0.0..=255.0).contains(&reading.fit) {
+        return Err(Refusal::new("fit", reading.fit, "a number from 0 to 255 linear codes"));
     }
-    let lamps = measured::lamps(&read.name, &read.curve, read.difference, tolerance)?;
-    Ok(Lamps { lamps, notes: read.notes, ..Lamps::new(system) })
+    let Photometry { name, curve, difference, notes } = reader(text, reading)?;
+    let lamps = measured::lamps(&name, &curve, difference, reading.fit)?;
+    Ok(Lamps { lamps, notes, ..Lamps::new(system) })
 }
 
 fn own(text: &str) -> Result<Lamps, Refusal> {

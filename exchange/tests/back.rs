@@ -6,7 +6,7 @@ use luminaire::attenuation::{
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Hard, Linear, Smooth, Soft, Step};
 use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight};
-use luminaire_exchange::{Lamp, Refusal, System, Use, parameters, read, share, write};
+use luminaire_exchange::{Lamp, Reading, Refusal, System, Use, parameters, read, share, write};
 use luminaire_export::{json, printable};
 
 const USE: Use = Use { throw: 4.0, full_scale: 1.0, is_photometric: false };
@@ -90,7 +90,8 @@ fn differences(lamp: &Lamp, to: System, text: &str, [angle, far]: [f64; 2]) -> R
         System::Ies => "lights.ies",
         _ => "lights.txt",
     };
-    let back = read(file, text.as_bytes(), None, 1.0).map_err(|refusal| refusal.to_string())?;
+    let back =
+        read(file, text.as_bytes(), None, Reading::default()).map_err(|refusal| refusal.to_string())?;
     if !back.refused.is_empty() || back.lamps.len() != if is_ies { 1 } else { 2 } {
         return Err(format!("{} lights, {:?}", back.lamps.len(), back.refused));
     }
@@ -190,7 +191,7 @@ fn place(light: &AnyLight) -> [Option<luminaire::Vec3<f32>>; 2] {
 fn text_of_values_has_lights_after_each_system() {
     let text = "# system: godot\n# name: a b\nspot_angle=30\n# system: godot\nspot_angel=30\n# system: three\n\
                 # system: godot\n# kind: point\n# position: 1,2,3\nomni_range=9";
-    let found = read("a.txt", text.as_bytes(), None, 1.0).expect("a text");
+    let found = read("a.txt", text.as_bytes(), None, Reading::default()).expect("a text");
     let names: Vec<_> =
         found.lamps.iter().map(|lamp| (lamp.name.as_str(), json::kind(&lamp.light))).collect();
     assert_eq!(names, [("a b", "spot"), ("light", "point")]);
@@ -198,6 +199,6 @@ fn text_of_values_has_lights_after_each_system() {
     assert!(refused[0].starts_with("line 4: key = spot_angel: expected a key of godot"), "{refused:?}");
     assert_eq!(refused[1..], ["line 6: system = three: expected godot"]);
     let many = "# system: gltf\n".repeat(10_001);
-    let refused = read("a.txt", many.as_bytes(), None, 1.0).expect_err("too many lights");
+    let refused = read("a.txt", many.as_bytes(), None, Reading::default()).expect_err("too many lights");
     assert_eq!(refused.to_string(), "lights = 10001: expected at most 10000");
 }

@@ -6,7 +6,7 @@ use fastrand::Rng;
 use formulas::{FORMULAS, Kind};
 use luminaire::falloff::{AnyFalloff, Knot, Table};
 use luminaire::{Angle, Cone, SpotLight, dynamic::AnyLight};
-use luminaire_exchange::{Curve, Lamp, System, Use, fits, numbers, parameters, read, share, write};
+use luminaire_exchange::{Curve, Lamp, Reading, System, Use, fits, numbers, parameters, read, share, write};
 
 /// A light of a table of lines between places and values in 65,536ths, that ends at a full angle.
 fn light(points: &[(u32, u16)], outer: f32) -> Lamp {
@@ -89,7 +89,9 @@ fn written_photometry_is_read_again() {
         let lamp = light(&rising(&mut rng), outer.max(1.0));
         let curve = lamp.curve().expect("a spotlight");
         let text = write::ies(&lamp).expect("a spotlight");
-        let lamps = read("a.ies", text.as_bytes(), None, 255.0).expect("a light").lamps;
+        let lamps = read("a.ies", text.as_bytes(), None, Reading { fit: 255.0, ..Reading::default() })
+            .expect("a light")
+            .lamps;
         let again = lamps[0].measured.as_ref().expect("intensities");
         assert_eq!(lamps.len(), 1, "{lamps:?}");
         assert!((again.lumens() / curve.lumens() - 1.0).abs() < 1e-3, "{round}: {again:?} of {curve:?}");
@@ -100,7 +102,10 @@ fn written_photometry_is_read_again() {
             "IES\nTILT=NONE\n1 -1 {} 3 1 1 2 0 0 0\n1 1 0\n0 60 90\n0\n1000 1 0\n",
             f64::from(factor) / 100.0
         );
-        assert!(read("a.ies", file.as_bytes(), None, 255.0).is_ok(), "{file}");
+        assert!(
+            read("a.ies", file.as_bytes(), None, Reading { fit: 255.0, ..Reading::default() }).is_ok(),
+            "{file}"
+        );
     }
 }
 
@@ -199,7 +204,7 @@ fn file_without_a_light_is_refused_with_the_reasons() {
             "; sky is left out: AmbientLight",
         ),
     ] {
-        let found = read(name, file.as_bytes(), None, 1.0).expect_err(file).to_string();
+        let found = read(name, file.as_bytes(), None, Reading::default()).expect_err(file).to_string();
         assert!(found.contains(expected), "{found}: expected {expected}");
     }
 }

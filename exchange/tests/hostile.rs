@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::Instant;
 
 use fastrand::Rng;
-use luminaire_exchange::{System, read};
+use luminaire_exchange::{Reading, System, read};
 
 /// The heap, with the bytes in use, the most since the last reset, and all that were ever taken.
 struct Counted;
@@ -61,7 +61,7 @@ fn survives(name: &str, bytes: &[u8], system: System) -> usize {
     let before = USED.load(Relaxed);
     MOST.store(before, Relaxed);
     let taken = TAKEN.load(Relaxed);
-    let lamps = read(name, bytes, Some(system), 1.0);
+    let lamps = read(name, bytes, Some(system), Reading::default());
     let most = MOST.load(Relaxed) - before;
     assert!(most <= LARGEST, "{name} as {system}: {most} bytes of memory");
     let refused = match &lamps {
@@ -106,7 +106,7 @@ fn mutated_files_are_read_or_refused() {
             let path = entry.expect("a file").path();
             let name = path.file_name().and_then(|name| name.to_str()).expect("a name").to_owned();
             let bytes = fs::read(&path).expect("a file");
-            if let Ok(lamps) = read(&name, &bytes, None, 1.0) {
+            if let Ok(lamps) = read(&name, &bytes, None, Reading::default()) {
                 fixtures.push((name, bytes, lamps.system));
             }
         }

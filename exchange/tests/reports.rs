@@ -5,7 +5,9 @@ use std::path::Path;
 
 use luminaire::attenuation::Attenuation;
 use luminaire::dynamic::AnyLight;
-use luminaire_exchange::{Curve, Definition, Lamp, Sheet, System, Use, numbers, parameters, read, share};
+use luminaire_exchange::{
+    Curve, Definition, Lamp, Reading, Sheet, System, Use, numbers, parameters, read, share,
+};
 
 fn of(system: System, words: &str) -> Lamp {
     numbers(system, [words]).expect("a light").lamps.remove(0)
@@ -26,7 +28,7 @@ fn is_near(found: f64, expected: f64, relative: f64) {
 fn candela_of_a_photometric_file_is_not_squared() {
     let file =
         "IESNA:LM-63-2002\nTILT=NONE\n1 -1 2 5 1 1 2 0 0 0\n1 1 0\n0 10 20 30 40\n0\n1000 900 500 100 0\n";
-    let lamp = read("spot.ies", file.as_bytes(), None, 1.0).expect("a light").lamps.remove(0);
+    let lamp = read("spot.ies", file.as_bytes(), None, Reading::default()).expect("a light").lamps.remove(0);
     let curve = lamp.measured.expect("intensities");
     assert_eq!(curve.at(10.0), 1_800.0);
     let angle = |share| curve.angle(share, Definition::Ies).expect("light");
@@ -41,7 +43,7 @@ fn candela_of_a_photometric_file_is_not_squared() {
 fn upward_light_is_a_light_of_its_own() {
     let file =
         "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 5 1 1 2 0 0 0\n1 1 0\n0 45 90 135 180\n0\n1000 500 0 100 400\n";
-    let lamps = read("pendant.ies", file.as_bytes(), None, 1.0).expect("lights").lamps;
+    let lamps = read("pendant.ies", file.as_bytes(), None, Reading::default()).expect("lights").lamps;
     let axes = lamps.iter().map(|lamp| match &lamp.light {
         AnyLight::Spot(spot) => (spot.axis().y, spot.intensity()),
         _ => panic!("{}: expected a spotlight", lamp.name),
@@ -74,7 +76,7 @@ fn beam_for_field_is_told_with_its_factor() {
     let [right, wrong] = [30.0, 48.0].map(|beam| sheet(beam).lamp().expect("a light"));
     is_near(f64::from(right.light.intensity() / wrong.light.intensity()), 2.537, 1e-3);
     let zoom = br#"{"name":"Zoom","categories":["Moving Head"],"physical":{"bulb":{"lumens":1000},"lens":{"degreesMinMax":[8,30]}},"modes":[]}"#;
-    let lamps = read("zoom.json", zoom, Some(System::Ofl), 1.0).expect("a fixture").lamps;
+    let lamps = read("zoom.json", zoom, Some(System::Ofl), Reading::default()).expect("a fixture").lamps;
     assert_eq!(lamps.len(), 2, "the narrowest and the widest");
     assert!(
         lamps[0].notes.iter().any(|note| note.contains("if 8 degrees is the field angle")),
@@ -143,11 +145,11 @@ fn fractional_decays_of_godot_are_exact() {
 #[test]
 fn values_of_files_reach_the_light() {
     let file = br#"LightSource "point" "rgb I" [4 2 1]"#;
-    let light = read("a.pbrt", file, None, 1.0).expect("a light").lamps.remove(0).light;
+    let light = read("a.pbrt", file, None, Reading::default()).expect("a light").lamps.remove(0).light;
     assert_eq!((light.intensity(), light.color().green, light.color().blue), (4.0, 0.5, 0.25));
     let file =
         b"Begin Object Class=PointLightComponent Name=\"a\"\nbUseInverseSquaredFalloff=False\nEnd Object";
-    let lamps = read("a.t3d", file, None, 1.0).expect("a file");
+    let lamps = read("a.t3d", file, None, Reading::default()).expect("a file");
     assert_eq!((lamps.lamps.len(), &*lamps.refused[0].parameter), (0, "bUseInverseSquaredFalloff"));
 }
 
@@ -166,7 +168,7 @@ fn real_lights_are_read() {
             {
                 continue;
             }
-            let lamps = read(&name, &fs::read(&path).expect("a file"), None, 1.0);
+            let lamps = read(&name, &fs::read(&path).expect("a file"), None, Reading::default());
             let lamps = lamps.unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
             let has_unread = |note: &String| {
                 // The unit of a sun, which is always lux, and an ambient part.

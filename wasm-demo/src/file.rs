@@ -3,13 +3,10 @@
 use crate::{light::hex_of, own_cone, refusal::Refusal};
 use luminaire::{Cone, dynamic::AnyLight, falloff::AnyFalloff};
 use luminaire_exchange::{
-    Curve, Definition, Lamp, Lamps, Residual, Use, fits, number, parameters, read, share,
+    Curve, Definition, Lamp, Lamps, Reading, Residual, Use, fits, number, parameters, read, share,
 };
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
-
-/// Largest difference of a cheaper cone from measured intensities in linear codes, as for the command.
-const TOLERANCE: f64 = 1.0;
 
 /// A file of another tool with its lights.
 #[wasm_bindgen]
@@ -18,11 +15,11 @@ pub struct LightFile(Lamps, Use);
 
 #[wasm_bindgen]
 impl LightFile {
-    /// Reads a file. `throw` is the distance in metres of the surface that counts. Throws what the reader
-    /// refuses, in its words.
+    /// Reads a file. `throw` is the distance in metres of the surface that counts, and `is_round` whether a measured
+    /// light is the mean of its planes whatever their difference. Throws what the reader refuses, in its words.
     #[wasm_bindgen(constructor)]
-    pub fn new(name: &str, bytes: &[u8], throw: f64) -> Result<Self, Refusal> {
-        let lamps = read(name, bytes, None, TOLERANCE)?;
+    pub fn new(name: &str, bytes: &[u8], throw: f64, is_round: bool) -> Result<Self, Refusal> {
+        let lamps = read(name, bytes, None, Reading { is_round, ..Reading::default() })?;
         let usage = lamps.usage(throw);
         Ok(Self(lamps, usage))
     }
@@ -60,8 +57,13 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
     let Residual { found, bound, degrees, .. } = fit.map(|fit| fit.residual).unwrap_or_default();
     let [off, far] = [255.0 * lamp.difference.angle, 100.0 * lamp.difference.distance];
     let difference = match fit {
+        // Of a light whose planes differ, the dots are their mean.
         Some(_) => {
-            format!("{bound:.2} of 255 codes of the measured dots; found {found:.2} at {degrees:.2}°.")
+            let planes = f64::from(off) - bound;
+            let planes = if planes > 0.005 { format!(", and {off:.2} of each plane") } else { String::new() };
+            format!(
+                "{bound:.2} of 255 codes of the measured dots{planes}; found {found:.2} at {degrees:.2}°."
+            )
         }
         None => format!("{off:.2} of 255 codes over the angle and {far:.1} % over the distance."),
     };
@@ -105,5 +107,5 @@ fn ended(curve: &Curve) -> Option<Cone<AnyFalloff>> {
     let end = curve.angle(0.5 / 255.0, Definition::Ies)? / 2.0;
     let lit = curve.points().iter().copied().take_while(|point| point.0 < end);
     let curve = Curve::new(lit.chain([(end, curve.at(end))]).collect())?;
-    Some(fits(&curve, TOLERANCE).ok()?.last()?.cone)
+    Some(fits(&curve, Reading::default().fit).ok()?.last()?.cone)
 }

@@ -62,8 +62,9 @@ export async function openPanel(place, { throwOf, put }) {
   element("put").addEventListener("click", () => (element("put-told").textContent = put(light())));
   element("copy").addEventListener("click", () => copyTextOf(element("parameters"), element("copied")));
 
-  return async (/** @type {string} */ name, /** @type {Uint8Array<ArrayBuffer>} */ bytes) => {
-    const { lights: found, notes } = await reader.ask({ name, bytes, reach: throwOf() });
+  /** @type {(name: string, bytes: Uint8Array<ArrayBuffer>, isRound: boolean) => Promise<string>} */
+  return async (name, bytes, isRound) => {
+    const { lights: found, notes } = await reader.ask({ name, bytes, reach: throwOf(), isRound });
     lights = found;
     element("notes").textContent = notes.join("\n");
     select("light").replaceChildren(...lights.map(({ name }, i) => new Option(`${i + 1} ${name}`, String(i))));

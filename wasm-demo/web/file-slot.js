@@ -8,6 +8,8 @@ import { reveal } from "./tabs.js";
 /** @param {import("./file-panel.js").OnStage} stage */
 export function takeFiles(stage) {
   const [place, told, input] = [element("file"), element("file-told"), element("file-input", HTMLInputElement)];
+  // Of a light that is refused because its planes differ.
+  const round = element("file-round");
   /** @type {ReturnType<typeof import("./file-panel.js").openPanel> | undefined} */
   let panel;
   /** @type {File | undefined} */
@@ -21,28 +23,31 @@ export function takeFiles(stage) {
     return opening;
   }
 
-  /** @param {File | undefined} file */
-  async function open(file) {
+  /** @type {(file: File | undefined, isRound?: boolean) => Promise<void>} */
+  async function open(file, isRound = false) {
     if (!file) return;
     newest = file;
     if (element("stage-page").hidden) location.hash = "stage";
     reveal(told);
     [told.textContent, told.className] = [`Reading ${file.name}.`, "note"];
+    round.hidden = true;
     try {
       if (file.size > 2 ** 26) throw `size = ${file.size}: expected at most ${2 ** 26} bytes`;
       await built("files", (text) => (told.textContent = text));
       const [bytes, show] = await Promise.all([file.arrayBuffer(), opened()]);
       if (file !== newest) return;
-      told.textContent = await show(file.name, new Uint8Array(bytes));
+      told.textContent = await show(file.name, new Uint8Array(bytes), isRound);
       place.hidden = false;
     } catch (error) {
       if (file !== newest) return;
       [told.textContent, told.className] = [`${file.name}: ${words(error)}`, "error"];
       place.hidden = true;
+      round.hidden = !words(error).startsWith("symmetry = ");
     }
     told.scrollIntoView({ block: "nearest" });
   }
 
+  round.addEventListener("click", () => open(newest, true));
   element("file-pick").addEventListener("click", () => input.click());
   input.addEventListener("change", () => open(input.files?.[0]));
   for (const type of /** @type {const} */ (["dragover", "dragleave", "drop"])) {

@@ -1,8 +1,9 @@
 // Asks the worker that reads files.
 
 /**
- * A file to read, and the throw of its lights in metres; or a light of the last file, and a tool whose parameters are asked.
- * @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer>, reach: number } | { light: number, tool: string }} Question
+ * A file to read, the throw of its lights in metres, and whether they are taken as round; or a light of the last file, and a tool
+ * whose parameters are asked.
+ * @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer>, reach: number, isRound: boolean } | { light: number, tool: string }} Question
  */
 
 export class FileThread {

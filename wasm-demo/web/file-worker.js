@@ -26,7 +26,7 @@ function answerTo(question) {
   if ("bytes" in question) {
     file?.free();
     file = undefined;
-    file = new LightFile(question.name, question.bytes, question.reach);
+    file = new LightFile(question.name, question.bytes, question.reach, question.isRound);
     return JSON.parse(file.told());
   }
   if (!file) throw "file = none: expected a file that has been read. Open it again.";

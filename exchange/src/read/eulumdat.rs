@@ -1,6 +1,7 @@
 //! EULUMDAT (Stockmar 1990): a value per line.
 
 use super::photometry::{Fields, POSITIVE, Photometry, Planes};
+use crate::reading::Reading;
 use crate::refusal::Refusal;
 
 /// Symmetries by their indicator, and their first and last plane with values in quarters of a turn.
@@ -19,8 +20,8 @@ const SYMMETRIES: [(&str, usize, usize); 5] = [
 /// luminaire: absolute photometry (DIAL 2009). The number of lamps is no factor.
 ///
 /// # Errors
-/// A file that is malformed, or of a light without rotational symmetry.
-pub(crate) fn read(text: &str) -> Result<Photometry, Refusal> {
+/// A file that is malformed, or of a light that is not as round as `reading` asks.
+pub(crate) fn read(text: &str, reading: Reading) -> Result<Photometry, Refusal> {
     let mut notes = Vec::new();
     let mut lines = Fields::new((1..).zip(text.lines().map(str::trim)));
     let company = lines.text("company")?;
@@ -64,12 +65,16 @@ pub(crate) fn read(text: &str) -> Result<Photometry, Refusal> {
     let again = all.iter().map(|angle| angle + 360.0);
     let horizontal: Vec<_> = all[planes * from / 4..].iter().copied().chain(again).take(count).collect();
     let candela = lines.candela(angles.saturating_mul(count), factor)?;
-    Planes { symmetry, horizontal, vertical, candela }.light(&names, notes)
+    Planes { symmetry, horizontal, vertical, candela }.light(&names, notes, reading)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn read(text: &str) -> Result<Photometry, Refusal> {
+        super::read(text, Reading::default())
+    }
 
     const FILE: &str = include_str!("../../tests/files/spot.ldt");
     const PLANE: &str = "4000\n3800\n1000\n10\n0\n";

@@ -1,6 +1,7 @@
 //! IES LM-63 of 1986, 1991, 1995, 2002 and 2019.
 
 use super::photometry::{Fields, POSITIVE, Photometry, Planes};
+use crate::reading::Reading;
 use crate::refusal::Refusal;
 
 /// Returns the light of a file of type C.
@@ -10,8 +11,8 @@ use crate::refusal::Refusal;
 /// LM-63-2019 the field of the ballast-lamp factor has the origin of the file (section 5.13).
 ///
 /// # Errors
-/// A file that is malformed, of another type, or of a light without rotational symmetry.
-pub(crate) fn read(text: &str) -> Result<Photometry, Refusal> {
+/// A file that is malformed, of another type, or of a light that is not as round as `reading` asks.
+pub(crate) fn read(text: &str, reading: Reading) -> Result<Photometry, Refusal> {
     let tilt = text.lines().enumerate().find_map(|(above, line)| {
         let (label, tilt) = line.split_once('=')?;
         label.trim().eq_ignore_ascii_case("TILT").then_some((above, tilt.trim()))
@@ -81,12 +82,16 @@ pub(crate) fn read(text: &str) -> Result<Photometry, Refusal> {
         _ => "none",
     };
     let candela = fields.candela(angles.saturating_mul(planes), factor)?;
-    Planes { symmetry, horizontal, vertical, candela }.light(&names, notes)
+    Planes { symmetry, horizontal, vertical, candela }.light(&names, notes, reading)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn read(text: &str) -> Result<Photometry, Refusal> {
+        super::read(text, Reading::default())
+    }
 
     const FILE: &str = include_str!("../../tests/files/spot.ies");
 
@@ -103,14 +108,24 @@ mod tests {
             );
         }
         // The mean of two planes is half of the difference off each: 1/255 of the peak is the limit.
-        let two = |candela: f64| {
+        let two = |candela: f64, fit, is_round| {
             let planes = format!("2550 0 0 0 0 2550 {candela} 0 0 0");
-            read(&format!("{} 0 180 {planes}", head.replace("5 3 1 2", "5 2 1 2")))
+            let file = format!("{} 0 180 {planes}", head.replace("5 3 1 2", "5 2 1 2"));
+            super::read(&file, Reading { fit, is_round })
         };
-        assert!(two(19.99).is_ok() && two(20.01).is_err_and(|refusal| refusal.parameter == "symmetry"));
+        let is_refused =
+            |read: Result<_, Refusal>| read.is_err_and(|refusal| refusal.parameter == "symmetry");
+        assert!(two(19.99, 0.0, false).is_ok() && is_refused(two(20.01, 1.0, false)));
+        // A larger fit takes the mean of planes that differ by more, and `round` that of any; both say by how much.
+        assert!(two(199.9, 10.0, false).is_ok() && is_refused(two(200.1, 10.0, false)));
+        for light in [two(199.9, 10.0, false), two(199.9, 1.0, true)] {
+            let light = light.unwrap();
+            let told = "plane 180 differs from the mean of the planes by 10.0 of 255 codes (3.9 % of the peak) at the";
+            assert!(light.notes.last().is_some_and(|note| note.contains(told)), "{:?}", light.notes);
+            assert!((255.0 * light.difference - 9.995).abs() < 1e-9, "{}", light.difference);
+        }
         let refused = read(&format!("{head} 0 30 180 {plane} {plane} 4000 3800 1400 10 0")).unwrap_err();
-        let plane =
-            "plane 180 differs from the mean of the planes by 5.8 % of the peak at the vertical angle 7";
+        let plane = "plane 180 differs from the mean of the planes by 14.9 of 255 codes (5.8 % of the peak) at the vertical angle 7";
         assert_eq!((&*refused.value, refused.expected.ends_with(plane)), ("bilateral", true));
     }
 }

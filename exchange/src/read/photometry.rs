@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 
 use crate::curve::Curve;
 use crate::limits::within;
+use crate::reading::Reading;
 use crate::refusal::Refusal;
 
 /// A photometric file of a light with rotational symmetry.
@@ -16,6 +17,9 @@ pub(crate) struct Photometry {
     pub(crate) difference: f64,
     pub(crate) notes: Vec<String>,
 }
+
+/// The difference of a plane from the mean, in linear codes, up to which a light is round.
+const ROUND: f64 = 1.0;
 
 type Range = RangeInclusive<f64>;
 /// A factor of the intensities, or a luminous flux in lumens.
@@ -124,8 +128,13 @@ impl Planes<'_> {
     /// For a light that shines up, half angles are from the vertical angle 180.
     ///
     /// # Errors
-    /// A plane off the mean by over 1/255 of the peak, no light, or no vertical angle at the axis.
-    pub(crate) fn light(&self, names: &[&str], mut notes: Vec<String>) -> Result<Photometry, Refusal> {
+    /// A plane that is farther off the mean than `reading` takes, no light, or no vertical angle at the axis.
+    pub(crate) fn light(
+        &self,
+        names: &[&str],
+        mut notes: Vec<String>,
+        reading: Reading,
+    ) -> Result<Photometry, Refusal> {
         let (first, last) = (self.vertical[0], self.vertical[self.vertical.len() - 1]);
         let refusal = |expected| Refusal::new("vertical angles", format_args!("{first} to {last}"), expected);
         if first != 0.0 && (first, last) != (90.0, 180.0) {
@@ -147,14 +156,19 @@ impl Planes<'_> {
         let difference = |at: &usize| (candela[*at] - points[at % size].1).abs() / peak.1;
         let worst = (0..candela.len()).max_by(|a, b| difference(a).total_cmp(&difference(b))).unwrap_or(0);
         let difference = difference(&worst);
-        if difference > 1.0 / 255.0 {
+        if 255.0 * difference > ROUND {
             let (plane, angle) = (self.horizontal[worst / size] % 360.0, self.vertical[worst % size]);
-            let percent = 100.0 * difference;
-            let expected = format_args!(
-                "a light with rotational symmetry; in this one the horizontal plane {plane} differs from \
-                 the mean of the planes by {percent:.1} % of the peak at the vertical angle {angle}"
+            let differs = format!(
+                "the horizontal plane {plane} differs from the mean of the planes by {:.1} of 255 codes \
+                 ({:.1} % of the peak) at the vertical angle {angle}",
+                255.0 * difference,
+                100.0 * difference
             );
-            return Err(Refusal::new("symmetry", self.symmetry, expected));
+            if !reading.is_round && 255.0 * difference > reading.fit {
+                let expected = format_args!("a light with rotational symmetry; in this one {differs}");
+                return Err(Refusal::new("symmetry", self.symmetry, expected));
+            }
+            notes.push(format!("The light is taken as round: {differs}."));
         }
         if last == 180.0 && (first == 90.0 || peak.0 > 90.0) {
             notes.push("The light shines up: half angles are from the vertical angle 180.".to_owned());

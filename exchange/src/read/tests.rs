@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::Found;
 use crate::curve::Curve;
 use crate::input::{self, recognised};
+use crate::reading::Reading;
 use crate::refusal::Refusal;
 
 const FILES: [&str; 10] = [
@@ -60,7 +61,7 @@ fn files_are_read_as_expected() {
 
 /// Returns the light of a photometric file, with its measured intensities, or its refusal.
 fn measured(name: &str, text: &str) -> String {
-    let lamps = match input::read(name, text.as_bytes(), None, 1.0) {
+    let lamps = match input::read(name, text.as_bytes(), None, Reading::default()) {
         Err(refusal) => return refusal.to_string(),
         Ok(lamps) => lamps,
     };
@@ -237,7 +238,8 @@ fn line_ends_do_not_matter() {
             assert_eq!(found(&text.replace('\n', end)), found(&text), "{name}");
         }
     }
-    let lamps = input::read("a.txt", b"# system: godot\r# kind: point\rlight_energy=2\r", None, 1.0);
+    let lamps =
+        input::read("a.txt", b"# system: godot\r# kind: point\rlight_energy=2\r", None, Reading::default());
     assert!(lamps.is_ok_and(|lamps| lamps.lamps[0].light.intensity() == 2.0));
 }
 
@@ -304,7 +306,7 @@ fn counts_are_accepted_up_to_their_limits() {
         ("a.wrl", scaled("1.00004"), scaled("1.0001"), "its nodes scale"),
     ] {
         let found = [at, over].map(|text| match name {
-            "a.json" => format!("{:?}", input::read(name, text.as_bytes(), None, 1.0).err()),
+            "a.json" => format!("{:?}", input::read(name, text.as_bytes(), None, Reading::default()).err()),
             _ => shown(read(name, text.as_bytes())),
         });
         assert!(!found[0].contains(expected), "{name}, {expected}, found at the limit:\n{:.500}", found[0]);

@@ -88,6 +88,7 @@ fn write(file: &mut String, numbers: impl Iterator<Item = f64>) {
 mod tests {
     use super::*;
     use crate::read;
+    use crate::reading::Reading;
 
     #[test]
     fn ies_that_was_written_gives_the_curve_again() {
@@ -99,7 +100,7 @@ mod tests {
             let curve = Curve::new(points).unwrap();
             let file = text("Spöt\n12", &curve);
             assert!(file.lines().all(|line| line.len() <= 132) && file.contains(first));
-            let light = read::ies::read(&file).unwrap();
+            let light = read::ies::read(&file, Reading::default()).unwrap();
             assert_eq!((light.name.as_str(), light.notes.len()), ("Sp?t?12", 0));
             let (read, dark) = light.curve.points().split_at(curve.points().len());
             for (read, written) in read.iter().zip(curve.points()) {

@@ -46,6 +46,18 @@ quick("a broken file gives the message of its reader, and the page works", async
   assert.ok(await shows("file"));
 });
 
+quick("the mean of planes that differ is taken if the visitor says so", async () => {
+  await open(ONE);
+  await give("uneven.ies", "IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 3 2 1 2 0 0 0\n1 1 1\n0 10 20\n0 180\n1000 500 0\n1000 700 0\n");
+  assert.match(await words("file-told"), /^uneven\.ies: symmetry = bilateral: .* plane 180 differs .* by 25\.5 of 255 codes/);
+  assert.deepEqual([await shows("file"), await shows("file-round")], [false, true]);
+  await press("file-round");
+  await until(() => document.getElementById("file-told").textContent === "uneven.ies: 1 light.");
+  assert.deepEqual([await shows("file"), await shows("file-round")], [true, false]);
+  assert.match(await words("file-difference"), /, and 2[56]\.\d+ of each plane;/);
+  assert.match(await words("file-notes"), /^The light is taken as round: /);
+});
+
 /** A photometric file that takes a while. */
 function longFile() {
   const places = Array.from({ length: 60_000 }, (_, i) => i / 1000);
