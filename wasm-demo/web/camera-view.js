@@ -67,7 +67,7 @@ export class CameraView {
     // Over all that lies on the picture. Not passive: it may move the camera, not the page.
     canvas.parentElement?.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.#key(event));
-    document.addEventListener("visibilitychange", () => this.request());
+    document.addEventListener("visibilitychange", () => (document.hidden ? this.#forgo() : this.request()));
   }
 
   /**
@@ -98,9 +98,14 @@ export class CameraView {
    */
   async draw(now) {
     while (this.#isBusy) await this.#drawing;
+    this.#forgo();
+    await this.#start(now);
+  }
+
+  /** Takes back a frame that is scheduled, which a hidden page would have when it is seen again. */
+  #forgo() {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    await this.#start(now);
   }
 
   /**
