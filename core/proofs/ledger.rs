@@ -139,8 +139,8 @@ fn by_scripts(evaluation: &Evaluation) -> Result<(), String> {
     let known: BTreeSet<_> =
         evaluations().iter().flat_map(|it| scripts::of(it, &kernel)).map(|(_, text)| text).collect();
     let folder = folder().join("halved");
-    let changed = scripts::of(evaluation, &kernel).into_iter().filter(|(_, text)| !known.contains(text));
-    changed.map(|(script, text)| gappa::proved(&script.name, &text, &folder).map(drop)).collect()
+    let mut changed = scripts::of(evaluation, &kernel).into_iter().filter(|(_, text)| !known.contains(text));
+    changed.try_for_each(|(script, text)| gappa::proved(&script.name, &text, &folder).map(drop))
 }
 
 /// By boxes and intervals.
