@@ -164,13 +164,22 @@ pub(super) fn prove(evaluation: &Evaluation, constants: &Constants) -> Result<()
         // The product with the gain is rounded down to a mantissa: see the script.
         (squared * Interval::new(1.0 - 9.2e-5, 1.0) * truncated - one).magnitude()
     })?;
-    show("inverse polynomial", stages.inverse_polynomial, &|cell| {
-        // Of a polynomial without cancellation: two products with the distance and two sums, each rounded, the
-        // reciprocal, which is within 0.501 of 2^15, and the product with the gain.
-        let rounded = both(ROUNDED) * both(ROUNDED);
-        let divisor = distance(cell).squared() * truncated * rounded * rounded;
-        (truncated * both(ROUNDED) * both(0.501 / 32_768.0) / divisor - one).magnitude()
-    })
+    show("inverse polynomial", stages.inverse_polynomial, &|cell| of_polynomial(distance(cell), SIXTEEN_BITS))
+}
+
+/// What is lost of a polynomial of the distance: by the rounding and the truncation of a mantissa, of the smaller one
+/// of two in a sum, and by a reciprocal.
+type Lost = [f64; 4];
+const SIXTEEN_BITS: Lost = [ROUNDED, TRUNCATED, FINE_STEP, 0.501 / 32_768.0];
+const TWENTY_EIGHT_BITS: Lost = [FINE_STEP * 4.0, 0.0, 0.0, 0.9 / 134_217_728.0];
+
+/// Returns the error of a gain that is attenuated by a polynomial without cancellation: two products with the
+/// distance and two sums, each rounded, the reciprocal, and the product with the gain.
+fn of_polynomial(distance: Interval, [rounded, truncated, aligned, inverse]: Lost) -> f64 {
+    let truncated = Interval::new(1.0 - truncated, 1.0);
+    let computed = both(rounded).squared() * both(rounded).squared() * both(aligned).squared();
+    let divisor = distance.squared() * truncated * computed;
+    (truncated * both(rounded) * both(inverse) / divisor - Interval::exactly(1.0)).magnitude()
 }
 
 /// Proves the error of a fine evaluation's estimate of a reciprocal length, which is that of 15 bits, and the
@@ -180,17 +189,9 @@ fn prove_finely(evaluation: &Evaluation) -> Result<(), String> {
     let root = evaluation.root;
     let estimate = |cell: &Cell| (cell.stretch * both(root) - one).magnitude();
     show("estimate", evaluation.estimate(), [lost(32, 15), root], &estimate)?;
-    // A mantissa that is rounded, one that is truncated, what the smaller one of two loses in a sum, and a reciprocal.
-    let [rounded, truncated, aligned, inverse] = match evaluation.kind {
-        Kind::Fine32 => [FINE_STEP * 4.0, 0.0, 0.0, 0.9 / 134_217_728.0],
-        _ => [ROUNDED, TRUNCATED, FINE_STEP, 0.501 / 32_768.0],
-    };
-    let truncated = Interval::new(1.0 - truncated, 1.0);
-    let distance = both(evaluation.length()) * both(evaluation.halved()) * both(rounded);
-    // As in a coarse evaluation: two products with the distance and two sums.
-    let computed = both(rounded).squared() * both(rounded).squared() * both(aligned).squared();
-    let divisor = distance.squared() * truncated * computed;
-    let error = (truncated * both(rounded) * both(inverse) / divisor - one).magnitude();
+    let lost = if evaluation.kind == Kind::Fine32 { TWENTY_EIGHT_BITS } else { SIXTEEN_BITS };
+    let distance = both(evaluation.length()) * both(evaluation.halved()) * both(lost[0]);
+    let error = of_polynomial(distance, lost);
     let stated = evaluation.stages.inverse_polynomial;
     if error > stated { Err(format!("inverse polynomial: {error:e} over {stated:e}")) } else { Ok(()) }
 }

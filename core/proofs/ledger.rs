@@ -354,8 +354,8 @@ fn half_of_any_number_is_noticed() {
         }
     }
     assert!(unnoticed.is_empty(), "{} of {count} numbers:\n{}", unnoticed.len(), unnoticed.join("\n"));
-    let table = table();
-    println!("{count} halved numbers noticed\n{table}");
+    let list = format!("{}\nEach of these {count} numbers, halved alone, makes a proof fail.\n", table());
+    println!("{list}");
     fs::create_dir_all(folder()).unwrap();
-    fs::write(folder().join("stages.md"), table).unwrap();
+    fs::write(folder().join("stages.md"), list).unwrap();
 }

@@ -67,7 +67,7 @@ export class CameraView {
     // Over all that lies on the picture. Not passive: it may move the camera, not the page.
     canvas.parentElement?.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.#key(event));
-    document.addEventListener("visibilitychange", () => (document.hidden ? this.#forgo() : this.request()));
+    document.addEventListener("visibilitychange", () => this.request());
   }
 
   /**
@@ -87,9 +87,9 @@ export class CameraView {
     if (!paused) this.request();
   }
 
-  /** Whether a picture is being drawn or will be. */
+  /** Whether a picture is being drawn or will be. A hidden page has its frame only when it is seen again. */
   get isDrawing() {
-    return this.#begun > 0 || this.#frame !== 0;
+    return this.#begun > 0 || (this.#frame !== 0 && !document.hidden);
   }
 
   /**
@@ -98,14 +98,9 @@ export class CameraView {
    */
   async draw(now) {
     while (this.#isBusy) await this.#drawing;
-    this.#forgo();
-    await this.#start(now);
-  }
-
-  /** Takes back a frame that is scheduled, which a hidden page would have when it is seen again. */
-  #forgo() {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
+    await this.#start(now);
   }
 
   /**
