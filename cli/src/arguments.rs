@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use luminaire::falloff::AnyFalloff;
+use luminaire::{Error, Rgb};
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
 use crate::source::{ELSEWHERE, Source, Spot, vector};
@@ -138,7 +139,7 @@ pub(crate) struct Export {
     #[arg(long, requires = "range")]
     pub(crate) window: Option<String>,
     /// The linear colour [default: 1,1,1]
-    #[arg(long, value_name = "R,G,B", value_parser = vector)]
+    #[arg(long, value_name = "R,G,B", value_parser = vector, conflicts_with = "kelvin")]
     pub(crate) color: Option<[f32; 3]>,
 }
 
@@ -154,11 +155,17 @@ impl Pick {
     }
 
     /// The light.
-    pub(crate) fn light(&self) -> Light {
+    pub(crate) fn light(&self) -> Result<Light, Error> {
         let standard = Light::default();
         let attenuation = self.attenuation.unwrap_or(standard.attenuation);
         let intensity = if attenuation == Attenuation::None { 1.0 } else { standard.intensity };
-        Light {
+        let (mut color, mut intensity) = (standard.color, self.spot.intensity.unwrap_or(intensity));
+        if let Some(kelvin) = self.source.kelvin {
+            let white = Rgb::from_kelvin(kelvin)?;
+            color = white.map(|channel| channel / white.strongest()).into();
+            intensity *= white.strongest();
+        }
+        Ok(Light {
             position: self.spot.position.unwrap_or(standard.position),
             axis: self.spot.axis.unwrap_or(standard.axis),
             edge: self.edge.unwrap_or(standard.edge),
@@ -167,10 +174,11 @@ impl Pick {
             outer: self.spot.outer,
             inner: self.spot.inner,
             attenuation,
-            intensity: self.spot.intensity.unwrap_or(intensity),
+            intensity,
+            color,
             near: self.near.unwrap_or(self.far.map_or(standard.near, |far| far.min(standard.near))),
             far: self.far.unwrap_or(self.near.map_or(standard.far, |near| near.max(standard.far))),
             ..standard
-        }
+        })
     }
 }

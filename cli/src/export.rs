@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use luminaire::Rgb;
 use luminaire::attenuation::AnyAttenuation;
-use luminaire_exchange::{Lamp, Place, Refusal, Residual, System, Use, parameters, placed, write};
+use luminaire_exchange::{Lamp, Refusal, Residual, System, Use, parameters, write};
 use luminaire_export::{Language, export_all, json, names, printable};
 
 use crate::arguments::Export;
@@ -32,7 +32,9 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
             Some(name) => lamp.name = format!("{name}_{number}"),
             None => {}
         }
-        lamp.light = placed(lamp.light, Place { color: options.color, ..Place::default() })?;
+        if let Some(color) = options.color {
+            *lamp = lamp.clone().with_color(color)?;
+        }
     }
     let mut refuse = |lamp: &Lamp, refusal: Refusal| {
         say("error", if is_one { refusal } else { refusal.at(&lamp.name) });

@@ -88,9 +88,12 @@ fn tell(text: &mut String, name: &str, lamps: &Lamps, usage: Use) {
 fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
     let light = &lamp.light;
     let unit = if matches!(light, AnyLight::Directional(_)) { " lux" } else { " cd" };
-    let (unit, intensity) = (if usage.is_photometric { unit } else { "" }, short(light.intensity().into()));
+    let (unit, intensity) = (if usage.is_photometric { unit } else { "" }, short(lamp.own_intensity()));
     let (name, kind) = (shown(&lamp.name), json::kind(light));
     let _ = write!(text, "  {name}: {kind}, intensity {intensity}{unit}");
+    if let Some(kelvin) = lamp.kelvin {
+        let _ = write!(text, ", {} K", short(kelvin.into()));
+    }
     if let AnyLight::Spot(spot) = light {
         let cone = spot.cone();
         let [beam, field, outer] =
@@ -104,7 +107,8 @@ fn describe(text: &mut String, lamp: &Lamp, usage: Use) {
     let Difference { angle, distance, .. } = lamp.difference;
     let [codes, percent] = [255.0 * angle, 100.0 * distance].map(|part| short(part.into()));
     let _ = if lamp.difference == Difference::default() {
-        writeln!(text, "\n    exact")
+        let open = ", with an assumed edge: two angles would determine it";
+        writeln!(text, "\n    exact{}", if lamp.is_assumed { open } else { "" })
     } else {
         writeln!(
             text,

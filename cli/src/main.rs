@@ -125,7 +125,7 @@ fn lights(source: &source::Source, pick: &Pick) -> Result<(Scene, bool), Refusal
         if pick.has_idle_edge() {
             text::say("note", "--edge has no effect: --beam and --field together determine the falloff");
         }
-        return Ok((Scene { lights: vec![pick.light()] }, true));
+        return Ok((Scene { lights: vec![pick.light()?] }, true));
     };
     let light = |(lamp, usage): &(luminaire_exchange::Lamp, luminaire_exchange::Use)| {
         let named = lamp.named(*usage).map_err(told)?;

@@ -23,5 +23,6 @@ pub(crate) fn light(options: &Export) -> Result<SpotLight<AnyFalloff, AnyAttenua
     let [red, green, blue] = options.color.unwrap_or([1.0; 3]);
     let (position, axis) = (spot.position.unwrap_or([0.0; 3]), spot.axis.unwrap_or([0.0, -1.0, 0.0]));
     let light = SpotLight::new(position, axis, cone)?.with_color(Rgb::new(red, green, blue))?;
-    Ok(light.with_intensity(spot.intensity.unwrap_or(intensity))?.with_attenuation(attenuation))
+    let light = light.with_intensity(spot.intensity.unwrap_or(intensity))?.with_attenuation(attenuation);
+    Ok(options.source.kelvin.map_or(Ok(light), |kelvin| light.with_kelvin(kelvin))?)
 }

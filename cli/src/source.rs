@@ -82,6 +82,9 @@ pub(crate) struct Source {
     /// a table. As large a difference of a plane from the mean of all is taken, too [default: 1]
     #[arg(long, value_name = "CODES")]
     pub(crate) fit: Option<f64>,
+    /// The correlated colour temperature, in place of a light's colour; its luminance stays
+    #[arg(long, value_name = "KELVIN")]
+    pub(crate) kelvin: Option<f32>,
     /// Take the mean of a measured light's planes, however they differ
     #[arg(long)]
     pub(crate) round: bool,
@@ -222,10 +225,14 @@ impl Source {
         if lamps.lamps.is_empty() && lamps.refused.is_empty() {
             lamps.refused.push(Refusal::new("lights", "none", "at least one light"));
         }
+        if let Some(kelvin) = self.kelvin {
+            let white = lamps.lamps.into_iter().map(|lamp| lamp.with_kelvin(kelvin));
+            lamps.lamps = white.collect::<Result<_, _>>()?;
+        }
         let usage = self.usage(&lamps)?;
         for lamp in &mut lamps.lamps {
             let intensity = spot.intensity.map(|intensity| intensity * usage.full_scale as f32);
-            let place = Place { position: spot.position, axis: spot.axis, intensity, color: None };
+            let place = Place { position: spot.position, axis: spot.axis, intensity };
             lamp.light = placed(lamp.light, place)?;
         }
         Ok(Loaded { lamps, usage })

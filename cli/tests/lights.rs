@@ -160,6 +160,24 @@ fn planes_that_differ_are_taken_by_fit_or_as_round() {
     }
 }
 
+/// Candela stay, in what is printed and in `ies`; the strongest channel is 1.77 times as strong.
+#[test]
+fn a_white_of_a_temperature_has_the_candela_of_its_source() {
+    let told = text("import files/spot.ldt --kelvin 3000 --full-scale 2000");
+    assert!(told.contains("intensity 2000 cd, 3000 K, beam"), "{told}");
+    let json = text("export --from files/spot.ldt --kelvin 3000 --full-scale 2000 --to json");
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let light = &json["lights"][0];
+    let near = |found: &serde_json::Value, expected: f64| (found.as_f64().unwrap() - expected).abs() < 1e-3;
+    assert!(near(&light["intensity"], 1.7698) && near(&light["color"][1], 0.4773), "{light}");
+    assert_eq!(light["about"]["kelvin"], 3000.0);
+    let ies = |options: &str| text(&format!("export {options}--lumens 100 --field 20 --to ies"));
+    assert!(["", "--kelvin 3000 "].into_iter().all(|options| ies(options).contains("\n2148.972 2148.906 ")));
+    let torch = text("import --lumens 1000 --candela 20000");
+    let words = "beam 13.56, field 20.73, ends at";
+    assert!(torch.contains("exact, with an assumed edge") && torch.contains(words), "{torch}");
+}
+
 #[test]
 fn chart_has_both_marks_and_still_is_a_lit_wall() {
     let (chart, wall) = (temporary("chart.svg"), temporary("wall.png"));

@@ -186,6 +186,13 @@ fn options_have_their_effect_or_say_that_they_have_none() {
             0,
             "note: --edge has no effect",
         ),
+        ("export --to glsl --kelvin 3000 --color 1,1,1", 2, "cannot be used with"),
+        (
+            "export --to glsl --kelvin 999",
+            1,
+            "color temperature = 999: expected a finite number from 1000 to 25000 K",
+        ),
+        ("pick --chip cortex-m0 --display rgb565 --kelvin 999", 1, "color temperature = 999: expected"),
         ("export --to ies --color 1,0.5,0", 0, "note: ies has intensities over the angle alone"),
     ] {
         let (found, _, errors) = told(words(&command.replace("KINDS", KINDS)));

@@ -112,6 +112,15 @@ impl AnyLight {
         Ok(any!(self, Self, light => light.with_intensity(intensity)?.into()))
     }
 
+    /// Returns the light in white of a correlated colour temperature in kelvin; its luminance stays, and the
+    /// intensity is that of the strongest channel, as [`SpotLight::with_kelvin`] has it.
+    ///
+    /// # Errors
+    /// A temperature outside [1000, 25,000], or an intensity that exceeds 1e9.
+    pub fn with_kelvin(self, kelvin: f32) -> Result<Self, Error> {
+        Ok(any!(self, Self, light => light.with_kelvin(kelvin)?.into()))
+    }
+
     /// Returns whether the light emits nothing: its intensity is 0, or both of its colours are
     /// black.
     pub fn is_dark(&self) -> bool {

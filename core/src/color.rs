@@ -1,5 +1,7 @@
 //! Linear RGB colours.
 
+mod temperature;
+
 use core::ops::{Add, AddAssign};
 
 use crate::{

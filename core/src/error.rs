@@ -117,6 +117,8 @@ pub enum Parameter {
     SourceRadius,
     /// The exponent of an attenuation with distance.
     Decay,
+    /// The correlated colour temperature of a light, in kelvin.
+    ColorTemperature,
 }
 
 /// The accepted values of a parameter.
@@ -196,6 +198,7 @@ impl fmt::Display for Parameter {
             Self::Density => "density",
             Self::SourceRadius => "source radius",
             Self::Decay => "decay",
+            Self::ColorTemperature => "color temperature",
         })
     }
 }
@@ -203,7 +206,11 @@ impl fmt::Display for Parameter {
 impl Parameter {
     /// Returns the unit of the limits, where the name does not tell it.
     fn unit(self) -> &'static str {
-        if self == Self::Roll { " degrees" } else { "" }
+        match self {
+            Self::Roll => " degrees",
+            Self::ColorTemperature => " K",
+            _ => "",
+        }
     }
 }
 

@@ -33,6 +33,19 @@ macro_rules! emits {
                 Ok(Self { emission: self.emission.with_intensity(intensity)?, ..self })
             }
 
+            /// Returns the light in white of a correlated colour temperature in kelvin, also for highlights, as
+            /// [`Rgb::from_kelvin`] has it.
+            ///
+            /// The luminance stays: the intensity is that of the strongest channel, and of candela or lux
+            /// [`intensity`](Self::intensity) times [`Rgb::luminance`] remains. 2,700 K makes it 1.94 times that of
+            /// white.
+            ///
+            /// # Errors
+            /// A temperature outside [1000, 25,000], or an intensity that exceeds 1e9.
+            pub fn with_kelvin(self, kelvin: f32) -> Result<Self, Error> {
+                Ok(Self { emission: self.emission.with_kelvin(kelvin)?, ..self })
+            }
+
             /// Returns the linear colour.
             pub fn color(&self) -> Rgb<f32> {
                 self.emission.color
@@ -107,6 +120,12 @@ impl Emission {
 
     fn with_specular_color(self, specular_color: Rgb<f32>) -> Result<Self, Error> {
         Ok(Self { specular_color: checked_color(specular_color)?, ..self })
+    }
+
+    fn with_kelvin(self, kelvin: f32) -> Result<Self, Error> {
+        let white = Rgb::from_kelvin(kelvin)?;
+        let (strongest, luminance) = (white.strongest(), self.intensity * self.color.luminance());
+        self.with_color(white.map(|channel| channel / strongest))?.with_intensity(luminance * strongest)
     }
 
     fn with_intensity(self, intensity: f32) -> Result<Self, Error> {

@@ -30,7 +30,8 @@ pub(crate) fn convert(system: System, record: &mut Record) -> Result<Lamp, Refus
         .ok_or_else(|| Refusal::new("system", system, "a file of it, or a tool with numbers"))?;
     tool.prepare(record);
     let (key, least) = tool.color(record.kind);
-    let channels = record.triple(key, [1.0; 3])?;
+    let [own, white] = [record.triple(key, [1.0; 3])?, tool.white(record)?];
+    let channels = [0, 1, 2].map(|channel| own[channel] * white[channel]);
     // A channel over 1 is more light, not another colour.
     let strongest = channels.into_iter().fold(least, f64::max);
     let [red, green, blue] = channels.map(|channel| (channel / strongest) as f32);

@@ -179,8 +179,10 @@ fn photometry(
     if !(0.0..=255.0).contains(&reading.fit) {
         return Err(Refusal::new("fit", reading.fit, "a number from 0 to 255 linear codes"));
     }
-    let Photometry { name, curve, difference, notes } = reader(text, reading)?;
-    let lamps = measured::lamps(&name, &curve, difference, reading.fit)?;
+    let Photometry { name, curve, difference, kelvin, notes } = reader(text, reading)?;
+    let name = if name.is_empty() { "light" } else { &name };
+    let lamps = measured::lamps(name, &curve, difference, reading.fit)?;
+    let lamps = lamps.into_iter().map(|lamp| lamp.in_white(kelvin)).collect();
     Ok(Lamps { lamps, notes, ..Lamps::new(system) })
 }
 

@@ -2,7 +2,7 @@
 
 use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
-use luminaire::{DirectionalLight, PointLight, Rgb, SpotLight};
+use luminaire::{DirectionalLight, PointLight, SpotLight};
 use luminaire_export::json::NamedLight;
 use serde_json::json;
 
@@ -18,10 +18,16 @@ use crate::system::System;
 pub struct Lamp {
     /// The name in the file; not unique, and not an identifier.
     pub name: String,
-    /// The light. Its intensity is that of the source: candela, where the source has candela.
+    /// The light. Its intensity is that of the source, with a colour temperature that of its strongest channel:
+    /// [`own_intensity`](Self::own_intensity) is in the source's unit.
     pub light: AnyLight,
+    /// The correlated colour temperature in kelvin whose white is the light's colour, if the source or the user
+    /// states one.
+    pub kelvin: Option<f32>,
     /// The largest difference between the light and that of the source.
     pub difference: Difference,
+    /// Whether the source leaves the falloff open, as one published angle does.
+    pub is_assumed: bool,
     /// The measured intensities of a photometric file, over the whole sphere for a point light.
     pub measured: Option<Curve>,
     /// The cones that were tried for the measured intensities, the cheapest first; the last one is that
@@ -41,7 +47,9 @@ impl Lamp {
         Self {
             name: name.into(),
             light: light.into(),
+            kelvin: None,
             difference: Difference::default(),
+            is_assumed: false,
             measured: None,
             fits: Vec::new(),
             widest: None,
@@ -53,8 +61,39 @@ impl Lamp {
     /// Returns the light, and for a zoom a second light of the widest cone: the ends of
     /// [`Cone::zoomed`](luminaire::Cone::zoomed).
     pub fn ends(self) -> impl Iterator<Item = Self> {
-        let widest = self.widest.map(|light| Self::new(format!("{}, widest", self.name), light));
+        let (kelvin, is_assumed) = (self.kelvin, self.is_assumed);
+        let widest =
+            |light| Self { kelvin, is_assumed, ..Self::new(format!("{}, widest", self.name), light) };
+        let widest = self.widest.map(widest);
         std::iter::once(self).chain(widest)
+    }
+
+    /// Returns the light, and that of its widest zoom, in white of a correlated colour temperature. The luminance
+    /// stays: the intensity of the strongest channel exceeds that of the source.
+    ///
+    /// # Errors
+    /// A temperature outside [1000, 25,000] kelvin, or an intensity that exceeds 1e9.
+    pub fn with_kelvin(self, kelvin: f32) -> Result<Self, Refusal> {
+        let light = self.light.with_kelvin(kelvin)?;
+        let widest = self.widest.map(|light| light.with_kelvin(kelvin)).transpose()?;
+        Ok(Self { light, widest, kelvin: Some(kelvin), ..self })
+    }
+
+    /// Returns the light in white of the temperature that its source states, or as it is, with a note why.
+    pub(crate) fn in_white(mut self, kelvin: Option<f64>) -> Self {
+        let white = kelvin.map(|kelvin| self.clone().with_kelvin(kelvin as f32));
+        match white {
+            None => return self,
+            Some(Ok(white)) => return white,
+            Some(Err(refusal)) => self.notes.push(format!("white is not that of the file: {refusal}")),
+        }
+        self
+    }
+
+    /// Returns the intensity in the unit of the source: candela, where the source has candela.
+    pub fn own_intensity(&self) -> f64 {
+        let luminance = self.kelvin.map_or(1.0, |_| self.light.color().luminance());
+        f64::from(self.light.intensity() * luminance)
     }
 
     /// Returns the attenuation; `None` of a directional light.
@@ -66,10 +105,27 @@ impl Lamp {
         }
     }
 
-    /// Returns the irradiance on the axis at a distance.
+    /// Returns the irradiance of the strongest channel on the axis at a distance.
     pub fn at(&self, distance: f64) -> f64 {
-        let share = self.attenuation().map_or(1.0, |attenuation| attenuation.exact(distance));
-        f64::from(self.light.intensity()) * share
+        f64::from(self.light.intensity()) * self.share(distance)
+    }
+
+    /// Returns the irradiance on the axis at a distance in the unit of the source: lux, where the source has candela.
+    pub fn lit(&self, distance: f64) -> f64 {
+        self.own_intensity() * self.share(distance)
+    }
+
+    fn share(&self, distance: f64) -> f64 {
+        self.attenuation().map_or(1.0, |attenuation| attenuation.exact(distance))
+    }
+
+    /// Returns the light in a linear colour, with the intensity of its source.
+    ///
+    /// # Errors
+    /// A channel outside [0, 1].
+    pub fn with_color(self, color: [f32; 3]) -> Result<Self, Refusal> {
+        let light = self.light.with_color(color.into())?.with_intensity(self.own_intensity() as f32)?;
+        Ok(Self { light, kelvin: None, ..self })
     }
 
     /// Returns the intensities over the angle: those that were measured, or those of a spotlight at
@@ -81,7 +137,7 @@ impl Lamp {
             return self.measured.clone();
         }
         let AnyLight::Spot(spot) = &self.light else { return None };
-        let (cone, candela) = (spot.cone(), f64::from(spot.intensity()));
+        let (cone, candela) = (spot.cone(), self.own_intensity());
         let [start, end] = [cone.inner(), cone.outer()].map(|full| f64::from(full.to_degrees()) / 2.0);
         let cells = ((end - start) / 2e-4).clamp(1.0, 256.0) as u32;
         let even = (1..cells).map(|i| start + (end - start) * f64::from(i) / f64::from(cells));
@@ -108,6 +164,9 @@ impl Lamp {
             "difference": { "angle": angle, "place": place, "distance": distance },
             "full_scale": usage.full_scale,
         });
+        if let Some(kelvin) = self.kelvin {
+            about["kelvin"] = kelvin.into();
+        }
         if let Some(curve) = &self.measured {
             let angle = |share, definition| curve.angle(share, definition);
             about["photometry"] = json!({
@@ -152,7 +211,7 @@ impl Use {
     }
 }
 
-/// A place, an intensity and a colour in place of those of a light.
+/// A place and an intensity in place of those of a light.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Place {
     /// The position.
@@ -161,8 +220,6 @@ pub struct Place {
     pub axis: Option<[f32; 3]>,
     /// The intensity.
     pub intensity: Option<f32>,
-    /// The linear colour, also that of highlights.
-    pub color: Option<[f32; 3]>,
 }
 
 /// Returns a light at another place.
@@ -171,10 +228,6 @@ pub struct Place {
 /// A value that the constructors of the light reject.
 pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
     let intensity = place.intensity.unwrap_or(light.intensity());
-    let colors = match place.color {
-        Some([red, green, blue]) => [Rgb::new(red, green, blue); 2],
-        None => [light.color(), light.specular_color()],
-    };
     let moved: AnyLight = match light {
         AnyLight::Spot(spot) => {
             let position = place.position.map_or(spot.position(), Into::into);
@@ -189,8 +242,8 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
             DirectionalLight::new(place.axis.map_or(sun.given_direction(), Into::into))?.into()
         }
     };
-    let [color, specular] = colors;
-    Ok(moved.with_color(color)?.with_specular_color(specular)?.with_intensity(intensity)?)
+    let moved = moved.with_color(light.color())?.with_specular_color(light.specular_color())?;
+    Ok(moved.with_intensity(intensity)?)
 }
 
 /// The lights of one input.

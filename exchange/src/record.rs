@@ -125,6 +125,15 @@ impl Record {
         Ok(within(value, least, most).unwrap_or(value))
     }
 
+    /// Returns all numbers of a value, or `None` if it was not given.
+    pub(crate) fn numbers(&mut self, key: &str) -> Result<Option<Vec<f64>>, Refusal> {
+        match self.value(key) {
+            None => Ok(None),
+            Some(Value::Numbers(numbers)) => Ok(Some(numbers)),
+            Some(other) => Err(Refusal::new(key, shown(&other), "numbers")),
+        }
+    }
+
     /// Returns three numbers, or their default. One number stands for three equal ones.
     pub(crate) fn triple(&mut self, key: &str, default: [f64; 3]) -> Result<[f64; 3], Refusal> {
         match self.value(key) {

@@ -12,6 +12,7 @@ use crate::difference::Difference;
 use crate::lamp::Lamp;
 use crate::limits::within;
 use crate::refusal::Refusal;
+use crate::versine::of_versine;
 
 /// The edge of a light of which one angle is known.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -41,6 +42,8 @@ pub struct Sheet {
     pub lumens: Option<f64>,
     /// The intensity on the axis in candela.
     pub candela: Option<f64>,
+    /// The correlated colour temperature in kelvin. Outside [1000, 25,000], the light is white, with a note.
+    pub kelvin: Option<f64>,
     /// The distance of `lux` in metres.
     pub throw: Option<f64>,
     /// The illuminance on the axis in lux.
@@ -57,10 +60,11 @@ impl Sheet {
     /// Returns the light, at the origin and down along -y.
     ///
     /// Its intensity is `candela`, else that of `lux`, else that of `lumens`, else 1. The widest zoom
-    /// has the same flux. A light of 360 degrees is a point light.
+    /// has the same flux. A light of 360 degrees is a point light. Without an angle, the cone is the one that has
+    /// `lumens` at this intensity.
     ///
     /// # Errors
-    /// Angles of no cone, an intensity outside [0, 1e9] candela, or `lux` without `throw`.
+    /// Angles of no cone, more lumens than a cone of 180 degrees has, an intensity outside [0, 1e9] candela, or `lux` without `throw`.
     pub fn lamp(&self) -> Result<Lamp, Refusal> {
         for (key, value) in [("lumens", self.lumens), ("candela", self.candela), ("lux", self.lux)] {
             if let Some(value) = value.filter(|value| !(0.0..=1e9).contains(value)) {
@@ -84,9 +88,6 @@ impl Sheet {
             notes.push("the published angle is too wide for a beam angle: it is the field angle".into());
             (published, angles[0], widest) = (None, None, widest.map(|[_, field]| [None, field]));
         }
-        let cone = if is_globe { None } else { Some(self.cone(angles)?) };
-        let candela = |lumens: f32| cone.map_or(lumens / (4.0 * PI), |cone| cone.candela(lumens));
-
         let throw = self.throw.filter(|throw| *throw > 0.0);
         let lux = match (self.lux, throw) {
             (Some(lux), None) => {
@@ -98,6 +99,18 @@ impl Sheet {
             }
             (lux, throw) => lux.zip(throw).map(|(lux, throw)| lux * throw * throw),
         };
+        let cone = match (angles, self.lumens.zip(self.candela.or(lux))) {
+            _ if is_globe => None,
+            ([None, None], Some((lumens, candela))) => Some(self.cone_of_flux(lumens, candela)?),
+            _ => Some(self.cone(angles)?),
+        };
+        if let ([None, None], Some(cone)) = (angles, cone) {
+            let [beam, field] = [cone.beam(), cone.field()].map(|angle| angle.to_degrees());
+            notes.push(format!(
+                "the angles follow from flux and peak: beam {beam:.2}, field {field:.2} degrees"
+            ));
+        }
+        let candela = |lumens: f32| cone.map_or(lumens / (4.0 * PI), |cone| cone.candela(lumens));
         let flux = self.lumens.map(|lumens| f64::from(candela(lumens as f32)));
         let peaks = [("intensity", self.candela), ("illuminance", lux), ("flux", flux)];
         let mut peaks = peaks.into_iter().filter_map(|(source, peak)| Some((source, peak?)));
@@ -131,15 +144,38 @@ impl Sheet {
             notes.push(format!("the widest zoom is left out: {refusal}"));
         }
         let (name, light, difference) = (self.name.clone(), lit(cone, intensity)?, Difference::default());
-        let widest = wide.and_then(Result::ok);
-        Ok(Lamp { difference, widest, notes, ..Lamp::new(name, light) })
+        let (widest, is_assumed) = (wide.and_then(Result::ok), cone.is_some() && !self.has_two_angles());
+        Ok(Lamp { difference, is_assumed, widest, notes, ..Lamp::new(name, light) }.in_white(self.kelvin))
+    }
+
+    /// Returns whether beam and field angle are known: two equal ones are one.
+    fn has_two_angles(&self) -> bool {
+        self.beam.is_some() && self.field.is_some() && self.beam != self.field
+    }
+
+    fn falloff(&self) -> AnyFalloff {
+        if self.edge == Edge::Soft { Soft.into() } else { Hard.into() }
+    }
+
+    /// Returns the cone that has a flux at a peak. Of a falloff, the flux is in proportion to the versine of the edge.
+    fn cone_of_flux(&self, lumens: f64, candela: f64) -> Result<Cone<AnyFalloff>, Refusal> {
+        let widest = Cone::from_outer(self.falloff(), Angle::degrees(180.0))?;
+        let most = candela * f64::from(widest.lumens(1.0));
+        if !(lumens > 0.0 && lumens <= most) {
+            let [most, peak] = [number(most as f32, "lm"), number(candela as f32, "cd")];
+            let expected = format_args!(
+                "over 0 and at most {most}, those of {peak} in a cone of 180 degrees; or an angle"
+            );
+            return Err(Refusal::new("lumens", lumens, expected));
+        }
+        let outer = 2.0 * of_versine(lumens / most).to_degrees();
+        Ok(Cone::from_outer(self.falloff(), Angle::degrees(outer as f32))?)
     }
 
     /// Returns the cone of one angle or of two different ones.
     fn cone(&self, [beam, field]: [Option<f64>; 2]) -> Result<Cone<AnyFalloff>, Refusal> {
         let field = field.filter(|_| beam != field);
-        let falloff = if self.edge == Edge::Soft { AnyFalloff::from(Soft) } else { Hard.into() };
-        let falloff = (beam.is_none() || field.is_none()).then_some(falloff);
+        let falloff = (beam.is_none() || field.is_none()).then_some(self.falloff());
         let [beam, field] = [beam, field].map(|angle| angle.map(|degrees| Angle::degrees(degrees as f32)));
         Ok(json::from_angles(falloff, [beam, field, None], None, None)?)
     }
@@ -233,6 +269,27 @@ mod tests {
         };
         let notes = |candela| notes(candela).lamp().unwrap().notes.len();
         assert_eq!([notes(100.0 / 1.09), notes(100.0 / 1.11)], [1, 2]);
+    }
+
+    /// The data of a torch: its lumens and the candela of its beam.
+    #[test]
+    fn flux_and_peak_give_the_cone_and_back() {
+        for edge in [Edge::Soft, Edge::Hard] {
+            for degrees in [0.5, 12.0, 179.0] {
+                let cone = Sheet { edge, ..Sheet::default() }.cone([Some(degrees / 2.0), None]).unwrap();
+                let sheet = |lumens| {
+                    let (lumens, candela) = (Some(f64::from(cone.lumens(3_000.0)) * lumens), Some(3_000.0));
+                    Sheet { lumens, candela, edge, ..Sheet::default() }.lamp()
+                };
+                let lamp = sheet(1.0).unwrap();
+                let AnyLight::Spot(spot) = lamp.light else { panic!("expected a spotlight") };
+                let near = spot.cone().beam().to_degrees() / cone.beam().to_degrees() - 1.0;
+                assert!(near.abs() < 1e-4 && lamp.is_assumed, "{degrees} degrees: {spot:?}");
+                assert_eq!((spot.intensity(), lamp.notes.len()), (3_000.0, 2), "{:?}", lamp.notes);
+                let refused = sheet(1e5).unwrap_err();
+                assert!(refused.expected.contains("3,000 cd in a cone of 180 degrees"), "{refused}");
+            }
+        }
     }
 
     #[test]

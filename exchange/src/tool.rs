@@ -23,7 +23,7 @@ use luminaire::attenuation::{
     AnyAttenuation, CutAt, Decay, FilamentRange, InverseSquare, NoAttenuation, Polynomial, Windowed,
 };
 use luminaire::falloff::{AnyFalloff, Soft, Step};
-use luminaire::{Cone, SpotLight, Vec3};
+use luminaire::{Cone, Rgb, SpotLight, Vec3};
 
 use crate::difference::Difference;
 use crate::family::{Family, Free};
@@ -54,6 +54,11 @@ pub(crate) trait Tool {
     /// Returns the name of the colour, and the value of its channels that leaves the intensity unchanged.
     fn color(&self, _: Kind) -> (&'static str, f64) {
         ("color", 1.0)
+    }
+
+    /// Returns the white of the light's colour temperature, as the tool has it: its colour is multiplied by it.
+    fn white(&self, _: &mut Record) -> Result<[f64; 3], Refusal> {
+        Ok([1.0; 3])
     }
 
     /// Returns the light of a record as a spotlight, whatever its kind: a point light is that without its cone.
@@ -244,6 +249,11 @@ fn is_set(record: &mut Record, key: &str, default: &str) -> Result<bool, Refusal
         "1" | "true" => true,
         other => return Err(Refusal::new(key, other, "0, 1, false or true")),
     })
+}
+
+/// Returns the light of a black body of luminance 1, of a temperature that the tool clamps.
+fn black_body(kelvin: f64, [least, most]: [f64; 2]) -> Result<[f64; 3], Refusal> {
+    Ok(<[f32; 3]>::from(Rgb::black_body(kelvin.clamp(least, most) as f32)?).map(f64::from))
 }
 
 /// Returns a strength times a power of 2.

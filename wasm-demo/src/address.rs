@@ -32,10 +32,10 @@ const VERSION: &str = "1";
 type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, &mut Setting) -> Option<()>);
 
 /// The settings of a light: `x` off, `k` kind, `a` law of distance and `e` edge, by their names and numbers,
-/// `o` own cone, `b` and `f` beam and field angle, `l` fixture, `c` colour, `i` intensity as a multiple of
-/// full scale at 1 metre, `p` position, `t` target. Three numbers without a name are a polynomial of the distance,
+/// `o` own cone, `b` and `f` beam and field angle, `l` fixture, `c` colour, `w` white of a colour temperature, `i`
+/// intensity as a multiple of full scale at 1 metre, `p` position, `t` target. Three numbers without a name are a polynomial of the distance,
 /// as in older addresses.
-const SETTINGS: [Letter; 12] = [
+const SETTINGS: [Letter; 13] = [
     (
         'x',
         |light| (!light.is_on).then(String::new),
@@ -83,6 +83,11 @@ const SETTINGS: [Letter; 12] = [
         'c',
         |light| light.color.map(|[red, green, blue]| format!("{red:02x}{green:02x}{blue:02x}")),
         |text, light| channels(text).map(|color| light.color = Some(color)),
+    ),
+    (
+        'w',
+        |light| Some(light.kelvin?.to_string()),
+        |text, light| read(text).map(|kelvin| (light.kelvin, light.color) = (Some(kelvin), None)),
     ),
     (
         'i',
@@ -283,6 +288,8 @@ mod tests {
             _ => {}
         }
         setting.color = random.bool().then(|| [random.u8(..), random.u8(..), random.u8(..)]);
+        let is_white = setting.color.is_none() && random.bool();
+        setting.kelvin = is_white.then(|| 1000.0 + 24_000.0 * random.f32());
         setting.intensity = random.bool().then(|| number(random));
         setting.position = random.bool().then(|| vector(random));
         setting.target = random.bool().then(|| vector(random));

@@ -114,7 +114,8 @@ impl Stage {
         // The aim of a light that the scene moves is that at this time.
         let now = self.lit(light)?;
         let surfaces = Surfaces::of(self.rig().scene());
-        let candela = full_scale * on.intensity();
+        let strongest = full_scale * on.intensity();
+        let candela = setting.kelvin.map_or(strongest, |_| strongest * on.color().luminance());
         let mut state = LightState {
             name: original.name.to_owned(),
             on: setting.is_on,
@@ -128,6 +129,8 @@ impl Stage {
             edge_numbers: setting.chosen_edge().map_or(Vec::new(), |edge| edge.values()),
             own_edge,
             intensity: candela,
+            strongest,
+            kelvin: setting.kelvin,
             unit: if matches!(on, AnyLight::Directional(_)) { "lx" } else { "cd" }.to_owned(),
             lumens: lumens_of(on, candela),
             color: hex_of(on.color()),

@@ -1,7 +1,7 @@
 //! The JavaScript class of a file of another tool: its lights, for the page.
 
 use crate::{light::hex_of, own_cone, refusal::Refusal};
-use luminaire::{Cone, dynamic::AnyLight, falloff::AnyFalloff};
+use luminaire::{Cone, dynamic::AnyLight, falloff::AnyFalloff, projector::Projection};
 use luminaire_exchange::{
     Curve, Definition, Lamp, Lamps, Reading, Residual, Use, fits, number, parameters, read, share,
 };
@@ -69,13 +69,16 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
     };
     let [cd, lx] = if is_photometric { ["cd", "lx"] } else { ["of full scale"; 2] };
     let axis = |curve: &Curve| curve.at(0.0) / curve.peak().0.max(f64::MIN_POSITIVE);
-    let lux = lamp.at(throw) * curve.as_ref().map_or(1.0, axis);
+    let lux = lamp.lit(throw) * curve.as_ref().map_or(1.0, axis);
     let flux = curve.as_ref().filter(|_| is_photometric).map(|curve| number(curve.lumens() as f32, "lm"));
     let cone_angles =
         angle(0.5).zip(angle(0.1)).map(|(beam, field)| format!("beam {beam:.2}°, field {field:.2}°"));
-    let peak = format!("Peak {}", number(lamp.light.intensity(), cd));
+    let intensity = lamp.own_intensity();
+    let peak = format!("Peak {}", number(intensity as f32, cd));
+    let white = lamp.kelvin.map(|kelvin| format!("{kelvin} K"));
     let lit = format!("{} at {throw:.2} m", number(lux as f32, lx));
-    let photometry: Vec<_> = [Some(peak), flux, cone_angles, Some(lit)].into_iter().flatten().collect();
+    let photometry: Vec<_> =
+        [Some(peak), flux, cone_angles, Some(lit), white].into_iter().flatten().collect();
     // A tail of faint light would make the drawing narrow.
     let end = curve.as_ref().map_or(0.0, Curve::end).min(angle(0.1).unwrap_or(180.0)).max(degrees);
     let angles = (0..=210).map(|i| f64::from(i) / 200.0 * end);
@@ -83,13 +86,22 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
         curve.points().iter().map(|point| [point.0, point.1 / curve.peak().0]).filter(|point| point[0] <= end)
     });
     let table = fit.filter(|fit| fit.name == "table").and(lamp.measured.as_ref());
-    let color = hex_of(lamp.light.color()).replace('#', ":c");
-    let settings = |cone: &Cone<_>| format!(":o{}{color}", own_cone::write(cone));
+    let color = match lamp.kelvin {
+        Some(kelvin) => format!(":w{kelvin}"),
+        None => hex_of(lamp.light.color()).replace('#', ":c"),
+    };
+    // On the stage a spotlight has a shadow, which ends at the widest projection.
+    let widest = Projection::WIDEST;
+    let staged = cone.map(|cone| table.and_then(ended).unwrap_or(cone));
+    let cut = staged.filter(|cone| cone.outer_versine() > widest.versine());
+    let cut = cut.and_then(|cone| cone.with_cutoff(widest).ok());
+    let settings = |cone: Cone<_>| format!(":o{}{color}", own_cone::write(&cone));
     json!({
         "name": lamp.name,
         "fit": fit.map(|fit| fit.name),
-        "settings": cone.map(|cone| settings(&table.and_then(ended).unwrap_or(cone))),
-        "intensity": lamp.light.intensity(),
+        "settings": cut.or(staged).map(settings),
+        "isCut": cut.is_some(),
+        "intensity": intensity,
         "isCandela": is_photometric,
         "beam": angle(0.5),
         "field": angle(0.1),

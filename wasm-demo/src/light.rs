@@ -39,8 +39,12 @@ pub struct LightState {
     pub own_edge: String,
     /// The colour as `#rrggbb`, sRGB.
     pub color: String,
+    /// The colour temperature in kelvin that the visitor has chosen.
+    pub kelvin: Option<f32>,
     /// The intensity on the axis in `unit`.
     pub intensity: f32,
+    /// The same of the strongest channel: more, if the colour is that of a temperature.
+    pub strongest: f32,
     /// `cd`, or `lx` for a directional light.
     pub unit: String,
     /// The luminous flux in lumens; nothing for a directional light.
@@ -80,6 +84,8 @@ pub struct DialEnds {
     pub zoom: Vec<f32>,
     /// Of the intensity on the axis, in the unit of the light.
     pub intensity: Vec<f32>,
+    /// Of the colour temperature in kelvin.
+    pub kelvin: Vec<f32>,
     /// Of each number of the law of distance, one after the other.
     pub law: Vec<f32>,
     /// Of each number of the edge.

@@ -209,7 +209,9 @@ impl Rig {
             && (before.kind, before.law) != (after.kind, after.law)
             && let AnyLight::Spot(hung) = self.on(&Setting { kind: Some(Effect::Spot), ..*before })?.light()
         {
-            let [before, now] = [self.on(before)?, self.on(after)?];
+            // The intensity of a setting is that of white.
+            let [before, now] = [Setting { kelvin: None, ..*before }, Setting { kelvin: None, ..*after }];
+            let [before, now] = [self.on(&before)?, self.on(&now)?];
             after.intensity = Some(kept(before.light(), now.light(), self.throw(hung)));
         }
         Ok(())

@@ -41,7 +41,9 @@ pub(crate) struct Setting {
     pub(crate) fixture: Option<&'static Fixture>,
     /// The colour in sRGB.
     pub(crate) color: Option<[u8; 3]>,
-    /// The intensity on the axis, as a multiple of full scale at 1 metre.
+    /// The colour temperature in kelvin of a white light, in place of a colour.
+    pub(crate) kelvin: Option<f32>,
+    /// The intensity on the axis, as a multiple of full scale at 1 metre; of a white light that of its luminance.
     pub(crate) intensity: Option<f32>,
     pub(crate) position: Option<Vec3<f32>>,
     /// The point at which the light aims. It ends the sweep of a light that the scene moves.
@@ -57,8 +59,8 @@ impl Setting {
     /// Sets a value by its name, for the `original` light of a scene that shows `full_scale` lux as
     /// full scale: the `beam`, `field` or `zoom` angle in degrees, where a light that has both angles
     /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light; a number
-    /// of the chosen law of distance or edge, by its place behind `law-` or `edge-`; or the `intensity`
-    /// in candela, or in lux for a directional light. Angles and edges conserve the flux.
+    /// of the chosen law of distance or edge, by its place behind `law-` or `edge-`; the colour temperature `kelvin`;
+    /// or the `intensity` in candela, or in lux for a directional light. Angles and edges conserve the flux.
     pub(crate) fn set_number(
         &mut self,
         name: &str,
@@ -73,6 +75,10 @@ impl Setting {
             "fit-field" => self.reshape(original, &|setting, cone| setting.fit(Mark::Field, value, cone)),
             "zoom" => self.reshape(original, &|setting, _| setting.set_zoom(value)),
             "intensity" => self.set_intensity(value, full_scale),
+            "kelvin" => {
+                (self.kelvin, self.color) = (Some(value), None);
+                Ok(())
+            }
             _ => self.set_number_of_model(name, value, original),
         }
     }
@@ -91,7 +97,7 @@ impl Setting {
             "kind" => self.kind = Some(choose("kind of light", value, &KINDS, Effect::name)?),
             "law" => self.law = AnyAttenuation::chosen("law", value, &["own"])?,
             "edge" => self.reshape(original, &|setting, cone| setting.set_edge(value, cone))?,
-            "color" => self.color = Some(channels_of(value)?),
+            "color" => (self.color, self.kelvin) = (Some(channels_of(value)?), None),
             "fixture" => {
                 self.reshape(original, &|setting, _| setting.set_fixture(value))?;
                 self.take_flux(original, full_scale)?;
@@ -236,7 +242,8 @@ impl Setting {
                 Ok(())
             });
         }
-        let expected = "beam, field, fit-beam, fit-field, zoom, intensity, or law- or edge- with a place";
+        let expected =
+            "beam, field, fit-beam, fit-field, zoom, intensity, kelvin, or law- or edge- with a place";
         Err(Refusal::name("number of a light", name, expected))
     }
 
@@ -287,7 +294,7 @@ impl Setting {
         let light = self.emitting(light, self.intensity.unwrap_or(light.intensity()))?;
         // Beyond the largest intensity the exposure changes no displayed code.
         let intensity = if self.is_on { (gain * light.intensity()).min(BRIGHTEST) } else { 0.0 };
-        let fixture = original.with_light(self.emitting(light, intensity)?);
+        let fixture = original.with_light(light.with_intensity(intensity)?);
         Ok(if self.target.is_some() { fixture.aimed() } else { fixture })
     }
 
@@ -316,7 +323,13 @@ impl Setting {
 
     fn emitting(&self, light: AnyLight, intensity: f32) -> Result<AnyLight, Error> {
         let color = self.color.map(|[red, green, blue]| Rgb::new(red, green, blue).map(decode_srgb));
-        color.map_or(Ok(light), |color| light.with_color(color))?.with_intensity(intensity)
+        let color = color.or(self.kelvin.map(|_| Rgb::new(1.0, 1.0, 1.0)));
+        let light = color.map_or(Ok(light), |color| light.with_color(color))?.with_intensity(intensity)?;
+        let Some(kelvin) = self.kelvin else { return Ok(light) };
+        // The strongest channel of a white may be several times as strong, and beyond the largest intensity no
+        // displayed code changes.
+        let most = 0.999_999 * BRIGHTEST / Rgb::from_kelvin(kelvin)?.strongest();
+        light.with_intensity(intensity.min(most))?.with_kelvin(kelvin)
     }
 
     /// The edge that the visitor has chosen; `None` for the light's own, or one that both angles determine.

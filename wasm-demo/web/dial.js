@@ -82,15 +82,16 @@ export class Dial {
   /**
    * Shows a value, except on the control that it comes from: nobody wants his text rewritten while
    * he types.
-   * @param {number} value
+   * @param {number} value NaN for none: the number is empty, and the slider in its middle
    * @param {Element} [source]
    */
   show(value, source) {
     this.#value = value;
-    if (source !== this.#number) this.#number.value = String(tidy(value));
+    const text = Number.isNaN(value) ? "" : String(tidy(value));
+    if (source !== this.#number) this.#number.value = text;
     if (source !== this.#slider) this.#slider.value = String(this.#place(this.#within(value)));
     showPart(this.#slider);
-    this.#slider.setAttribute("aria-valuetext", `${tidy(value)}${this.#unit}`);
+    this.#slider.setAttribute("aria-valuetext", text === "" ? "not set" : text + this.#unit);
   }
 
   /** @param {number} value */

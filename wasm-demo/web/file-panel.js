@@ -10,7 +10,7 @@ import { label, line, shape } from "./shapes.js";
 /**
  * A light, as the module describes it; the throw of the selected light of the stage in metres, and what puts a light there and
  * returns the outcome in words.
- * @typedef {{ name: string, fit: string | null, settings: string | null, intensity: number, isCandela: boolean, beam: number,
+ * @typedef {{ name: string, fit: string | null, settings: string | null, isCut: boolean, intensity: number, isCandela: boolean, beam: number,
  *   field: number, difference: string, photometry: string, points: number[][], drawn: number[][], notes: string[] }} FileLight
  * @typedef {{ throwOf: () => number, put: (light: FileLight) => string }} OnStage
  */
@@ -45,7 +45,7 @@ export async function openPanel(place, { throwOf, put }) {
     }
   };
   const show = () => {
-    const { name, fit, settings, difference, photometry, notes } = light();
+    const { name, fit, settings, isCut, difference, photometry, notes } = light();
     element("fit").textContent = name + (fit ? `: ${fit}` : "");
     element("difference").textContent = difference;
     find("file-curve", SVGElement).replaceChildren(...(settings ? curve(light()) : []));
@@ -53,7 +53,7 @@ export async function openPanel(place, { throwOf, put }) {
     element("photometry").textContent = [photometry, ...notes].join("\n");
     find("file-put", HTMLButtonElement).disabled = !settings;
     element("put-told").textContent = settings
-      ? "The selected light keeps its place, its aim and its attenuation. A measured light ends where it falls to half of a code of 255."
+      ? `The selected light keeps its place, its aim and its attenuation. A measured light ends where it falls to half of a code of 255${isCut ? ", and at 80° off its axis, as far as shadows reach" : ""}.`
       : "Only a spotlight can be put on the stage.";
     showParameters();
   };

@@ -21,6 +21,9 @@ const select = (name) => find(`light-${name}`, HTMLSelectElement);
 /** The choices whose models have dials for their numbers. */
 const CHOICES = /** @type {const} */ (["law", "edge"]);
 
+/** The units of the dials, for people who hear their values. */
+const UNITS = { beam: "°", field: "°", zoom: "°", intensity: "", kelvin: " K" };
+
 /**
  * The fields of a position and of an aim.
  * @type {Record<"position" | "aim", string[]>}
@@ -60,7 +63,8 @@ export class LightPanel {
       element(choice).append(...this.#models[choice].map(({ name }) => new Option(name.replaceAll("-", " "), name)));
     }
     const [beam, field] = [this.#dial("beam"), this.#dial("field")];
-    this.#dials = { beam, field, zoom: this.#dial("zoom"), intensity: this.#dial("intensity") };
+    const [zoom, intensity, kelvin] = [this.#dial("zoom"), this.#dial("intensity"), this.#dial("kelvin")];
+    this.#dials = { beam, field, zoom, intensity, kelvin };
     const choices = { kind: select, law: select, fixture: input, reading: select, edge: select, color: input };
     for (const [name, kind] of Object.entries(choices)) {
       const control = kind(name);
@@ -110,12 +114,12 @@ export class LightPanel {
    * @param {Element} [source]
    */
   #showDials(state, source) {
-    const { beam, field, zoom, intensity } = this.#dials;
+    const { beam, field, zoom, intensity, kelvin } = this.#dials;
     const fixture = findFixture(state.fixture);
     const ends = plain(this.#stage.dialEnds(this.#light));
-    for (const name of /** @type {const} */ (["beam", "field", "zoom", "intensity"])) {
+    for (const name of /** @type {const} */ (["beam", "field", "zoom", "intensity", "kelvin"])) {
       const [least, most] = ends[name];
-      if (most !== undefined) this.#dials[name].range(least, most, name === "intensity" ? "" : "°");
+      if (most !== undefined) this.#dials[name].range(least, most, UNITS[name]);
     }
     // A directional light has no distance.
     select("law").disabled = state.position.length === 0;
@@ -123,6 +127,7 @@ export class LightPanel {
     this.#showNumbers("edge", state.isSpot ? state.edge : "", state.edgeNumbers, ends.edge, source);
     intensity.show(Number(state.intensity.toPrecision(4)), source);
     element("unit").textContent = state.unit;
+    kelvin.show(state.kelvin ?? NaN, source);
     if (!state.isSpot) return;
     beam.show(state.beam, source);
     field.show(state.field, source);

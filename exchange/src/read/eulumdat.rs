@@ -56,7 +56,14 @@ pub(crate) fn read(text: &str, reading: Reading) -> Result<Photometry, Refusal> 
     if sets > 1 {
         notes.push(format!("The intensities are those with the first of {sets} sets of lamps."));
     }
-    lines.skip(3 + 6 * (sets - 1) + 10)?; // colours and power, the other sets, ratios of rooms
+    let color = lines.text("colour temperature")?;
+    let kelvin = kelvin(color);
+    let is_bare = color.trim_end_matches(['K', ' ']).parse() == Ok(kelvin.unwrap_or_default());
+    if !is_bare && !color.is_empty() {
+        let taken = kelvin.map_or("no temperature".to_owned(), |kelvin| format!("{kelvin} K"));
+        notes.push(format!("The colour temperature `{color:.40}` is taken as {taken}."));
+    }
+    lines.skip(2 + 6 * (sets - 1) + 10)?; // colour rendition and power, the other sets, ratios of rooms
     let all = lines.ascending("C plane", planes, 0.0..=360.0)?;
     let vertical = lines.ascending("angle", angles, -90.0..=180.0)?;
 
@@ -65,7 +72,17 @@ pub(crate) fn read(text: &str, reading: Reading) -> Result<Photometry, Refusal> 
     let again = all.iter().map(|angle| angle + 360.0);
     let horizontal: Vec<_> = all[planes * from / 4..].iter().copied().chain(again).take(count).collect();
     let candela = lines.candela(angles.saturating_mul(count), factor)?;
-    Planes { symmetry, horizontal, vertical, candela }.light(&names, notes, reading)
+    let light = Planes { symmetry, horizontal, vertical, candela }.light(&names, notes, reading)?;
+    Ok(Photometry { kelvin, ..light })
+}
+
+/// Returns the correlated colour temperature of a text such as `3000`, `3000 K` or `warm 2700K`, or of a lamp's
+/// colour code: its last two digits are hundreds of kelvin, so that `830` is 3000 K (DIN 5035 and IEC 60081).
+fn kelvin(text: &str) -> Option<f64> {
+    let number = |digits: &str| digits.parse::<u32>().ok();
+    let number =
+        text.split(|c: char| !c.is_ascii_digit()).filter_map(number).find(|number| *number >= 100)?;
+    Some(f64::from(if number < 1_000 { number % 100 * 100 } else { number }))
 }
 
 #[cfg(test)]
@@ -78,6 +95,26 @@ mod tests {
 
     const FILE: &str = include_str!("../../tests/files/spot.ldt");
     const PLANE: &str = "4000\n3800\n1000\n10\n0\n";
+
+    /// The text of a real file's line, and what it means.
+    #[test]
+    fn eulumdat_temperatures_are_numbers_or_codes() {
+        for (text, kelvin, is_noted) in [
+            ("3000", Some(3000.0), false),
+            ("4000 K", Some(4000.0), false),
+            ("830", Some(3000.0), true),
+            ("tw / 2700-6500K", Some(2700.0), true),
+            ("warm white", None, true),
+            ("", None, false),
+        ] {
+            let file = FILE.replacen("\n3000\n", &format!("\n{text}\n"), 1);
+            let found = read(&file).unwrap();
+            assert_eq!(
+                (found.kelvin, found.notes.iter().any(|note| note.contains("colour"))),
+                (kelvin, is_noted)
+            );
+        }
+    }
 
     #[test]
     fn eulumdat_planes_that_differ_are_refused_by_plane_and_angle() {

@@ -147,8 +147,7 @@ fn lamp(node: Node, name: String, zoom: Option<(f64, f64)>) -> Result<Lamp, Refu
     };
     let angles = [standard("BeamAngle", 25.0)?, standard("FieldAngle", 25.0)?];
     let lumens = Some(standard("LuminousFlux", 10_000.0)?).filter(|lumens| *lumens != 0.0);
-    let kelvin = standard("ColorTemperature", 6_000.0)?;
-    notes.push(format!("the colour temperature of {kelvin} K is left out"));
+    let kelvin = Some(standard("ColorTemperature", 6_000.0)?);
     let kind = node.attribute("BeamType").unwrap_or("Wash");
     let edge = match kind {
         "Wash" | "Fresnel" | "PC" => Edge::Soft,
@@ -159,7 +158,7 @@ fn lamp(node: Node, name: String, zoom: Option<(f64, f64)>) -> Result<Lamp, Refu
     let others = node.attributes().map(|own| own.name()).filter(|own| !among(ATTRIBUTES, own));
     notes.extend(others.take(20).map(|own| format!("`{own:.80}` is not read")));
     let [beam, field] = angles.map(|angle| Some(angle).filter(|angle| *angle != 0.0));
-    let sheet = Sheet { name, beam, field, lumens, edge, notes, ..Sheet::default() };
+    let sheet = Sheet { name, beam, field, lumens, kelvin, edge, notes, ..Sheet::default() };
     let Some((least, most)) = zoom else { return sheet.lamp() };
     let zoomed = |ratio: Option<f64>, note: Option<String>| {
         let end = |beam| [Some(beam), ratio.map(|ratio| beam * ratio)];

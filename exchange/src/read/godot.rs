@@ -11,8 +11,9 @@ use crate::refusal::Refusal;
 const SYSTEM: System = System {
     kinds: ["SpotLight3D SpotLight", "OmniLight3D OmniLight", SUN, "AreaLight3D"],
     axis: DVec3::NEG_Z,
-    keys: "light_energy omni_range omni_attenuation spot_range spot_attenuation spot_angle spot_angle_attenuation",
-    others: "light_projector= light_temperature= light_intensity_lumens= light_intensity_lux= \
+    keys: "light_energy omni_range omni_attenuation spot_range spot_attenuation spot_angle spot_angle_attenuation \
+           light_temperature light_intensity_lumens light_intensity_lux",
+    others: "light_projector= \
              light_cull_mask=4294967295 distance_fade_enabled=0",
     never: "light_negative=true sky_mode=2",
     off: "visible=false editor_only=true",

@@ -72,10 +72,8 @@ pub(crate) fn read(text: &str) -> Result<Lamps, Refusal> {
         let mode =
             if ptr::eq(part, &fixture) { String::new() } else { format!(": {:.80}", word(&part.name)) };
         let name = format!("{:.80}{mode}", word(&fixture.name));
-        let notes = kelvin.map(|kelvin| format!("the colour temperature of {kelvin} K is left out"));
         let (beam, widest) = (Some(from.min(to)), Some([Some(from.max(to)); 2]));
-        let notes = notes.into_iter().collect();
-        let sheet = Sheet { name, beam, field: beam, lumens, edge, widest, notes, ..Sheet::default() };
+        let sheet = Sheet { name, beam, field: beam, lumens, kelvin, edge, widest, ..Sheet::default() };
         match sheet.lamp() {
             Ok(lamp) => lamps.lamps.push(lamp),
             Err(refusal) => lamps.refused.push(refusal.at(sheet.name)),

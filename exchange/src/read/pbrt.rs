@@ -9,7 +9,7 @@ use crate::refusal::Refusal;
 const SYSTEM: System = System {
     kinds: ["spot", "point", "distant", "LightSource"],
     axis: DVec3::Z,
-    keys: "coneangle conedeltaangle scale power illuminance I L",
+    keys: "coneangle conedeltaangle scale power illuminance I L blackbody",
     others: "",
     never: "",
     off: "",
@@ -46,6 +46,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
                     let declaration = unquoted(scan.value());
                     let name = match declaration.split_once(' ').unwrap_or_default() {
                         ("float" | "rgb" | "color" | "point" | "point3", name) => name.trim(),
+                        ("blackbody", "I" | "L") => "blackbody",
                         _ => declaration,
                     };
                     block.values.insert(name, scan.value());

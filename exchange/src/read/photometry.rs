@@ -15,6 +15,8 @@ pub(crate) struct Photometry {
     pub(crate) curve: Curve,
     /// The largest difference of a plane from the curve, relative to the peak; 0 with one plane.
     pub(crate) difference: f64,
+    /// The correlated colour temperature, if the file has one.
+    pub(crate) kelvin: Option<f64>,
     pub(crate) notes: Vec<String>,
 }
 
@@ -177,7 +179,7 @@ impl Planes<'_> {
         }
         let curve = Curve::new(points).ok_or_else(|| refusal("ascending angles"))?;
         let name = (*names.iter().find(|name| !name.is_empty()).unwrap_or(&"")).to_owned();
-        Ok(Photometry { name, curve, difference, notes })
+        Ok(Photometry { name, curve, difference, kelvin: None, notes })
     }
 }
 

@@ -11,8 +11,8 @@ use crate::refusal::Refusal;
 const SYSTEM: System = System {
     kinds: ["spot", "point", "directional", "area"],
     axis: DVec3::Z,
-    keys: "m_Intensity m_Range m_SpotAngle m_InnerSpotAngle m_LightUnit",
-    others: "m_Cookie=0 m_Shape=0 m_UseColorTemperature=0 m_CullingMask=2,4294967295 m_RenderingLayerMask=1",
+    keys: "m_Intensity m_Range m_SpotAngle m_InnerSpotAngle m_LightUnit m_UseColorTemperature m_ColorTemperature",
+    others: "m_Cookie=0 m_Shape=0 m_CullingMask=2,4294967295 m_RenderingLayerMask=1",
     never: "",
     off: "m_IsActive=0 m_Enabled=0",
     outside: "m_SourcePrefab Animator Animation",

@@ -12,8 +12,8 @@ const SYSTEM: System = System {
     kinds: ["SpotLightComponent", "PointLightComponent", "DirectionalLightComponent", OTHERS],
     axis: DVec3::X,
     keys: "InnerConeAngle OuterConeAngle Intensity IntensityUnits AttenuationRadius bUseInverseSquaredFalloff \
-           LightFalloffExponent",
-    others: "bUseTemperature=0 IESTexture= LightFunctionMaterial= LightingChannels= MaxDrawDistance=0",
+           LightFalloffExponent bUseTemperature Temperature",
+    others: "IESTexture= LightFunctionMaterial= LightingChannels= MaxDrawDistance=0",
     never: "",
     off: "bHidden=True bVisible=False bAffectsWorld=False",
     outside: "",

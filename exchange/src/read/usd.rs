@@ -13,8 +13,9 @@ const SYSTEM: System = System {
     kinds: ["DiskLight", "SphereLight", "DistantLight", OTHERS],
     axis: DVec3::NEG_Z,
     keys: "inputs:intensity inputs:exposure inputs:color inputs:radius inputs:angle inputs:normalize treatAsPoint \
-           inputs:shaping:focus inputs:shaping:cone:angle inputs:shaping:cone:softness",
-    others: "inputs:diffuse=1 inputs:specular=1 inputs:enableColorTemperature=0 inputs:shaping:focusTint=0,0,0 \
+           inputs:shaping:focus inputs:shaping:cone:angle inputs:shaping:cone:softness inputs:enableColorTemperature \
+           inputs:colorTemperature",
+    others: "inputs:diffuse=1 inputs:specular=1 inputs:shaping:focusTint=0,0,0 \
              inputs:shaping:ies:file= collection:lightLink:includes= collection:lightLink:excludes=",
     never: "",
     off: "active=false visibility=invisible",

@@ -6,7 +6,8 @@ use luminaire::attenuation::InverseSquare;
 use luminaire::falloff::Smooth;
 
 use super::{
-    FULL_RADIANS, Fall, HALF_TURN, Law, Rows, Spot, Tool, Writer, Written, cone, exposed, half, row,
+    FULL_RADIANS, Fall, HALF_TURN, Law, Rows, Spot, Tool, Writer, Written, black_body, cone, exposed, half,
+    is_set, row,
 };
 use crate::family::{Family, Free};
 use crate::lamp::Use;
@@ -17,6 +18,20 @@ use crate::versine::{of_versine, versine};
 pub(crate) struct Blender;
 
 impl Tool for Blender {
+    /// A black body of luminance 1 (`BKE_light_color` and `svm_math_blackbody_color_rec709`, which fits the same
+    /// colours from 800 to 12,000 K).
+    fn white(&self, record: &mut Record) -> Result<[f64; 3], Refusal> {
+        let kelvin = record.within("temperature", 6500.0, 800.0, 20_000.0)?;
+        match is_set(record, "use_temperature", "0")? {
+            true => black_body(kelvin, [1e3, 12e3]),
+            false => {
+                let note = || "`temperature` has no effect without `use_temperature=1`";
+                record.notes.extend(record.has("temperature").then(note).map(str::to_owned));
+                Ok([1.0; 3])
+            }
+        }
+    }
+
     /// Smoothstep over the versine, from the edge to `1 - blend` of its versine (`spot_light_attenuation` of Cycles
     /// and EEVEE).
     fn spot(&self, record: &mut Record) -> Result<Spot, Refusal> {

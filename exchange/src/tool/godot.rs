@@ -1,8 +1,12 @@
 //! Godot 3 and 4: a half angle in degrees, and an energy in units of full scale.
 
+use std::f64::consts::PI;
+
 use luminaire::falloff::{AnyFalloff, Hard, InvertedIntegerPower, InvertedRealPower, Linear};
 
-use super::{Fall, HALF_DEGREES, Law, Rows, Scene, Spot, Tool, Writer, Written, cone, decay, half, row};
+use super::{
+    Fall, HALF_DEGREES, Law, Rows, Scene, Spot, Tool, Writer, Written, black_body, cone, decay, half, row,
+};
 use crate::family::{Family, Free};
 use crate::lamp::Use;
 use crate::read;
@@ -11,6 +15,24 @@ use crate::refusal::Refusal;
 use crate::text::decode;
 
 pub(crate) struct Godot;
+
+/// The strengths of a project with physical light units. A scene does not say whether its project has them; a
+/// light has these values if it has.
+const PHYSICAL: [&str; 2] = ["light_intensity_lumens", "light_intensity_lux"];
+
+/// Returns the energy, with physical light units as candela or lux before the exposure of a camera. Godot spreads
+/// the lumens of a spotlight over pi steradians, whatever its angle (`light_storage.cpp`).
+fn energy(record: &mut Record) -> Result<f64, Refusal> {
+    let energy = record.within("light_energy", 1.0, 0.0, 1e9)?;
+    let (key, parts) = match record.kind {
+        Kind::Directional => (PHYSICAL[1], 1.0),
+        Kind::Point => (PHYSICAL[0], 4.0 * PI),
+        Kind::Spot => (PHYSICAL[0], PI),
+    };
+    let Some(strength) = record.optional(key)? else { return Ok(energy) };
+    record.note(format!("`{key}` counts, as with physical light units: the intensity is photometric"));
+    Ok(energy * strength / parts)
+}
 
 /// The least part of the versine.
 const FLOOR: f32 = 1e-4;
@@ -24,6 +46,18 @@ impl Tool for Godot {
         if record.has("omni_range") || record.has("omni_attenuation") {
             record.kind = Kind::Point;
         }
+    }
+
+    /// A black body whose strongest channel is 1 (`_color_from_temperature` in `light_3d.cpp`), with the physical
+    /// light units of a project.
+    fn white(&self, record: &mut Record) -> Result<[f64; 3], Refusal> {
+        let given = record.optional("light_temperature")?;
+        if given.is_none() && !PHYSICAL.iter().any(|key| record.has(key)) {
+            return Ok([1.0; 3]);
+        }
+        let white = black_body(given.unwrap_or(6500.0), [1e3, 15e3])?;
+        let strongest = white.into_iter().fold(0.0, f64::max);
+        Ok(white.map(|channel| channel / strongest))
     }
 
     /// `1 - max(0.0001, u)^p` with the versine `u` and `p = 1 / spot_angle_attenuation`, and
@@ -42,7 +76,7 @@ impl Tool for Godot {
         let power = 1.0 / record.within("spot_angle_attenuation", 1.0, 1.0 / 128.0, 128.0)? as f32;
         let range = record.within(range, 5.0, 0.001, 1e9)? as f32;
         let exponent = record.within(attenuation, 1.0, 0.0, 16.0)?;
-        let energy = record.within("light_energy", 1.0, 0.0, 1e9)?;
+        let energy = energy(record)?;
 
         let lost = f64::from(FLOOR).powf(power.into());
         let whole = power as u32;
@@ -60,7 +94,7 @@ impl Tool for Godot {
     }
 
     fn sun(&self, record: &mut Record) -> Result<f64, Refusal> {
-        record.get("light_energy", 1.0)
+        energy(record)
     }
 
     fn writer(&self) -> Option<&'static dyn Writer> {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use luminaire::attenuation::InverseSquare;
 use luminaire::falloff::{AnyFalloff, IntegerPower, Smooth};
 
-use super::{HALF_DEGREES, Scene, Spot, Tool, cone, half};
+use super::{HALF_DEGREES, Scene, Spot, Tool, black_body, cone, half};
 use crate::read;
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
@@ -21,6 +21,23 @@ impl Tool for Pbrt {
     /// The channels are the intensity.
     fn color(&self, kind: Kind) -> (&'static str, f64) {
         (if kind == Kind::Directional { "L" } else { "I" }, f64::MIN_POSITIVE)
+    }
+
+    /// `blackbody`: a temperature in version 4, of luminance 1 (`SpectrumToPhotometric` in `lights.cpp`); in version 3
+    /// pairs of a temperature and a factor, of a spectrum whose largest value is 1 (`BlackbodyNormalized`).
+    fn white(&self, record: &mut Record) -> Result<[f64; 3], Refusal> {
+        let Some(numbers) = record.numbers("blackbody")? else { return Ok([1.0; 3]) };
+        let refused = |expected| Refusal::new("blackbody", format!("{numbers:?}"), expected);
+        let range = [1e3, 15e3];
+        let body = |kelvin: f64| {
+            let known = (range[0]..=range[1]).contains(&kelvin);
+            if known { black_body(kelvin, range) } else { Err(refused("kelvin from 1000 to 15000")) }
+        };
+        match *numbers {
+            [kelvin] => body(kelvin),
+            [kelvin, factor] => Ok(body(kelvin)?.map(|channel| channel * factor * normalized(kelvin))),
+            _ => Err(refused("a temperature, or a temperature and a factor")),
+        }
     }
 
     /// Smoothstep in the cosine in version 4, the fourth power of a line in version 3.
@@ -42,6 +59,27 @@ impl Tool for Pbrt {
     fn sun(&self, record: &mut Record) -> Result<f64, Refusal> {
         scale(record, ["L", "illuminance"], 1.0)
     }
+}
+
+/// Returns the luminance of a black body's spectrum over that of a constant spectrum of its largest value, with the
+/// CIE's observer of 1931 as C. Wyman and others fit it (*Simple analytic approximations to the CIE XYZ color
+/// matching functions*, JCGT 2, 2013).
+fn normalized(kelvin: f64) -> f64 {
+    // Planck's law over its largest value, at a wavelength in nanometres (Wien).
+    const SECOND: f64 = 1.438_777e7;
+    const WIEN: f64 = 2.897_772e6;
+    let planck = |wavelength: f64| 1.0 / (wavelength.powi(5) * (SECOND / (wavelength * kelvin)).exp_m1());
+    let lobe = |wavelength: f64, [height, middle, below, above]: [f64; 4]| {
+        let width = if wavelength < middle { below } else { above };
+        height * (-0.5 * ((wavelength - middle) / width).powi(2)).exp()
+    };
+    let seen = |wavelength: f64| {
+        lobe(wavelength, [0.821, 568.8, 46.9, 40.5]) + lobe(wavelength, [0.286, 530.9, 16.3, 31.1])
+    };
+    let wavelengths = || (360..=830).map(f64::from);
+    let most = planck(WIEN / kelvin);
+    let lit: f64 = wavelengths().map(|at| seen(at) * planck(at) / most).sum();
+    lit / wavelengths().map(seen).sum::<f64>()
 }
 
 /// Returns the factor of a light on its colour: `scale`, or what gives a luminous flux or an illuminance over a solid

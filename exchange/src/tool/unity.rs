@@ -2,7 +2,7 @@
 
 use luminaire::attenuation::{FilamentRange, InverseSquare};
 
-use super::{FULL_DEGREES, Fall, Law, Rows, Scene, Spot, Tool, Writer, Written, half, row, square};
+use super::{FULL_DEGREES, Fall, Law, Rows, Scene, Spot, Tool, Writer, Written, half, is_set, row, square};
 use crate::family::{Family, Free};
 use crate::lamp::Use;
 use crate::read;
@@ -22,6 +22,26 @@ impl Tool for Unity {
 
     fn prepare(&self, record: &mut Record) {
         record.without_prefix();
+    }
+
+    /// The fit of a black body's colours whose strongest channel is 1 (`CorrelatedColorTemperatureToRGB` in the
+    /// Scriptable Render Pipelines).
+    fn white(&self, record: &mut Record) -> Result<[f64; 3], Refusal> {
+        let thousands = record.within("colorTemperature", 6570.0, 0.0, 1e9)?.clamp(1e3, 40e3) / 1e3;
+        if !is_set(record, "useColorTemperature", "0")? {
+            return Ok([1.0; 3]);
+        }
+        let ratio = |above: [f64; 3], below: [f64; 3]| {
+            let at = |[a, b, c]: [f64; 3]| a + thousands * (b + thousands * c);
+            (at(above) / at(below)).clamp(0.0, 1.0)
+        };
+        Ok(if thousands < 6.57 {
+            let green = ratio([-399.809, 414.271, 111.543], [2779.24, 164.143, 84.7356]);
+            [1.0, green, ratio([348.963, -523.53, 183.62], [2848.82, -214.52, 78.8614])]
+        } else {
+            let red = ratio([1.35651, 0.216422, 0.000_633_715], [-3.24223, 0.918711, 0.0]);
+            [red, ratio([1370.38, 734.616, 0.689955], [-4625.69, 1699.87, 0.0]), 1.0]
+        })
     }
 
     /// The square of a line in the cosine, and the inverse square with the window `(1 - (d/r)^4)^2`.

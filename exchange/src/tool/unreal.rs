@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use luminaire::attenuation::{FilamentRange, InverseSquare};
 use luminaire::falloff::Soft;
 
-use super::{Fall, HALF_DEGREES, Law, Rows, Scene, Spot, Tool, Writer, Written, cone, half, is_set, row};
+use super::{
+    Fall, HALF_DEGREES, Law, Rows, Scene, Spot, Tool, Writer, Written, black_body, cone, half, is_set, row,
+};
 use crate::family::{Family, Free};
 use crate::lamp::Use;
 use crate::read;
@@ -26,6 +28,12 @@ impl Tool for Unreal {
 
     fn scene(&self) -> Option<Scene> {
         Some(|bytes| read::unreal::read(&decode(bytes)?))
+    }
+
+    /// A black body of luminance 1 (`FLinearColor::MakeFromColorTemperature`).
+    fn white(&self, record: &mut Record) -> Result<[f64; 3], Refusal> {
+        let kelvin = record.within("Temperature", 6500.0, 0.0, 1e9)?;
+        if is_set(record, "bUseTemperature", "0")? { black_body(kelvin, [1e3, 15e3]) } else { Ok([1.0; 3]) }
     }
 
     /// The square of a line in the cosine, and the inverse square in centimetres with the window `(1 - (d/r)^4)^2`.

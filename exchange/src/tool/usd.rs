@@ -16,6 +16,30 @@ use crate::text::decode;
 
 pub(crate) struct Usd;
 
+/// The colours of black bodies in linear sRGB from 1,000 to 10,000 K, each 500 K (`blackbody.cpp` of OpenUSD, after
+/// J. Walker, *Colour Rendering of Spectra*).
+const BLACK_BODIES: [[f64; 3]; 19] = [
+    [1.0, 0.027_490, 0.0],
+    [1.0, 0.149_664, 0.0],
+    [1.0, 0.256_644, 0.008_095],
+    [1.0, 0.372_033, 0.067_450],
+    [1.0, 0.476_725, 0.153_601],
+    [1.0, 0.570_376, 0.259_196],
+    [1.0, 0.653_480, 0.377_155],
+    [1.0, 0.726_878, 0.501_606],
+    [1.0, 0.791_543, 0.628_050],
+    [1.0, 0.848_462, 0.753_228],
+    [1.0, 0.898_581, 0.874_905],
+    [1.0, 0.942_771, 0.991_642],
+    [0.906_947, 0.890_456, 1.0],
+    [0.828_247, 0.841_838, 1.0],
+    [0.765_791, 0.801_896, 1.0],
+    [0.715_255, 0.768_579, 1.0],
+    [0.673_683, 0.740_423, 1.0],
+    [0.638_992, 0.716_359, 1.0],
+    [0.609_681, 0.695_588, 1.0],
+];
+
 /// Reads a stage as text.
 fn scene(bytes: &[u8]) -> Result<Found, Refusal> {
     if [&b"PXR-USDC"[..], b"PK"].iter().any(|head| bytes.starts_with(head)) {
@@ -27,6 +51,27 @@ fn scene(bytes: &[u8]) -> Result<Found, Refusal> {
 impl Tool for Usd {
     fn scene(&self) -> Option<Scene> {
         Some(scene)
+    }
+
+    /// The spline of `UsdLuxBlackbodyTemperatureAsRgb`, of luminance 1.
+    fn white(&self, record: &mut Record) -> Result<[f64; 3], Refusal> {
+        let kelvin = record.within("colorTemperature", 6500.0, -1e9, 1e9)?;
+        if !is_set(record, "enableColorTemperature", "0")? {
+            return Ok([1.0; 3]);
+        }
+        let last = BLACK_BODIES.len() - 1;
+        let place = ((kelvin - 1000.0) / 500.0).clamp(0.0, last as f64);
+        let (start, part) = (place as usize, place.fract());
+        // Its ends are repeated.
+        let knots =
+            [start.saturating_sub(1), start, start + 1, start + 2].map(|at| BLACK_BODIES[at.min(last)]);
+        let color = [0, 1, 2].map(|channel| {
+            let [a, b, c, d] = knots.map(|knot| knot[channel]);
+            let cubic = [b, (c - a) / 2.0, a - 2.5 * b + 2.0 * c - d / 2.0, 1.5 * (b - c) + (d - a) / 2.0];
+            cubic.into_iter().rev().fold(0.0, |sum, own| sum * part + own)
+        });
+        let luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+        Ok(color.map(|channel| (channel / luminance).max(0.0)))
     }
 
     /// A sphere or a disk as a point, with the cone of its shaping: smoothstep in the angle, times the power `focus`

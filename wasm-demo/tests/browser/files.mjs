@@ -58,6 +58,23 @@ quick("the mean of planes that differ is taken if the visitor says so", async ()
   assert.match(await words("file-notes"), /^The light is taken as round: /);
 });
 
+quick("a wide light with a colour temperature goes on the stage", async () => {
+  await open(ONE);
+  const wide = ["Maker", "1", "1", "1", "0", "2", "0", "R", "Wide", "", "wide.ldt", "", ...Array(9).fill("0"), "100", "100", "1", "0", "1",
+    "1", "LED", "500", "830", "90", "12", ...Array(10).fill("0.5"), "0", "0", "90", "4000", "200"];
+  await give("wide.ldt", `${wide.join("\n")}\n`);
+  assert.match(await words("file-photometry"), /^Peak 2,000 cd, .*, 3000 K/);
+  assert.match(await words("file-notes"), /taken as 3000 K/);
+  assert.match(await words("file-put-told"), /, and at 80° off its axis, as far as shadows reach\.$/);
+  const before = await sum();
+  await change("the light of the file", () => press("file-put"));
+  assert.deepEqual([await number("light-intensity-number"), await number("light-kelvin-number")], [2000, 3000]);
+  const [address, after] = [await isWritten(/:w3000/), await sum()];
+  await open(address);
+  assert.equal(await sum(), after);
+  assert.notEqual(before, after);
+});
+
 /** A photometric file that takes a while. */
 function longFile() {
   const places = Array.from({ length: 60_000 }, (_, i) => i / 1000);

@@ -1,7 +1,7 @@
 // A light on the desk and in the picture: its angles, its values and what refuses them, its place, its code and its price.
 import {
   EXPECT, STILL, ask, assert, change, count, drag, enter, exists, focus, isDisabled, isShown, isWritten, more, must, number, open, openPrice, options,
-  place, press, quick, requests, settle, shows, tab, type, until, value, words, written,
+  place, press, quick, requests, settle, shows, sum, tab, type, until, value, words, written,
 } from "./visit.mjs";
 
 /** A scene of one light, paused, with the lights in the picture. */
@@ -81,6 +81,20 @@ quick("a drag and a slider end where they began", async () => {
   near([await flux()], [before]);
 });
 
+quick("a colour temperature is the light's colour until another is chosen", async () => {
+  await open(`${SMALL}#stage?scene=bare-spot&play=none&format=f32`);
+  const state = async () => [await value("light-color"), await value("light-kelvin-number"), await number("light-intensity-number")];
+  const before = await state();
+  assert.equal(before[1], "");
+  await change("warm light", () => enter("light-kelvin-number", 3000));
+  assert.deepEqual(await state(), ["#ffb76e", "3000", before[2]]);
+  const [address, warm] = [await isWritten(/lights=0:w3000/), await sum()];
+  await open(address);
+  assert.equal(await sum(), warm);
+  await change("another colour", () => enter("light-color", "#40ff80"));
+  assert.deepEqual(await state(), ["#40ff80", "", before[2]]);
+});
+
 more("beam and field angle are set on the curve, and another edge keeps the field angle", async () => {
   await open();
   const [beam, field] = await angles();
@@ -132,7 +146,7 @@ async function forgives(id, error) {
 more("an empty field is no error, and a field that is left shows what is in force", async () => {
   await open();
   await enter("light-fixture", "ARRI L7-C");
-  for (const name of ["beam", "field", "zoom", "intensity"]) await forgives(`light-${name}-number`, "light-error");
+  for (const name of ["beam", "field", "zoom", "intensity", "kelvin"]) await forgives(`light-${name}-number`, "light-error");
   await open("#compare?half=10");
   await forgives("half-angle-number", "half-angle-error");
 });

@@ -315,9 +315,11 @@ fn turn_dials(stage: &mut Stage, light: usize, starts: &[Option<usize>]) -> usiz
     let (opened, mut count) = (stage.state().clone(), 0);
     for first in starts {
         let dials = |stage: &Stage| {
-            let DialEnds { beam, field, zoom, intensity, law, edge } = stage.dial_ends(light).unwrap();
-            let dials = [("beam", beam), ("field", field), ("zoom", zoom), ("intensity", intensity)];
-            let mut dials = dials.map(|(name, ends)| (name.to_owned(), ends)).to_vec();
+            let DialEnds { beam, field, zoom, intensity, kelvin, law, edge } =
+                stage.dial_ends(light).unwrap();
+            let plain = [("beam", beam), ("field", field), ("zoom", zoom), ("intensity", intensity)];
+            let dials = plain.into_iter().chain([("kelvin", kelvin)]);
+            let mut dials: Vec<_> = dials.map(|(name, ends)| (name.to_owned(), ends)).collect();
             for (model, ends) in [("law", law), ("edge", edge)] {
                 let each = ends.chunks(2).enumerate();
                 dials.extend(each.map(|(place, ends)| (format!("{model}-{place}"), ends.to_vec())));
