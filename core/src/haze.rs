@@ -47,7 +47,7 @@
 //! [`BeamScattering`] computes in `f32`. [`BeamScattering16`] computes the same integral in 32-bit
 //! products, for lights that attenuate with the inverse square. It uses four nodes for each half of
 //! the rim. On a Cortex-M0 it takes a tenth of the instructions (`docs/EFFECTS.md`). It errs by at
-//! most 0.8 linear codes (searched, see [`BeamScattering16::in_scattering`]).
+//! most 0.8 linear codes for nearly all rays (see [`BeamScattering16::in_scattering`]).
 //!
 //! `1/h` varies too much for one fixed-point scale. In 16 bits it is a mantissa with a shift.
 

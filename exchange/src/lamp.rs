@@ -85,7 +85,7 @@ impl Lamp {
         match white {
             None => return self,
             Some(Ok(white)) => return white,
-            Some(Err(refusal)) => self.notes.push(format!("white is not that of the file: {refusal}")),
+            Some(Err(refusal)) => self.notes.push(format!("the white of the file is left out: {refusal}")),
         }
         self
     }

@@ -115,7 +115,7 @@ fn luminance_of_a_white_is_that_of_its_source() {
     let white = read("spot.ldt", text.as_bytes(), None, Reading::default()).unwrap().lamps.remove(0);
     assert_eq!((white.kelvin, shown(&white)), (None, [2000.0; 3]));
     assert!(
-        white.notes[0].starts_with("white is not that of the file: color temperature = 60000"),
+        white.notes[0].starts_with("the white of the file is left out: color temperature = 60000"),
         "{white:?}"
     );
 }

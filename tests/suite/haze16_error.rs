@@ -159,3 +159,66 @@ fn in_scattering_keeps_its_bound() {
         assert!(largest <= bound && kept.is_ok(), "{falloff:?}: {largest:.3}, expected {bound}: {kept:?}");
     }
 }
+
+/// A ray with the largest error that is known, by the bits of its coordinates.
+struct Known {
+    falloff: AnyFalloff,
+    truth: oracle::Falloff,
+    half_angle: f32,
+    light: [i32; 3],
+    axis: [f32; 3],
+    eye: [i32; 3],
+    surface: [i32; 3],
+    body: f32,
+    density: f32,
+    intensity: f32,
+    codes: f64,
+}
+
+/// The rays pass the light at a thousandth of a unit, from hundreds of units away, and graze a cone of 3 degrees.
+#[test]
+fn the_largest_errors_that_are_known_are_those_of_the_documentation() {
+    let (hard, soft): (AnyFalloff, AnyFalloff) = (Hard.into(), Soft.into());
+    for known in [
+        Known {
+            falloff: hard,
+            truth: oracle::hard,
+            half_angle: 3.000_416_8,
+            light: [-1_482_942, -11_713, -622_971],
+            axis: [-0.004_49, 0.999_915_6, 0.012_190_3],
+            eye: [-3_606_289, 43_833_806, -1_509_716],
+            surface: [-1_478_268, -108_188, -621_021],
+            body: 0.001_026_762,
+            density: 0.5,
+            intensity: 0.005_322_572_6,
+            codes: 4.3,
+        },
+        Known {
+            falloff: soft,
+            truth: oracle::soft,
+            half_angle: 3.000_124_2,
+            light: [392_776, -105_374, 1_211_060],
+            axis: [0.270_905_0, 0.891_447_0, -0.363_225_5],
+            eye: [20_055_370, 56_102_319, -23_007_216],
+            surface: [9_914, -1_199_819, 1_682_624],
+            body: 0.001_452_382_2,
+            density: 0.071_568_9,
+            intensity: 0.076_122,
+            codes: 2.8,
+        },
+    ] {
+        let lights = Lights::new(known.falloff, known.truth, known.half_angle);
+        let [light, eye, surface] =
+            [known.light, known.eye, known.surface].map(|bits| Vec3::from(bits.map(Length::from_bits)));
+        let position = light.map(|c| c.to_f32());
+        let spot = SpotLight::new(position, Vec3::from(known.axis), lights.cone).expect("a sound light");
+        let haze = Haze::new(known.density).and_then(|haze| haze.with_source_radius(known.body));
+        let (spot, haze) = (spot.with_intensity(known.intensity).expect("sound"), haze.expect("sound haze"));
+        let way = exact(surface) - exact(eye);
+        let ray = Ray { eye: exact(eye), direction: way.normalize(), length: way.length() };
+        let compiled = spot.compile::<Fx16>().expect("a light of the format").in_haze(&haze);
+        let found = f64::from(Fx16::light_to_f32(compiled.in_scattering(eye, surface)));
+        let truth = lights.beam(&spot, &haze).in_scattering(&ray);
+        assert_eq!((2550.0 * (found - truth).abs()).round() / 10.0, known.codes, "{found}, exact {truth}");
+    }
+}

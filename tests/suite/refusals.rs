@@ -338,7 +338,7 @@ fn the_limits_of_a_message_do_not_hold_its_value() {
     let (mut rng, mut refused) = (Rng::with_seed(0x11_e175), [0; 5]);
     let rng = &mut rng;
     for _ in 0..4_000 {
-        let Ok(falloff) = AnyFalloff::drawn(rng.usize(..), || rng.f32()) else { continue };
+        let Ok(falloff) = AnyFalloff::anywhere(rng.usize(..), || rng.f32()) else { continue };
         let from = CONSTRUCTORS[rng.usize(..3)];
         let make = |degrees| from(falloff, Angle::degrees(degrees)).map(drop);
         refused[0] += u32::from(assert_names_its_limits(make(hostile(rng, 150.0)), make));

@@ -7,7 +7,7 @@ use luminaire::falloff::{AnyFalloff, Falloff, Formula, Table};
 /// slope are left out, because a format does not bound their error of intensity.
 pub fn random(rng: &mut Rng, tables: &[&'static [u16]]) -> AnyFalloff {
     loop {
-        match AnyFalloff::drawn(rng.usize(..), || rng.f32()) {
+        match AnyFalloff::anywhere(rng.usize(..), || rng.f32()) {
             Ok(AnyFalloff::Table(_)) => {
                 return Table::new(tables[rng.usize(..tables.len())]).expect("enough samples").into();
             }

@@ -36,6 +36,48 @@ pub fn random_light(random: &mut SplitMix64) -> Light {
     }
 }
 
+/// Returns a random light of all that the fields of [`Light`] take, their ends with weight. Many are refused.
+pub fn light_anywhere(random: &mut SplitMix64) -> Light {
+    let one_of = |random: &mut SplitMix64, count| random.below(count) == 0;
+    let one = |random: &mut SplitMix64| random.between(0.0, 1.0) as f32;
+    let [axis, position] = [[1e-15, 1e15], [1e-4, 32_767.0]].map(|[least, most]| {
+        let length = anywhere(random, least, most);
+        random.vector(-1.0, 1.0).as_vec3().to_array().map(|c| length * c)
+    });
+    let angle = anywhere(random, 1e-4, 180.0);
+    let [beam, field, outer] = match random.below(4) {
+        0 => [Some(angle), None, None],
+        1 => [None, Some(angle), None],
+        2 => [None, None, Some(angle)],
+        _ => [Some(angle), Some(angle * (1.0 + 1.5 * one(random))), None],
+    };
+    let near = anywhere(random, 16.0 / 65_536.0, 32_767.0);
+    Light {
+        axis,
+        position,
+        edge: if one_of(random, 2) { Edge::Soft } else { Edge::Hard },
+        slopes: one_of(random, 3).then(|| [4.0 * one(random), 4.0 * one(random)]),
+        beam,
+        field,
+        outer,
+        inner: one_of(random, 4).then(|| angle * one(random)),
+        attenuation: if one_of(random, 3) { Attenuation::None } else { Attenuation::InverseSquare },
+        intensity: if one_of(random, 16) { 0.0 } else { anywhere(random, 1e-9, 1e9) },
+        near,
+        far: anywhere(random, near.into(), 65_535.0),
+        ..Light::default()
+    }
+}
+
+/// Returns a number whose logarithm is even between two ends, which have weight.
+fn anywhere(random: &mut SplitMix64, least: f64, most: f64) -> f32 {
+    match random.below(8) {
+        0 => least as f32,
+        1 => most as f32,
+        _ => (least * (most / least).powf(random.between(0.0, 1.0))) as f32,
+    }
+}
+
 /// Returns the exact light of an answer.
 pub fn truth(answer: &Answer) -> Result<luminaire_oracle::SpotLight, Refusal> {
     Ok(answer.light.truth(&answer.light.cone()?))

@@ -5,7 +5,7 @@ use luminaire_pick::{Attenuation, Chip, Display, Light, Request, Tolerance, meas
 
 /// The number of requests, and how many times the points of an answer are searched.
 fn length() -> (u64, usize) {
-    if std::env::var_os("LUMINAIRE_FULL").is_some() { (2_000, 4) } else { (60, 2) }
+    if std::env::var_os("LUMINAIRE_FULL").is_some() { (2_500, 4) } else { (60, 2) }
 }
 
 /// A random light; a quarter are bright, over long distances.
@@ -17,6 +17,27 @@ fn light(random: &mut SplitMix64) -> Light {
     let intensity = 10_f64.powf(random.between(1.0, 5.0)) as f32;
     let far = light.near * 20.0 * 150_f64.powf(random.between(0.0, 1.0)) as f32;
     Light { attenuation: Attenuation::InverseSquare, intensity, far, ..light }
+}
+
+/// Lights at the ends of all that is accepted, of which most are refused.
+#[test]
+fn error_of_requests_at_the_ends_is_within_the_bound() {
+    let (count, effort) = length();
+    let mut answers = 0;
+    for number in 0..4 * count {
+        let mut random = SplitMix64(0x0e2d_0000_0000 + number);
+        let light = measure::light_anywhere(&mut random);
+        let chip = Chip::ALL[random.below(Chip::ALL.len() as u64) as usize];
+        let display = Display::ALL[random.below(Display::ALL.len() as u64) as usize];
+        let amount = 10_f64.powf(random.between(-2.0, 3.0));
+        let tolerance = if number % 4 == 0 { Tolerance::Codes(amount) } else { Tolerance::Steps(amount) };
+        let Ok(answer) = Request::new(chip, display).tolerance(tolerance).pick(&light) else { continue };
+        let found = measure::found(&answer, number + 1, effort / 2).expect("the light of an answer");
+        assert!(found <= answer.bound.value && answer.bound.value <= amount, "found {found}: {answer:?}");
+        answers += 1;
+    }
+    println!("{answers} answers to {} requests", 4 * count);
+    assert!(answers > count, "only {answers} answers to {} requests", 4 * count);
 }
 
 #[test]

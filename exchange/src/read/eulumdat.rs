@@ -77,7 +77,7 @@ pub(crate) fn read(text: &str, reading: Reading) -> Result<Photometry, Refusal> 
 }
 
 /// Returns the correlated colour temperature of a text such as `3000`, `3000 K` or `warm 2700K`, or of a lamp's
-/// colour code: its last two digits are hundreds of kelvin, so that `830` is 3000 K (DIN 5035 and IEC 60081).
+/// colour code: its last two digits are hundreds of kelvin, so that `830` is 3000 K.
 fn kelvin(text: &str) -> Option<f64> {
     let number = |digits: &str| digits.parse::<u32>().ok();
     let number =

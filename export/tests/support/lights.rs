@@ -40,7 +40,7 @@ pub(crate) fn spots<S: Scalar>(rng: &mut Rng, variants: usize) -> Vec<Spot> {
                 let falloff = match (index, variant) {
                     (AnyFalloff::COUNT, _) => knots(),
                     (_, 0) => AnyFalloff::samples().nth(index)?,
-                    _ => AnyFalloff::drawn(index, || rng.f32()).ok()?,
+                    _ => AnyFalloff::anywhere(index, || rng.f32()).ok()?,
                 };
                 let spot = spot(rng, falloff, index + variant).ok()?;
                 spot.compile::<S>().is_ok().then_some(spot)
@@ -60,7 +60,7 @@ fn spot(rng: &mut Rng, falloff: AnyFalloff, index: usize) -> Result<Spot, Error>
     if rng.u8(..4) == 0 {
         cone = cone.with_cutoff(Angle::degrees(outer * (0.3 + 0.7 * rng.f32())))?;
     }
-    let attenuation = AnyAttenuation::drawn(index, || rng.f32())?;
+    let attenuation = AnyAttenuation::anywhere(index, || rng.f32())?;
     let position = [0; 3].map(|_| 20.0 * rng.f32() - 10.0);
     let color = Rgb::new(rng.f32(), rng.f32(), rng.f32());
     let intensity = [1.0, 16.0, 1e4 * rng.f32(), 1e9 * rng.f32()][usize::from(rng.u8(..4))];
@@ -71,7 +71,7 @@ fn spot(rng: &mut Rng, falloff: AnyFalloff, index: usize) -> Result<Spot, Error>
 /// Returns a point light of each attenuation.
 pub(crate) fn points_of_light(rng: &mut Rng) -> Vec<PointLight<AnyAttenuation>> {
     let light = |index| {
-        let attenuation = AnyAttenuation::drawn(index, || rng.f32()).ok()?;
+        let attenuation = AnyAttenuation::anywhere(index, || rng.f32()).ok()?;
         let light = PointLight::new([0; 3].map(|_| 20.0 * rng.f32() - 10.0)).ok()?;
         light.with_intensity(100.0 * rng.f32()).ok().map(|light| light.with_attenuation(attenuation))
     };
