@@ -90,9 +90,9 @@ impl<P: Falloff> BeamScattering16<P> {
     /// 1 is full scale, the light of a white surface with an irradiance of 1. The result saturates.
     /// It is exactly zero in clear air. For a line of sight without an end, pass a point far away.
     ///
-    /// The error has no bound. Of 900,000 rays, a third of them in climbs, it is at most 0.8 linear codes; the largest
-    /// that is known is 4.3, of a ray that passes the light at a thousandth of a unit, from 670 units away, and grazes
-    /// a cone of 3 degrees (`tests/suite/haze16_error.rs`). Both hold under these conditions:
+    /// The error has no bound. Of random rays and short climbs from them it is at most 0.8 linear codes; the largest
+    /// that is known is 4.3, of a ray that passes the light at a thousandth of a unit, with an end hundreds of units
+    /// away, and grazes a cone of 3 degrees (`tests/suite/haze16_error.rs`). Both hold under these conditions:
     ///
     /// - The falloff is soft, hard or smooth, with a half angle from 3 to 80 degrees.
     /// - The radius of the light's body is at least 0.001, and both ends of the line of sight are at least one
