@@ -277,16 +277,16 @@ mod tests {
         for edge in [Edge::Soft, Edge::Hard] {
             for degrees in [0.5, 12.0, 179.0] {
                 let cone = Sheet { edge, ..Sheet::default() }.cone([Some(degrees / 2.0), None]).unwrap();
-                let sheet = |lumens| {
-                    let (lumens, candela) = (Some(f64::from(cone.lumens(3_000.0)) * lumens), Some(3_000.0));
+                let sheet = |lumens: f32| {
+                    let (lumens, candela) = (Some(lumens.into()), Some(3_000.0));
                     Sheet { lumens, candela, edge, ..Sheet::default() }.lamp()
                 };
-                let lamp = sheet(1.0).unwrap();
+                let lamp = sheet(cone.lumens(3_000.0)).unwrap();
                 let AnyLight::Spot(spot) = lamp.light else { panic!("expected a spotlight") };
                 let near = spot.cone().beam().to_degrees() / cone.beam().to_degrees() - 1.0;
                 assert!(near.abs() < 1e-4 && lamp.is_assumed, "{degrees} degrees: {spot:?}");
                 assert_eq!((spot.intensity(), lamp.notes.len()), (3_000.0, 2), "{:?}", lamp.notes);
-                let refused = sheet(1e5).unwrap_err();
+                let refused = sheet(4.0 * PI * 3_000.0).unwrap_err();
                 assert!(refused.expected.contains("3,000 cd in a cone of 180 degrees"), "{refused}");
             }
         }

@@ -296,7 +296,8 @@ mod tests {
         );
         assert!(lamps.lamps[0].notes.iter().any(|note| note == "`LightDistribution` is not read"));
         let AnyLight::Point(globe) = lamps.lamps[1].light else { panic!("expected a point light") };
-        assert!((globe.intensity() - 10_000.0 / (4.0 * std::f32::consts::PI)).abs() < 0.01);
+        let candela = 10_000.0 / (4.0 * std::f64::consts::PI);
+        assert!((lamps.lamps[1].own_intensity() - candela).abs() < 0.01, "{globe:?}");
         let still = read(&zipped(&file.replace("0.1}", "0}"))).expect("a fixture");
         assert!(!still.notes.iter().any(|note| note.starts_with("positions")), "{:?}", still.notes);
         let none = read(&zipped(&file.replace("<Beam", "<Geometry"))).expect("a fixture");

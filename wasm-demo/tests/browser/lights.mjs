@@ -87,7 +87,7 @@ quick("a colour temperature is the light's colour until another is chosen", asyn
   const before = await state();
   assert.equal(before[1], "");
   await change("warm light", () => enter("light-kelvin-number", 3000));
-  assert.deepEqual(await state(), ["#ffb76e", "3000", before[2]]);
+  assert.deepEqual(await state(), ["#ffb86d", "3000", before[2]]);
   const [address, warm] = [await isWritten(/lights=0:w3000/), await sum()];
   await open(address);
   assert.equal(await sum(), warm);
