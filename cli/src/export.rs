@@ -33,7 +33,7 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
             None => {}
         }
         if let Some(color) = options.color {
-            *lamp = lamp.clone().with_color(color)?;
+            lamp.set_color(color)?;
         }
     }
     let mut refuse = |lamp: &Lamp, refusal: Refusal| {

@@ -226,8 +226,7 @@ impl Source {
             lamps.refused.push(Refusal::new("lights", "none", "at least one light"));
         }
         if let Some(kelvin) = self.kelvin {
-            let white = lamps.lamps.into_iter().map(|lamp| lamp.with_kelvin(kelvin));
-            lamps.lamps = white.collect::<Result<_, _>>()?;
+            lamps.lamps.iter_mut().try_for_each(|lamp| lamp.set_kelvin(kelvin))?;
         }
         let usage = self.usage(&lamps)?;
         for lamp in &mut lamps.lamps {

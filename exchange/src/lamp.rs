@@ -68,24 +68,24 @@ impl Lamp {
         std::iter::once(self).chain(widest)
     }
 
-    /// Returns the light, and that of its widest zoom, in white of a correlated colour temperature. The luminance
-    /// stays: the intensity of the strongest channel exceeds that of the source.
+    /// Sets the colour of the light, and of its widest zoom, to white of a correlated colour temperature. The
+    /// luminance stays: the intensity of the strongest channel exceeds that of the source.
     ///
     /// # Errors
-    /// A temperature outside [1000, 25,000] kelvin, or an intensity that exceeds 1e9.
-    pub fn with_kelvin(self, kelvin: f32) -> Result<Self, Refusal> {
+    /// A temperature outside [1000, 25,000] kelvin, or an intensity that exceeds 1e9. The light stays as it is.
+    pub fn set_kelvin(&mut self, kelvin: f32) -> Result<(), Refusal> {
         let light = self.light.with_kelvin(kelvin)?;
-        let widest = self.widest.map(|light| light.with_kelvin(kelvin)).transpose()?;
-        Ok(Self { light, widest, kelvin: Some(kelvin), ..self })
+        self.widest = self.widest.map(|light| light.with_kelvin(kelvin)).transpose()?;
+        (self.light, self.kelvin) = (light, Some(kelvin));
+        Ok(())
     }
 
     /// Returns the light in white of the temperature that its source states, or as it is, with a note why.
     pub(crate) fn in_white(mut self, kelvin: Option<f64>) -> Self {
-        let white = kelvin.map(|kelvin| self.clone().with_kelvin(kelvin as f32));
-        match white {
-            None => return self,
-            Some(Ok(white)) => return white,
-            Some(Err(refusal)) => self.notes.push(format!("the white of the file is left out: {refusal}")),
+        if let Some(kelvin) = kelvin
+            && let Err(refusal) = self.set_kelvin(kelvin as f32)
+        {
+            self.notes.push(format!("the white of the file is left out: {refusal}"));
         }
         self
     }
@@ -119,13 +119,14 @@ impl Lamp {
         self.attenuation().map_or(1.0, |attenuation| attenuation.exact(distance))
     }
 
-    /// Returns the light in a linear colour, with the intensity of its source.
+    /// Sets the linear colour of the light, which then has the intensity of its source.
     ///
     /// # Errors
-    /// A channel outside [0, 1].
-    pub fn with_color(self, color: [f32; 3]) -> Result<Self, Refusal> {
-        let light = self.light.with_color(color.into())?.with_intensity(self.own_intensity() as f32)?;
-        Ok(Self { light, kelvin: None, ..self })
+    /// A channel outside [0, 1]. The light stays as it is.
+    pub fn set_color(&mut self, color: [f32; 3]) -> Result<(), Refusal> {
+        self.light = self.light.with_color(color.into())?.with_intensity(self.own_intensity() as f32)?;
+        self.kelvin = None;
+        Ok(())
     }
 
     /// Returns the intensities over the angle: those that were measured, or those of a spotlight at

@@ -64,7 +64,8 @@ impl Sheet {
     /// `lumens` at this intensity.
     ///
     /// # Errors
-    /// Angles of no cone, more lumens than a cone of 180 degrees has, an intensity outside [0, 1e9] candela, or `lux` without `throw`.
+    /// Angles of no cone, more lumens than a cone of 180 degrees has, an intensity outside [0, 1e9] candela, or `lux`
+    /// without `throw`.
     pub fn lamp(&self) -> Result<Lamp, Refusal> {
         for (key, value) in [("lumens", self.lumens), ("candela", self.candela), ("lux", self.lux)] {
             if let Some(value) = value.filter(|value| !(0.0..=1e9).contains(value)) {

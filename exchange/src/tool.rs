@@ -251,6 +251,11 @@ fn is_set(record: &mut Record, key: &str, default: &str) -> Result<bool, Refusal
     })
 }
 
+/// Returns the luminance of a linear colour.
+fn luminance([red, green, blue]: [f64; 3]) -> f64 {
+    0.2126 * red + 0.7152 * green + 0.0722 * blue
+}
+
 /// Returns the light of a black body of luminance 1, of a temperature that the tool clamps.
 fn black_body(kelvin: f64, [least, most]: [f64; 2]) -> Result<[f64; 3], Refusal> {
     Ok(<[f32; 3]>::from(Rgb::black_body(kelvin.clamp(least, most) as f32)?).map(f64::from))

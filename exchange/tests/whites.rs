@@ -100,17 +100,19 @@ fn whites_of_files_are_read_and_those_that_are_off_are_not() {
 #[test]
 fn luminance_of_a_white_is_that_of_its_source() {
     let file = include_bytes!("files/spot.ldt");
-    let lamp = read("spot.ldt", file, None, Reading::default()).unwrap().lamps.remove(0);
+    let mut lamp = read("spot.ldt", file, None, Reading::default()).unwrap().lamps.remove(0);
     assert_eq!((lamp.kelvin, lamp.own_intensity().round()), (Some(3000.0), 2000.0));
     assert_near(shown(&lamp).map(|channel| channel / 2000.0), [1.769_79, 0.844_79, 0.270_73], "3000 K");
     for kelvin in [1000.0, 2700.0, 25_000.0] {
-        let other = lamp.clone().with_kelvin(kelvin).unwrap();
+        let mut other = lamp.clone();
+        other.set_kelvin(kelvin).unwrap();
         assert!((other.own_intensity() - 2000.0).abs() < 0.01, "{kelvin} K: {}", other.own_intensity());
         assert!(other.light.intensity() > 2000.0 && other.curve() == lamp.curve());
     }
-    let red = lamp.clone().with_color([1.0, 0.0, 0.0]).unwrap();
+    let mut red = lamp.clone();
+    red.set_color([1.0, 0.0, 0.0]).unwrap();
     assert!((red.light.intensity() - 2000.0).abs() < 0.01 && red.kelvin.is_none());
-    assert!(lamp.clone().with_kelvin(999.0).unwrap_err().to_string().contains("from 1000 to 25000 K"));
+    assert!(lamp.set_kelvin(999.0).unwrap_err().to_string().contains("from 1000 to 25000 K"));
     let text = String::from_utf8_lossy(file).replace("\n3000\n", "\n60000\n");
     let white = read("spot.ldt", text.as_bytes(), None, Reading::default()).unwrap().lamps.remove(0);
     assert_eq!((white.kelvin, shown(&white)), (None, [2000.0; 3]));

@@ -22,11 +22,8 @@ const INTENSITIES: [f32; 2] = [0.01, 10.0];
 /// The same for a fixture whose flux is published, which is its most.
 const DIMMED: [f32; 2] = [0.001, 1.0];
 
-/// The usual colour temperatures in kelvin: from a candle to a blue sky.
+/// The usual colour temperatures in kelvin, from a candle to a blue sky. Every light takes them.
 const KELVINS: [f32; 2] = [1_800.0, 12_000.0];
-
-/// The colour temperature of the white of a screen.
-const WHITE: f32 = 6_504.0;
 
 /// Number of halvings between a value that is taken and one that is refused.
 const HALVINGS: usize = 20;
@@ -70,7 +67,7 @@ impl Stage {
         let shares = if published.is_some() { DIMMED } else { INTENSITIES };
         let mut dials = DialEnds {
             intensity: ends("intensity", own, shares.map(|share| share * own)),
-            kelvin: ends("kelvin", setting.kelvin.unwrap_or(WHITE), KELVINS),
+            kelvin: KELVINS.into(),
             law: setting.law.map_or(Vec::new(), |law| all_ends("law", law.list(), law.values())),
             ..DialEnds::default()
         };

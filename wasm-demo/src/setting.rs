@@ -323,13 +323,12 @@ impl Setting {
 
     fn emitting(&self, light: AnyLight, intensity: f32) -> Result<AnyLight, Error> {
         let color = self.color.map(|[red, green, blue]| Rgb::new(red, green, blue).map(decode_srgb));
-        let color = color.or(self.kelvin.map(|_| Rgb::new(1.0, 1.0, 1.0)));
+        let white = self.kelvin.map(Rgb::from_kelvin).transpose()?;
+        let strongest = white.map_or(1.0, Rgb::strongest);
+        let color = color.or(white.map(|white| white.map(|channel| channel / strongest)));
         let light = color.map_or(Ok(light), |color| light.with_color(color))?.with_intensity(intensity)?;
-        let Some(kelvin) = self.kelvin else { return Ok(light) };
-        // The strongest channel of a white may be several times as strong, and beyond the largest intensity no
-        // displayed code changes.
-        let most = 0.999_999 * BRIGHTEST / Rgb::from_kelvin(kelvin)?.strongest();
-        light.with_intensity(intensity.min(most))?.with_kelvin(kelvin)
+        // Beyond the largest intensity no displayed code changes.
+        light.with_intensity((strongest * intensity).min(BRIGHTEST))
     }
 
     /// The edge that the visitor has chosen; `None` for the light's own, or one that both angles determine.

@@ -11,9 +11,6 @@ use crate::search::Search;
 /// Returns a random light, with a cone from 1 to 140 degrees and distances from 0.1 to 100.
 pub fn random_light(random: &mut SplitMix64) -> Light {
     let one_of = |random: &mut SplitMix64, count| random.below(count) == 0;
-    let ratio = |random: &mut SplitMix64, least: f64, most: f64| {
-        (least * (most / least).powf(random.between(0.0, 1.0))) as f32
-    };
     let field = ratio(random, 1.0, 140.0);
     let near = ratio(random, 0.1, 20.0);
     let is_fitted = one_of(random, 3);
@@ -69,13 +66,18 @@ pub fn light_anywhere(random: &mut SplitMix64) -> Light {
     }
 }
 
-/// Returns a number whose logarithm is even between two ends, which have weight.
+/// Returns a [`ratio`] between two ends, which have weight.
 fn anywhere(random: &mut SplitMix64, least: f64, most: f64) -> f32 {
     match random.below(8) {
         0 => least as f32,
         1 => most as f32,
-        _ => (least * (most / least).powf(random.between(0.0, 1.0))) as f32,
+        _ => ratio(random, least, most),
     }
+}
+
+/// Returns a number whose logarithm is even between two ends.
+fn ratio(random: &mut SplitMix64, least: f64, most: f64) -> f32 {
+    (least * (most / least).powf(random.between(0.0, 1.0))) as f32
 }
 
 /// Returns the exact light of an answer.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use luminaire::attenuation::InverseSquare;
 use luminaire::falloff::{AnyFalloff, IntegerPower, Smooth};
 
-use super::{HALF_DEGREES, Scene, Spot, Tool, black_body, cone, half};
+use super::{HALF_DEGREES, Scene, Spot, Tool, black_body, cone, half, luminance};
 use crate::read;
 use crate::record::{Kind, Record};
 use crate::refusal::Refusal;
@@ -88,6 +88,5 @@ fn scale(record: &mut Record, [color, photometric]: [&str; 2], solid: f64) -> Re
     let scale = record.get("scale", 1.0)?;
     // In pbrt, 0 is none, and the number is that of the luminance.
     let Some(total) = record.optional(photometric)?.filter(|total| *total > 0.0) else { return Ok(scale) };
-    let [red, green, blue] = record.triple(color, [1.0; 3])?;
-    Ok(scale * total / (solid * (0.2126 * red + 0.7152 * green + 0.0722 * blue)))
+    Ok(scale * total / (solid * luminance(record.triple(color, [1.0; 3])?)))
 }

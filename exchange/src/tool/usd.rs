@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use luminaire::attenuation::InverseSquare;
 use luminaire::falloff::Step;
 
-use super::{Fall, Law, Rows, Scene, Spot, Tool, Writer, Written, cone, exposed, is_set, no_cone, row};
+use super::{
+    Fall, Law, Rows, Scene, Spot, Tool, Writer, Written, cone, exposed, is_set, luminance, no_cone, row,
+};
 use crate::family::{Family, Free};
 use crate::lamp::Use;
 use crate::limits::within;
@@ -70,7 +72,7 @@ impl Tool for Usd {
             let cubic = [b, (c - a) / 2.0, a - 2.5 * b + 2.0 * c - d / 2.0, 1.5 * (b - c) + (d - a) / 2.0];
             cubic.into_iter().rev().fold(0.0, |sum, own| sum * part + own)
         });
-        let luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+        let luminance = luminance(color);
         Ok(color.map(|channel| (channel / luminance).max(0.0)))
     }
 
