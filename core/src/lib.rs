@@ -130,8 +130,10 @@
 //! [`SpotLight::error_bound`] derives a bound of it for the distances of the surfaces. If the bound is
 //! too large, divide the intensity and multiply the sum of all lights by an
 //! [`Exposure`](display::Exposure), or keep the surfaces in regions where the irradiance is at most
-//! full scale. The bound is that of diffuse light: a highlight adds the error of its lobe, up to 1.5e-3 in
-//! `Fx16` for exponents up to 256, times the light that a facing surface would receive.
+//! full scale. The bound is that of diffuse light. A highlight adds the error of its lobe, times the light that a
+//! facing surface would receive: for exponents up to 256 in `Fx16` at most 3.1e-3 of Phong's lobe, and 5.3e-3 of
+//! Blinn-Phong's with light and eye up to 120 degrees apart (derived). Nearly opposite of each other, at grazing incidence,
+//! they make the direction halfway between them uncertain.
 //!
 //! # Half or full angle
 //!

@@ -9,6 +9,7 @@ mod exhaustive;
 mod half_a_code;
 mod haze;
 mod haze_search;
+mod highlights;
 mod limits;
 mod powers;
 mod stability;
