@@ -114,10 +114,11 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// outside the cone.
     ///
     /// A program skips a light for an object, a tile or a row by its bounding sphere.
-    /// [`Row`](crate::light::Row) does so for the parts of a row. For cones from 8 to 160 degrees a
-    /// sphere is skipped if its gap to the cone is more than 0.12 of the distance from the light to
-    /// its centre in `Fx16` and `Fx32`, and 0.0003 in `f32` (searched). Spheres near a
-    /// narrower cone may not be skipped, and those near a cone of 180 degrees never are.
+    /// [`Row`](crate::light::Row) does so for the parts of a row. For cones from 8 to 160 degrees a sphere is
+    /// skipped if a plane that touches the cone separates them by more than 0.19 of the distance from the light to the
+    /// centre and 3.5e-4 units in `Fx16` and `Fx32`, and by more than 4.2e-4 of the distance and 9e-7 of the coordinates of
+    /// the light in `f32` (derived). In fixed point the radius over the sine of the half angle must be less than 8,000 units.
+    /// Spheres near a narrower cone may not be skipped, and those near a cone of 180 degrees never are.
     pub fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
         LightModel::can_reach(self, center, radius)
     }
