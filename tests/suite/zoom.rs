@@ -4,11 +4,13 @@ use fastrand::Rng;
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, SpotLight, Vec3,
     attenuation::NoAttenuation,
+    codegen::{FixedRamp, FloatRamp},
     falloff::{Falloff, Soft, Step},
     number::Quick,
 };
 use support::{
     assert_that,
+    every::is_full,
     format::Format,
     oracle::{
         self, DVec3,
@@ -180,6 +182,95 @@ fn a_zoomed_quick_light_keeps_its_bound() {
     }
     let part = part_of_bound::<Fx16>();
     assert_that!((0.3..=1.0).contains(&part), part);
+}
+
+/// A format with the versines that a ramp of it has: the inner one, the outer one and that of the end.
+trait Ramped: Format {
+    /// By how many radians a half angle between two may be off, by which part of it, and the versine of the inner angle
+    /// by which part of the outer versine more.
+    const BETWEEN: [f64; 3];
+
+    fn versines(ramp: Self::Ramp) -> [f64; 3];
+}
+
+/// The reciprocal of an edge keeps no hotspot of less than 1/1,000 of the outer angle.
+impl Ramped for f32 {
+    /// A root has half of the rounding of a versine, a product and a sum one each, and a square doubles them: nine in all. A
+    /// half angle has up to `2 / pi` of that relative error. A hotspot of 1/1,000 multiplies the rounding of its versine by
+    /// 1,000, of which a quarter is left between that and the widest hotspot.
+    const BETWEEN: [f64; 3] = [0.0, 3.5e-7, 2e-5];
+
+    fn versines(ramp: FloatRamp) -> [f64; 3] {
+        let [outer, limit, reciprocal] = ramp.to_bits().map(|bits| f64::from(f32::from_bits(bits)));
+        let inner = outer - 1.0 / reciprocal;
+        [if inner > 1e-6 * outer { inner } else { 0.0 }, outer, limit]
+    }
+}
+
+/// A chord is within a relative 7.5e-9 and two units of 2^-31, of which a half angle has up to twice and `4 / pi` times
+/// as much. A versine between is rounded by up to a unit of 2^-30 of at least a half, and the reciprocal of the
+/// edge gives an outer versine back within 1e-9.
+macro_rules! fixed_ramp {
+    ($($format:ty)*) => {$(
+        impl Ramped for $format {
+            const BETWEEN: [f64; 3] = [1.9e-9, 1.3e-8, 2e-9];
+
+            fn versines(ramp: FixedRamp) -> [f64; 3] {
+                let [zoom, inner, width, .., fine, fine_shift, fine_mantissa] = ramp.to_bits();
+                let span = (f64::from(fine_shift) + 31.0).exp2() / f64::from(fine_mantissa);
+                let inner = f64::from(inner);
+                let limit = inner + f64::from(width.max(fine));
+                [inner, inner + span, limit].map(|versine| versine * (-29.0 - 2.0 * f64::from(zoom)).exp2())
+            }
+        }
+    )*};
+}
+
+fixed_ramp!(Fx32 Fx16);
+
+/// The errors of the angles of a zoomed ramp are at most the stated ones, and the largest is not much less.
+#[test]
+fn a_zoomed_ramp_has_the_angles_between() {
+    /// The largest error of the inner versine, the outer versine and that of the end, in units of its bound.
+    fn part_of_bound<S: Ramped>(zoom: Zoom) -> f64 {
+        let Ok(cones) = zoom.cones(Step) else { return 0.0 };
+        let ramps = cones.map(|cone| {
+            let [inner, outer, limit] = cone.versines();
+            S::ramp(inner, outer, limit)
+        });
+        let part = S::from_f32(zoom.part);
+        // The ends are exact.
+        if part >= S::ONE {
+            return 0.0;
+        }
+        let [from, to] = ramps.map(S::versines);
+        let found = S::versines(S::zoomed(ramps[0], ramps[1], part).0);
+        let exact = [0, 1, 2].map(|i| {
+            let [from, to] = [from, to].map(|versines| versines[i].sqrt());
+            (from + (to - from) * part.exact()).powi(2)
+        });
+        let [absolute, relative, of_inner] = S::BETWEEN;
+        let parts = [0, 1, 2].map(|i| {
+            let versine = exact[i].min(1.0);
+            let angle = (1.0 - versine).acos().max((2.0 * versine).sqrt());
+            let off = absolute + relative * angle;
+            let bound = off * angle.sin() + off * off + if i == 0 { of_inner * exact[1] } else { 0.0 };
+            oracle::counted((found[i] - exact[i]).abs() / bound)
+        });
+        parts.into_iter().fold(0.0, f64::max)
+    }
+    fn assert_between<S: Ramped>(narrowest: f32) {
+        let (starts, climbs, steps) = if is_full() { (1_000_000, 600, 50_000) } else { (20_000, 8, 3_000) };
+        let search = Search { starts, climbs, steps, ..Search::default() };
+        let somewhere = |rng: &mut Rng| Zoom::somewhere(rng, narrowest);
+        let moved = |rng: &mut Rng, zoom: Zoom| zoom.moved(rng, narrowest);
+        let worst = search.worst(somewhere, moved, part_of_bound::<S>).expect("some error");
+        println!("{}: {:.3} of the bound at {:?}", S::NAME, worst.error, worst.input);
+        assert_that!((0.3..=1.0).contains(&worst.error), worst);
+    }
+    assert_between::<Fx16>(0.3);
+    assert_between::<Fx32>(1e-4);
+    assert_between::<f32>(1e-3);
 }
 
 /// At its ends a zoom has exactly the two cones, also for parts outside [0, 1] and NaN.

@@ -194,7 +194,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// the format: if one of them needs the fine evaluation of `Fx16`, all have it. Two lights
     /// of one intensity that are compiled singly zoom, too. In `Fx16` the error bound of a cone
     /// between them may then be larger than that of either. In `Fx32` the half angles of a cone between are off by up
-    /// to 2.0e-9 radians, about as much as a direction is: next to the narrowest cone of the format, the bound
+    /// to 1.9e-9 radians, about as much as a direction is: next to the narrowest cone of the format, the bound
     /// of such a cone exceeds half a linear code.
     ///
     /// Two lights of [`compile_quick`](Self::compile_quick) zoom as two that are compiled singly. A cone between
