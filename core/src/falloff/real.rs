@@ -7,7 +7,7 @@ use super::{
 use crate::{
     error::{Error, Expected, Parameter},
     model::{Model as _, Number, model},
-    number::{Fraction, RealExponent, Scalar},
+    number::{Fraction, HALF_A_CODE, RealExponent, Scalar},
     source::written_by_bits,
     trig::{self, real_power},
 };
@@ -52,10 +52,19 @@ pub(crate) const STRIP: f64 = 1.0 / 510.0;
 
 /// Returns the derivative with respect to `t` at the end of the [`STRIP`] beside the axis or the hotspot, of a falloff
 /// whose derivative is infinite there; 0 for any other falloff.
+///
+/// Where the falloff rises by more than half a linear code within the strip, it is at least so large that an
+/// error of `t` that reaches across the strip counts as half a linear code: the smaller the exponent, the more of the rise is
+/// next to the axis, and the less the derivative says of it.
 pub(crate) fn slope_beside_axis(formula: Formula<'_>, hotspot: f32) -> f32 {
     match formula {
         Formula::InvertedPower(exponent, floor) if exponent < 1.0 => {
-            InvertedRealPower { exponent, floor }.beside_strip(hotspot).1 as f32
+            let power = InvertedRealPower { exponent, floor };
+            let (from, slope) = power.beside_strip(hotspot);
+            let rise = 1.0 - (1.0 - real_power(from, exponent.into())) / power.height();
+            let half_a_code = f64::from(HALF_A_CODE);
+            let across = if rise > half_a_code { half_a_code / from } else { 0.0 };
+            slope.max(across) as f32
         }
         _ => 0.0,
     }
