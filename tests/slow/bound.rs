@@ -167,7 +167,13 @@ impl<E: Evaluation> Beam<E> {
     }
 
     /// The error of the clipped light at a point, in units of the bound.
-    fn error(&self, SurfacePoint { point, normal }: SurfacePoint) -> f64 {
+    fn error(&self, at: SurfacePoint) -> f64 {
+        let error = self.off(at);
+        if error > 0.0 { error / f64::from(self.bound.light) } else { 0.0 }
+    }
+
+    /// The error of the clipped light at a point.
+    fn off(&self, SurfacePoint { point, normal }: SurfacePoint) -> f64 {
         let (point, normal) = (E::Format::point(point), E::Format::normal(normal));
         let (way, exact_normal) =
             (E::Format::exact_point(point) - self.position, E::Format::exact_normal(normal));
@@ -201,9 +207,8 @@ impl<E: Evaluation> Beam<E> {
         let error = |found: f64, cosine: f64| {
             oracle::counted((found.min(1.0) - (falloff * cosine * gain).min(1.0)).abs())
         };
-        let error = error(E::light(&self.compiled, point, normal), cosine)
-            .max(error(E::facing(&self.compiled, point), 1.0));
-        if error > 0.0 { error / f64::from(self.bound.light) } else { 0.0 }
+        error(E::light(&self.compiled, point, normal), cosine)
+            .max(error(E::facing(&self.compiled, point), 1.0))
     }
 }
 
@@ -263,6 +268,51 @@ fn fx16_keeps_its_bound() {
 #[test]
 fn quick_fx16_keeps_its_bound() {
     assert_bound::<Fast<Fx16>>(0.9, 0.25);
+}
+
+impl Beam<Standard<Fx16>> {
+    /// The light at the distances at which the first points have the coarse evaluation.
+    fn beyond_fine(self) -> Option<Self> {
+        let is_fine = |distance: f64| {
+            self.compiled.is_fine(sweep::single(self.position + distance * self.axis).map(Fx16::length))
+        };
+        let [mut fine, mut coarse] = [1e-3, 1e4];
+        if !is_fine(fine) || is_fine(coarse) {
+            return None;
+        }
+        while coarse > 1.001 * fine {
+            let middle = (fine * coarse).sqrt();
+            if is_fine(middle) { fine = middle } else { coarse = middle }
+        }
+        let distances = [fine as f32, 4.0 * fine as f32];
+        let bound = self.light.error_bound::<Fx16>(distances[0]..=distances[1]).ok()?;
+        (bound.light < 1.0).then_some(Self { distances, bound, ..self })
+    }
+}
+
+/// The largest error of lights of any falloff and attenuation where they begin to have the coarse evaluation. What is
+/// chosen by the gain alone is right to half a linear code for usual lights (`tests/suite/bright.rs`).
+#[test]
+fn fx16_errs_by_few_codes_beyond_its_fine_evaluation() {
+    let full = std::env::var_os("LUMINAIRE_FULL").is_some();
+    let (mut rng, tables) = (Rng::with_seed(5556), tables());
+    let (mut left, mut worst, mut place) = (if full { 6_000 } else { 60 }, 0.0_f64, String::new());
+    while left > 0 {
+        let Some(beam) = Beam::random(&mut rng, &tables).and_then(Beam::beyond_fine) else { continue };
+        let surfaces = beam.surfaces();
+        let is_fine = |at: SurfacePoint| beam.compiled.is_fine(Fx16::point(at.point));
+        let off = |at: SurfacePoint| if is_fine(at) { 0.0 } else { beam.off(at) };
+        let search = Search { starts: 2_000, climbs: 6, steps: 2_500, seed: rng.u64(..) };
+        let stored = |normal| Fx16::exact_normal(Fx16::normal(normal));
+        let found = search.worst(|rng| surfaces.point(rng, stored), Surfaces::moved, off);
+        if let Some(found) = found.filter(|found| found.error > worst) {
+            (worst, place) = (found.error, format!("{:?} {:?}", beam.light, found.input));
+        }
+        left -= 1;
+    }
+    let codes = 255.0 * worst;
+    println!("{codes:.3} linear codes at {place}");
+    assert!((0.6..=1.7).contains(&codes), "{codes:.3} linear codes at {place}");
 }
 
 /// Directional lights of any direction and intensity, over random normals and climbs by bits.

@@ -232,8 +232,8 @@ type Genes = [f32; GENES];
 
 const GENES: usize = 8 + 2 * LIGHT;
 
-/// Genes per light.
-const LIGHT: usize = 14;
+/// Genes per light, of which the last are the numbers of its falloff and of its attenuation.
+const LIGHT: usize = 14 + 8;
 
 /// The view of a scene with a floor, a wall and round things, and one or two beams.
 struct Case {
@@ -276,8 +276,10 @@ impl Case {
             3 => target - position + offset(&genes[7..]) * scale,
             _ => target - eye + offset(&genes[7..]) * 0.3,
         };
-        let number = genes[10] * AnyFalloff::COUNT as f32;
-        let falloff = AnyFalloff::drawn(number as usize, || number.fract()).ok()?;
+        let mut numbers = genes[14..].iter().copied();
+        let mut number = || numbers.next().unwrap_or_default();
+        let falloff = (genes[10] * AnyFalloff::COUNT as f32) as usize;
+        let falloff = AnyFalloff::anywhere(falloff, &mut number).ok()?;
         let outer = 0.3 * 500.0_f32.powf(genes[11]);
         let mut cone = Cone::from_outer(falloff, Angle::degrees(outer)).ok()?;
         if genes[13] > 0.6 {
@@ -288,8 +290,8 @@ impl Case {
         let dyed = Rgb::new(1.0, genes[9], genes[8]);
         let spot = spot.with_color(dyed).ok()?;
         let light = if genes[9] > 0.7 {
-            let number = (genes[8] * AnyAttenuation::COUNT as f32) as usize;
-            AnyLight::from(spot.with_attenuation(AnyAttenuation::drawn(number, || genes[7]).ok()?))
+            let attenuation = (genes[8] * AnyAttenuation::COUNT as f32) as usize;
+            AnyLight::from(spot.with_attenuation(AnyAttenuation::anywhere(attenuation, number).ok()?))
         } else {
             AnyLight::from(spot)
         };
