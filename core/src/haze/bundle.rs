@@ -84,14 +84,15 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Returns whether [`in_scattering`](Self::in_scattering) may be more than 0 for any ray of a
     /// bundle.
     ///
-    /// In a beam of a half angle of at least 0.1 degrees, the in-scattering of every ray is exactly 0 if
-    /// the result is `false`. If the result is `true`, the in-scattering may still be 0.
+    /// In a beam of a half angle of at least 0.1 degrees, up to its [`outer_versine`](Self::outer_versine), the
+    /// in-scattering of every ray is exactly 0 if the result is `false`. If the result is `true`, the in-scattering may
+    /// still be 0.
     ///
     /// The result is `false` if a plane through the light separates the beam from the rays, or if
     /// all rays are beyond a plane at the light's range. A plane counts only if the distances of
     /// the rays' ends from the plane exceed a margin of about a hundred rounding errors of a
-    /// distance. From 0.1 degrees on this margin is more than the rounding errors of this test and of the
-    /// evaluation together; rays at the rim of a narrower beam may be missed. The candidate planes touch
+    /// distance. From 0.1 degrees on this margin is more than six times the rounding errors of this test and of the
+    /// evaluation (searched); rays at the rim of a narrower beam may be missed. The candidate planes touch
     /// the beam or the bundle. For a ray beside the beam, one candidate plane touches the beam between the
     /// ray's ends, as seen along the axis. The test uses the rounded normal of each plane. So a rounding
     /// error can miss a separating plane, but `false` remains correct.
