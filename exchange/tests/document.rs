@@ -95,8 +95,9 @@ fn document_is_read_back_and_keeps_to_the_schema() {
         let range = rng.choice([0.001, 1e9, between]);
         let Ok(attenuation) = row.of(&values(&mut rng, &mut row.beside_range()), range) else { continue };
         let [x, y, z] = [0; 3].map(|_| 4.0 * rng.f32() - 1.5);
-        let spot =
-            SpotLight::new([x, y, z], [z, x, y], cone).expect("a light").with_intensity(9.0 * rng.f32());
+        let usual = 9.0 * rng.f32();
+        let intensity = rng.choice([0.0, 1e-9, 1e9, usual]).expect("four");
+        let spot = SpotLight::new([x, y, z], [z, x, y], cone).expect("a light").with_intensity(intensity);
         lights.push(spot.expect("an intensity").with_attenuation(attenuation).into());
         lights.push(PointLight::new([x, y, z]).expect("a light").with_attenuation(attenuation).into());
     }

@@ -87,7 +87,7 @@ fn light(words: &Words) -> Light {
 
 /// Returns two lights that zoom into each other, and the reach of the first.
 fn lights(rng: &mut Rng) -> Option<([Light; 2], f32)> {
-    let falloff = Cubic::with_slopes(3.0 * rng.f32(), 3.0 * rng.f32()).ok()?;
+    let falloff = Cubic::with_slopes(4.0 * rng.f32(), 4.0 * rng.f32()).ok()?;
     let cone = |rng: &mut Rng| {
         let outer = 180.0 * rng.f32() * rng.f32();
         let cone = Cone::from_outer(falloff, Angle::degrees(outer)).ok()?;
@@ -97,12 +97,13 @@ fn lights(rng: &mut Rng) -> Option<([Light; 2], f32)> {
         if rng.u8(..4) == 0 { cone.with_cutoff(Angle::degrees(cutoff)).ok() } else { Some(cone) }
     };
     let spot = |rng: &mut Rng, intensity: f32| {
-        let position = [0; 3].map(|_| (rng.f32() - 0.5) * if rng.u8(..8) == 0 { 3e4 } else { 20.0 });
+        let position = [0; 3].map(|_| (rng.f32() - 0.5) * if rng.u8(..8) == 0 { 32_766.0 } else { 20.0 });
         let axis = [0; 3].map(|_| rng.f32() - 0.5);
         let spot = SpotLight::new(position, axis, cone(rng)?).ok()?.with_intensity(intensity).ok()?;
         spot.with_color(Rgb::new(rng.f32(), rng.f32(), rng.f32())).ok()
     };
-    let intensity = 0.01 * 2_f32.powi(rng.i32(0..20));
+    let intensity =
+        if rng.u8(..4) == 0 { 1e-9 * 1e18_f32.powf(rng.f32()) } else { 0.01 * 2_f32.powi(rng.i32(0..20)) };
     let (from, to) = (spot(rng, intensity)?, spot(rng, intensity)?);
     let both = if rng.bool() {
         [from.compile().ok()?, to.compile().ok()?]

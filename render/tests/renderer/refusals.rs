@@ -4,6 +4,8 @@
 use fastrand::Rng;
 use luminaire::{
     Angle, Cone, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3,
+    attenuation::AnyAttenuation,
+    dynamic::AnyLight,
     falloff::{AnyFalloff, InvertedRealPower, Soft},
     haze::Haze,
     projector::{Fixture, Gobo},
@@ -163,9 +165,11 @@ fn fixture(rng: &mut Rng) -> Result<Fixture, luminaire::Error> {
     if rng.bool() {
         return Ok(PointLight::new(place)?.with_intensity(number(rng))?.with_color(color(rng))?.into());
     }
-    let cone = Cone::from_field(Soft, Angle::degrees(180.0 * rng.f32()))?;
+    let falloff = AnyFalloff::anywhere(rng.usize(..), || rng.f32())?;
+    let cone = Cone::from_outer(falloff, Angle::degrees(180.0 * rng.f32()))?;
     let spot = SpotLight::new(place, vector(rng), cone)?.with_intensity(30.0 * number(rng))?;
-    let fixture = Fixture::from(spot.with_color(color(rng))?);
+    let attenuation = AnyAttenuation::anywhere(rng.usize(..), || rng.f32())?;
+    let fixture = Fixture::from(AnyLight::from(spot.with_color(color(rng))?.with_attenuation(attenuation)));
     if rng.bool() { fixture.with_shadow(16) } else { Ok(fixture) }
 }
 

@@ -16,7 +16,7 @@ use glam::DVec3;
 use luminaire::{
     Angle, Cone, SpotLight, Vec3,
     dynamic::AnyLight,
-    falloff::{AnyFalloff, Hard, Soft, Step},
+    falloff::{AnyFalloff, Falloff as _, Hard, Soft, Step},
     haze::Haze,
     projector::{Gobo, ProjectedPoint},
 };
@@ -35,7 +35,7 @@ fn exactly(v: impl Into<glam::Vec3>) -> DVec3 {
     v.into().as_dvec3()
 }
 
-/// A spotlight with a gobo in haze, in f64. The falloff is a function of the argument `t`.
+/// A spotlight with a gobo in haze, in f64.
 struct Exact {
     position: DVec3,
     axis: DVec3,
@@ -44,7 +44,7 @@ struct Exact {
     versine: f64,
     radius: f64,
     gain: f64,
-    falloff: fn(f64) -> f64,
+    falloff: AnyFalloff,
     gobo: Gobo<'static>,
 }
 
@@ -53,12 +53,6 @@ impl Exact {
         let AnyLight::Spot(spot) = fixture.light() else { panic!("expected a spotlight") };
         let (gobo, square) = fixture.gobo().expect("a gobo");
         let scale = 65_536.0 / (2.0 * f64::from(square.tangent()));
-        let falloff = match spot.cone().falloff() {
-            AnyFalloff::Soft(_) => |t| t * t,
-            AnyFalloff::Hard(_) => |t| t * (2.0 - t),
-            AnyFalloff::Step(_) => |_| 1.0,
-            other => panic!("{other:?}"),
-        };
         Self {
             position: exactly(spot.position()),
             axis: exactly(spot.axis()),
@@ -67,7 +61,7 @@ impl Exact {
             versine: f64::from(spot.cone().outer_versine()),
             radius: f64::from(haze.source_radius()),
             gain: f64::from(spot.color().red) * f64::from(spot.intensity()) * f64::from(haze.density()) / 4.0,
-            falloff,
+            falloff: spot.cone().falloff(),
             gobo,
         }
     }
@@ -101,7 +95,7 @@ impl Exact {
         let lit = |angle: f64| {
             let way = angle.cos() * foot + angle.sin() * direction;
             let t = 1.0 - (way - self.axis).length_squared() / (2.0 * self.versine);
-            (way, if t > 0.0 { (self.falloff)(t) } else { 0.0 })
+            (way, self.falloff.formula().exact(t))
         };
         for i in 0..STEPS {
             let part = (f64::from(i) + 0.5) / f64::from(STEPS);
@@ -223,7 +217,7 @@ fn shafts_of_the_show_err_by_at_most_a_quarter_of_a_code() {
 }
 
 /// Random numbers in [0, 1) that a view and a fixture are built from.
-type Genes = [f32; 16];
+type Genes = [f32; 19];
 
 fn case(genes: &Genes) -> Option<(Camera, Fixture)> {
     let target = Vec3::new(4.0 * genes[0] - 2.0, 0.2 + 2.5 * genes[1], 0.0);
@@ -236,10 +230,16 @@ fn case(genes: &Genes) -> Option<(Camera, Fixture)> {
     let position = eye + (target - eye) * 1.2 * genes[6] + offset(&genes[7..]) * 3.0 * genes[9] * genes[9];
     // Half of the fixtures point at something that is seen.
     let aim = if genes[13] < 0.5 { offset(&genes[10..]) } else { target - position + offset(&genes[10..]) };
-    let falloff: AnyFalloff = match (3.0 * genes[12]) as usize {
+    // Half of them are of the three kinds of edge, the others any.
+    let mut numbers = genes[16..].iter().copied();
+    let falloff = match (6.0 * genes[12]) as usize {
         0 => Soft.into(),
         1 => Hard.into(),
-        _ => Step.into(),
+        2 => Step.into(),
+        _ => {
+            let index = (genes[16] * AnyFalloff::COUNT as f32) as usize;
+            AnyFalloff::anywhere(index, || numbers.next().unwrap_or_default()).ok()?
+        }
     };
     let cone = Cone::from_outer(falloff, Angle::degrees(0.6 * 240.0_f32.powf(genes[14]))).ok()?;
     let spot = SpotLight::new(position, aim, cone).ok()?;
@@ -279,6 +279,6 @@ fn shafts_keep_their_bounds_in_a_search() {
         println!("seed {seed}: {width} x {height}, {worst:?}");
     }
     println!("{seeds} climbs of {} cases: {all:?}", starts + steps);
-    assert!(all.relative <= 1.6 && all.more <= 0.9 && all.shafts < 0.2 * all.samples, "{all:?}");
+    assert!(all.relative <= 1.6 && all.more <= 0.95 && all.shafts < 0.2 * all.samples, "{all:?}");
     assert!(all.rays > 500, "{all:?}");
 }
