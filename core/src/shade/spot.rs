@@ -117,7 +117,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// [`Row`](crate::light::Row) does so for the parts of a row. For cones from 8 to 160 degrees a sphere is
     /// skipped if a plane that touches the cone separates them by more than 0.19 of the distance from the light to the
     /// centre and 3.5e-4 units in `Fx16` and `Fx32`, and by more than 4.2e-4 of the distance and 9e-7 of the coordinates of
-    /// the light in `f32` (derived). In fixed point the radius over the sine of the half angle must be less than 8,000 units.
+    /// the light in `f32` (derived). In fixed point the radius over the sine of the half angle must be less than 8,000
+    /// units, and the light moved back by it within 32,000.
     /// Spheres near a narrower cone may not be skipped, and those near a cone of 180 degrees never are.
     pub fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
         LightModel::can_reach(self, center, radius)
