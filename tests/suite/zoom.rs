@@ -5,7 +5,7 @@ use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, SpotLight, Vec3,
     attenuation::NoAttenuation,
     codegen::{FixedRamp, FloatRamp},
-    falloff::{Falloff, Soft, Step},
+    falloff::{Falloff, Power, Soft, Step},
     number::Quick,
 };
 use support::{
@@ -301,6 +301,24 @@ fn a_zoomed_ramp_has_the_angles_between() {
     assert_between::<Fx16>(0.3);
     assert_between::<Fx32>(1e-4);
     assert_between::<f32>(1e-3);
+}
+
+/// Between two cones the width of an edge may fall faster than its slope rises: the bound of a quick light is larger there.
+#[test]
+fn a_quick_cone_between_may_have_a_larger_bound() {
+    fn times<P: Falloff>(falloff: P, outer: [f32; 2], inner: [f32; 2]) -> f32 {
+        let [from, to] =
+            Zoom { outer, inner, cutoff: [1.0; 2], part: 0.0 }.cones(falloff).expect("sound angles");
+        let bound = |cone| {
+            let light = light(cone).with_attenuation(NoAttenuation);
+            light.quick_error_bound::<Fx16>(0.3..=16.0).expect("held").light
+        };
+        let between = (1..24).map(|k| bound(from.zoomed(&to, 1.0 - 0.7_f32.powi(k))));
+        between.fold(0.0, f32::max) / bound(from).max(bound(to))
+    }
+    let soft = times(Soft, [88.872_246, 1.538_514_1], [0.944_174_5, 0.212_701_17]);
+    let power = times(Power::<8>, [33.738_77, 2.223_590_6], [0.751_046_9, 0.0]);
+    assert_that!((1.09..=1.11).contains(&soft) && (1.45..=1.47).contains(&power), soft, power);
 }
 
 /// At its ends a zoom has exactly the two cones, also for parts outside [0, 1] and NaN.

@@ -198,8 +198,9 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// of such a cone exceeds half a linear code.
     ///
     /// Two lights of [`compile_quick`](Self::compile_quick) zoom as two that are compiled singly. A cone between
-    /// theirs may be a little too steep to be compiled by itself; its error is at most 1.2 times the
-    /// [bound](Self::quick_error_bound) of the worse of the two (searched).
+    /// theirs may be a little too steep to be compiled by itself. Its [bound](Self::quick_error_bound) is that of the cone of
+    /// [`Cone::zoomed`], which may exceed that of either: by up to 1.11 times for soft edges, and by 1.47 times for powers where
+    /// one of the two has a wide hotspot (searched).
     ///
     /// ```
     /// use luminaire::{Angle, Cone, Fx16, SpotLight};
