@@ -1,5 +1,7 @@
 //! Scenes of pbrt: `.pbrt` of versions 3 and 4.
 
+use std::collections::HashMap;
+
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::Found;
@@ -15,6 +17,8 @@ const SYSTEM: System = System {
     off: "",
     outside: "Include Import Attribute AreaLightSource",
 };
+/// The name of a directive that is inverted.
+const INVERSE: &str = "inverse";
 
 /// Returns the lights, with the names of their parameters as keys, in the left-handed world of pbrt.
 /// `version` = 3 if the file has a word that version 4 rejects.
@@ -22,6 +26,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     // The nodes are the directives: the parent of each is the one before, as transforms go.
     let (mut scan, mut blocks) = (Scan::new(text, &PBRT), vec![Block::default()]);
     let (mut stack, mut current) = (Vec::new(), 0);
+    let mut named = HashMap::from([("world", 0)]);
     while let Some(token) = scan.next() {
         let mut block = Block { kind: token, line: scan.line(), parents: vec![current], ..Block::default() };
         match token {
@@ -34,6 +39,23 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
                 block.values.insert(token, scan.numbers());
                 block.parents = vec![if token == "Transform" { 0 } else { current }];
                 current = add(&mut blocks, block)?;
+            }
+            "CoordinateSystem" => drop(named.insert(unquoted(scan.value()), current)),
+            "Camera" => {
+                // From the camera to the world: the directives from the last to the first, each inverted.
+                let (mut next, mut camera) = (current, 0);
+                while next != 0 {
+                    let Block { kind, line, .. } = blocks[next];
+                    let name = if blocks[next].name == INVERSE { "" } else { INVERSE };
+                    let mut step = Block { kind, line, name, parents: vec![camera], ..Block::default() };
+                    step.values.insert(kind, blocks[next].values.get(kind).unwrap_or(""));
+                    camera = add(&mut blocks, step)?;
+                    next = blocks[next].parents[0];
+                }
+                named.insert("camera", camera);
+            }
+            "CoordSysTransform" if scan.peek().is_some_and(|name| named.contains_key(unquoted(name))) => {
+                current = named[unquoted(scan.value())];
             }
             "CoordSysTransform" | "ActiveTransform" => {
                 block.values.insert(token, scan.value());
@@ -80,8 +102,14 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     })
 }
 
-/// Returns the transform of a directive (`transform.cpp` of version 3).
+/// Returns the transform of a node.
 fn local(block: &Block) -> Result<DAffine3, Refusal> {
+    let step = directive(block)?;
+    Ok(if block.name == INVERSE { step.inverse() } else { step })
+}
+
+/// Returns the transform of a directive (`transform.cpp` of version 3).
+fn directive(block: &Block) -> Result<DAffine3, Refusal> {
     match block.kind {
         "Translate" => Ok(DAffine3::from_translation(block.vector(block.kind, 0.0)?)),
         "Scale" => Ok(DAffine3::from_scale(block.vector(block.kind, 1.0)?)),
@@ -99,7 +127,10 @@ fn local(block: &Block) -> Result<DAffine3, Refusal> {
             Ok(DAffine3::from_mat3_translation(camera, eye).inverse())
         }
         "Transform" | "ConcatTransform" => block.matrix(block.kind),
-        "CoordSysTransform" | "ActiveTransform" => Err(block.refused(block.kind, "transforms by numbers")),
+        "CoordSysTransform" => {
+            Err(block.refused(block.kind, "camera, world, or a name that CoordinateSystem gives, above it"))
+        }
+        "ActiveTransform" => Err(block.refused(block.kind, "transforms by numbers")),
         _ => Ok(DAffine3::IDENTITY),
     }
 }
