@@ -53,7 +53,7 @@ systems! {
     /// glTF 2.0 with `KHR_lights_punctual`.
     Gltf(Gltf) = "gltf", ["gltf", "glb"], "spot, point and directional lights of a file, or numbers";
     /// three.js.
-    Three(Three) = "three", ["json"], "lights of an object or scene in JSON, or numbers";
+    Three(Three) = "three", ["json"], "lights of an object, a scene or a project in JSON, or numbers";
     /// Godot 3 and 4.
     Godot(Godot) = "godot", ["tscn", "scn"], "lights of a scene as text, or numbers";
     /// OpenGL 1 and 2.

@@ -8,7 +8,7 @@ use crate::input::{self, recognised};
 use crate::reading::Reading;
 use crate::refusal::Refusal;
 
-const FILES: [&str; 10] = [
+const FILES: [&str; 11] = [
     "lights.tscn",
     "lights.pbrt",
     "lights.prefab",
@@ -18,6 +18,7 @@ const FILES: [&str; 10] = [
     "lights.wrl",
     "three.gltf",
     "three.json",
+    "app.json",
     "babylon.babylon",
 ];
 

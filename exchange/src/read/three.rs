@@ -1,4 +1,4 @@
-//! three.js: the JSON of `Object3D.toJSON()`, which `ObjectLoader` reads.
+//! three.js: the JSON of `Object3D.toJSON()`, which `ObjectLoader` reads, and projects of its editor.
 
 use std::collections::HashMap;
 use std::slice;
@@ -12,21 +12,30 @@ use crate::record::{Kind, Record, linear};
 use crate::refusal::Refusal;
 
 objects! {
-    File: metadata Metadata, object Object, animations Vec<IgnoredAny>;
+    File: metadata Metadata, object Object, animations Vec<IgnoredAny>, scene File, scripts HashMap<String, IgnoredAny>;
     Metadata: r#type String;
     Object: uuid String, r#type String, name String, visible bool, layers f64, matrix [f64; 16], children Vec<Object>,
         color f64, intensity f64, distance f64, decay f64, angle f64, penumbra f64, target String, map IgnoredAny;
 }
 
-/// Finds the lights of a scene or an object.
+/// Finds the lights of a scene, an object, or the scene of a project: what the editor saves, and `app.json` of what
+/// it publishes. A project's camera is none of the scene.
 pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
-    let file: File = parse(text)?;
+    let mut found = Found::default();
+    let mut file: File = parse(text)?;
+    if let (None, Some(scene)) = (&file.object, file.scene.take()) {
+        let scripts = file.scripts.is_some_and(|scripts| !scripts.is_empty());
+        found
+            .notes
+            .extend(scripts.then(|| "the project's scripts are not run: they may change lights".to_owned()));
+        file = *scene;
+    }
     let kind = file.metadata.unwrap_or_default().r#type;
     let (Some(root), "Object") = (&file.object, word(&kind)) else {
-        let expected = "Object, and an object: what Object3D.toJSON() writes";
+        let expected = "Object, and an object: what Object3D.toJSON() writes, or a project of the editor";
         return Err(Refusal::new("metadata.type", word(&kind), expected));
     };
-    let (mut found, mut lights, mut positions) = (Found::default(), Vec::new(), HashMap::new());
+    let (mut lights, mut positions) = (Vec::new(), HashMap::new());
     // Not deeper than the JSON. What is below an invisible object is not drawn either.
     let mut stack = vec![(slice::from_ref(&**root).iter(), DAffine3::IDENTITY, true)];
     let mut hidden = 0;
