@@ -3,11 +3,11 @@
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io::{self, IsTerminal, Read, Write, stderr};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use luminaire::dynamic::AnyLight;
 use luminaire_exchange::{
-    Lamp, Lamps, Place, Reading, Refusal, Sheet, System, Use, fixture, largest, numbers, placed, read,
+    Lamp, Lamps, Place, Reading, Refusal, Sheet, System, Use, fixture, largest, numbers, placed, read_beside,
 };
 
 use crate::text::say;
@@ -285,6 +285,8 @@ impl Source {
             aimed |= !matches!(light, AnyLight::Point(_));
         }
         use System::{Eulumdat, Gdtf, Ies, Ofl};
+        let lamps = loaded.iter().flat_map(|loaded| &loaded.lamps.lamps);
+        let is_measured = has(&[Ies, Eulumdat]) || lamps.into_iter().any(|lamp| lamp.measured.is_some());
         for (option, is_idle, why) in [
             ("light", self.light.is_some() && is_own, "there is no file"),
             ("full-scale", self.full_scale.is_some() && is_own, "the intensity is in units of full scale"),
@@ -293,8 +295,8 @@ impl Source {
                 self.throw.is_some() && !has_throw && !has(&[Ies, Eulumdat, Gdtf, Ofl]),
                 "only photometry is scaled by the light at a distance",
             ),
-            ("fit", self.fit.is_some() && !has(&[Ies, Eulumdat]), "no light is that of a photometric file"),
-            ("round", self.round && !has(&[Ies, Eulumdat]), "no light is that of a photometric file"),
+            ("fit", self.fit.is_some() && !is_measured, "no light is that of a photometric file"),
+            ("round", self.round && !is_measured, "no light is that of a photometric file"),
             ("position", spot.position.is_some() && !placed, "a directional light has none"),
             ("axis", spot.axis.is_some() && !aimed, "a point light has none"),
         ] {
@@ -318,8 +320,38 @@ fn is_of(path: &Path, system: Option<System>) -> bool {
     systems.any(|system| system.extensions().contains(&&*extension)) || begins()
 }
 
-/// Reads a file, but for one that is too large.
+/// Reads a file, and the photometric files that it names beside it.
 fn open(path: &Path, system: Option<System>, reading: Reading) -> Result<Lamps, Refusal> {
+    let (name, bytes) = (shown(path.as_os_str()), content(path)?);
+    // A scene of another names no file outside its folder.
+    let beside = |file: &str| {
+        let is_below = |part| matches!(part, Component::Normal(_) | Component::CurDir);
+        if !Path::new(file).components().all(is_below) {
+            return Err("it is not in the folder of this file, or below".to_owned());
+        }
+        content(&path.with_file_name(file)).map_err(|refusal| refusal.expected)
+    };
+    let remedy = |refusal: &mut Refusal| {
+        refusal.expected.push_str(if refusal.parameter == "symmetry" { ROUND } else { "" });
+    };
+    let mut lamps = read_beside(&name, &bytes, system, reading, &beside).map_err(|mut refusal| {
+        remedy(&mut refusal);
+        refusal
+    })?;
+    lamps.refused.iter_mut().for_each(remedy);
+    let notes = lamps.lamps.iter_mut().flat_map(|lamp| &mut lamp.notes);
+    notes
+        .filter(|note| note.starts_with("its IES profile is left out: symmetry"))
+        .for_each(|note| *note += ROUND);
+    Ok(lamps)
+}
+
+/// The remedy of planes that differ.
+const ROUND: &str =
+    "; --fit takes the mean of planes that differ by up to its codes, and --round that of any";
+
+/// Returns the bytes of a file, but for one that is too large.
+fn content(path: &Path) -> Result<Vec<u8>, Refusal> {
     let name = shown(path.as_os_str());
     let unread =
         |error: io::Error| Refusal::new("file", &name, format_args!("a file that can be read: {error}"));
@@ -333,13 +365,7 @@ fn open(path: &Path, system: Option<System>, reading: Reading) -> Result<Lamps, 
         let size = if size > most { size.to_string() } else { format!("more than {most}") };
         return Err(Refusal::new("size", size, format_args!("at most {most} bytes")));
     }
-    read(&name, &bytes, system, reading).map_err(|mut refusal| {
-        if refusal.parameter == "symmetry" {
-            refusal.expected +=
-                "; --fit takes the mean of planes that differ by up to its codes, and --round that of any";
-        }
-        refusal
-    })
+    Ok(bytes)
 }
 
 /// Writes the file of an option.

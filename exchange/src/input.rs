@@ -7,6 +7,7 @@ use luminaire_export::json;
 use crate::convert;
 use crate::lamp::{Lamp, Lamps};
 use crate::measured;
+use crate::profile::{Beside, Profiles};
 use crate::read::{self, Found, photometry::Photometry};
 use crate::reading::Reading;
 use crate::record::{Kind, Record, Value};
@@ -26,6 +27,20 @@ use crate::text::{LARGEST, decode};
 /// A name without a known extension; a file that its reader does not accept, or in which there is no light,
 /// with the reasons that are known. A light of a file that cannot be read is in [`Lamps::refused`].
 pub fn read(name: &str, bytes: &[u8], system: Option<System>, reading: Reading) -> Result<Lamps, Refusal> {
+    read_beside(name, bytes, system, reading, &|_| Err("files beside this one are not given".to_owned()))
+}
+
+/// Returns the lights of a file like [`read`], and reads the photometric files that shape them by `beside`.
+///
+/// # Errors
+/// Those of [`read`].
+pub fn read_beside(
+    name: &str,
+    bytes: &[u8],
+    system: Option<System>,
+    reading: Reading,
+    beside: Beside,
+) -> Result<Lamps, Refusal> {
     let system = match system {
         Some(system) => system,
         None => recognised(name, bytes)?,
@@ -39,7 +54,7 @@ pub fn read(name: &str, bytes: &[u8], system: Option<System>, reading: Reading) 
         System::Ofl => read::ofl::read(&text()?).map(zoomed),
         System::Luminaire => own(&text()?),
         _ => match system.tool().and_then(|tool| tool.scene()) {
-            Some(scene) => Ok(converted(system, scene(bytes)?)),
+            Some(scene) => Ok(converted(system, scene(bytes)?, Profiles::new(beside, reading))),
             None => values(system, &text()?),
         },
     }?;
@@ -151,19 +166,37 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
     Ok(Lamps { lamps: vec![lamp], ..Lamps::new(system) })
 }
 
-fn converted(system: System, Found { records, mut refused, notes }: Found) -> Lamps {
+fn converted(system: System, Found { records, mut refused, notes }: Found, mut profiles: Profiles) -> Lamps {
     let (mut lamps, tables) = (Vec::new(), Tables::default());
     for (number, mut record) in records.into_iter().enumerate() {
         record.tables = tables.clone();
         if record.name.is_empty() {
             record.name = format!("light {}", number + 1);
         }
-        match convert::lamp(system, record) {
-            Ok(lamp) => lamps.push(lamp),
+        match shaped(system, record, &mut profiles) {
+            Ok(found) => lamps.extend(found),
             Err(refusal) => refused.push(refusal),
         }
     }
     Lamps { system, lamps, refused, notes }
+}
+
+/// Returns the lights of a record by its photometric file, or else without it, with a note why.
+fn shaped(system: System, mut record: Record, profiles: &mut Profiles) -> Result<Vec<Lamp>, Refusal> {
+    let Some(mut profile) = record.profile.take() else { return Ok(vec![convert::lamp(system, record)?]) };
+    let without = profile.without.take();
+    let own = convert::lamp(system, record.clone());
+    let found = own.and_then(|own| profiles.lamps(&profile, &own, record.axis));
+    match (found, without) {
+        (Ok(lamps), _) => Ok(lamps),
+        (Err(refusal), None) => Err(refusal.at(record.place)),
+        (Err(refusal), Some(mut without)) => {
+            (without.name, without.position, without.axis) = (record.name, record.position, record.axis);
+            (without.notes, without.tables) = (record.notes, record.tables);
+            without.note(format!("its IES profile is left out: {refusal}"));
+            Ok(vec![convert::lamp(system, without)?])
+        }
+    }
 }
 
 fn zoomed(lamps: Lamps) -> Lamps {

@@ -40,8 +40,21 @@ pub(crate) struct Record {
     /// The names that were read: those that the system has.
     asked: Vec<String>,
     pub(crate) notes: Vec<String>,
+    /// The photometric file that shapes the light.
+    pub(crate) profile: Option<Box<Profile>>,
     /// The tables of the lights of a file.
     pub(crate) tables: Tables,
+}
+
+/// The photometric file of a light: an intensity of the light is its own times that of the file.
+#[derive(Clone, Debug)]
+pub(crate) struct Profile {
+    /// The file as the scene names it.
+    pub(crate) file: String,
+    /// Whether the light keeps the flux that it has without the file.
+    pub(crate) is_normalized: bool,
+    /// The light without the file, if the scene has it.
+    pub(crate) without: Option<Record>,
 }
 
 impl Record {
@@ -57,6 +70,7 @@ impl Record {
             values: Vec::new(),
             asked: Vec::new(),
             notes: Vec::new(),
+            profile: None,
             tables: Tables::default(),
         }
     }

@@ -1,11 +1,11 @@
-//! glTF 2.0, as JSON and as GLB: the lights of `KHR_lights_punctual`.
+//! glTF 2.0, as JSON and as GLB: the lights of `KHR_lights_punctual` and of `EXT_lights_ies`.
 
 use glam::{DAffine3, DQuat};
 use serde::de::IgnoredAny;
 
 use super::Found;
 use super::json::{Worlds, fill, index, list, matrix, named, objects, parse, vector, word};
-use crate::record::{Kind, Record};
+use crate::record::{Kind, Profile, Record};
 use crate::refusal::Refusal;
 use crate::text::decode;
 
@@ -15,11 +15,13 @@ objects! {
     Scene: nodes Vec<f64>;
     Node: name String, children Vec<f64>, extensions Extensions,
         matrix [f64; 16], translation [f64; 3], rotation [f64; 4], scale [f64; 3];
-    Extensions: KHR_lights_punctual Punctual, KHR_node_visibility Visibility, EXT_lights_ies IgnoredAny, EXT_lights_image_based IgnoredAny;
+    Extensions: KHR_lights_punctual Punctual, KHR_node_visibility Visibility, EXT_lights_ies Measured, EXT_lights_image_based IgnoredAny;
     Visibility: visible bool;
     Punctual: light f64, lights Vec<Light>;
     Light: name String, r#type String, color [f64; 3], intensity f64, range f64, spot Spot;
     Spot: innerConeAngle f64, outerConeAngle f64;
+    Measured: light f64, multiplier f64, color [f64; 3], lights Vec<Photometry>;
+    Photometry: name String, uri String;
 }
 
 /// Finds the lights of the default scene, or of all scenes, and those that no node of them uses.
@@ -30,8 +32,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
         return Err(Refusal::new("asset.version", word(&version), "2.0: export the scene as glTF 2.0"));
     }
     let extensions = file.extensions.unwrap_or_default();
-    if extensions.EXT_lights_ies.or(extensions.EXT_lights_image_based).is_some() {
-        found.notes.push("the lights of EXT_lights_ies and EXT_lights_image_based are left out".to_owned());
+    if extensions.EXT_lights_image_based.is_some() {
+        found.notes.push("the lights of EXT_lights_image_based are left out".to_owned());
     }
     let (nodes, scenes) = (list(&file.nodes), list(&file.scenes));
     let mut parents = vec![None; nodes.len()];
@@ -59,19 +61,36 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
     }
     let punctual = extensions.KHR_lights_punctual.unwrap_or_default();
     let lights = list(&punctual.lights);
+    let measured = extensions.EXT_lights_ies.unwrap_or_default();
+    let files = list(&measured.lights);
     let (mut used, mut worlds, mut hidden) = (vec![false; lights.len()], Worlds::new(nodes.len()), 0);
+    let (mut used_files, mut elsewhere) = (vec![false; files.len()], 0);
     for (at, node) in nodes.iter().enumerate() {
-        let own = node.extensions.as_ref().and_then(|own| own.KHR_lights_punctual.as_ref()?.light.as_deref());
-        let Some(own) = own else { continue };
-        let local = |node: usize| (nodes[node].local(), [roots[node], nodes[node].is_hidden()]);
-        let world = worlds.of(at, local, |node| parents[node]);
-        if matches!(world, Ok((_, [false, _]))) {
+        let Some(extensions) = &node.extensions else { continue };
+        let own = extensions.KHR_lights_punctual.as_ref().and_then(|own| own.light.as_deref());
+        let shaped = extensions.EXT_lights_ies.as_ref().filter(|own| own.light.is_some());
+        if own.is_none() && shaped.is_none() {
             continue;
         }
-        let record = index("light", *own, lights.len()).and_then(|own| {
+        let local = |node: usize| (nodes[node].local(), [roots[node], nodes[node].is_hidden()]);
+        let world = worlds.of(at, local, |node| parents[node]);
+        let name = node.name.as_deref();
+        let punctual = own.map(|own| {
+            let own = index("light", *own, lights.len())?;
             used[own] = true;
-            Ok((lights[own].record(node.name.as_deref(), own)?, world.clone()?.0))
+            lights[own].record(name, own)
         });
+        let shaped = shaped.map(|own| {
+            let file = index("light", *own.light.as_deref().unwrap_or(&-1.0), files.len())?;
+            used_files[file] = true;
+            own.record(name, (&files[file], file), punctual.clone().transpose()?)
+        });
+        if matches!(world, Ok((_, [false, _]))) {
+            elsewhere += 1;
+            continue;
+        }
+        let record = shaped.or(punctual).unwrap_or_else(|| Err(Refusal::new("light", "none", "an index")));
+        let record = record.and_then(|record| Ok((record, world.clone()?.0)));
         if matches!(world, Ok((_, [_, true]))) {
             hidden += 1;
         } else {
@@ -79,6 +98,10 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
         }
     }
     found.hide(hidden);
+    let count = used_files.iter().filter(|used| !**used).count();
+    for (count, what) in [(elsewhere, "lights of other scenes"), (count, "IES profiles that no node uses")] {
+        found.notes.extend((count > 0).then(|| format!("{what} are left out: {count}")));
+    }
     found.rest(!list(&file.animations).is_empty());
     for (at, light) in lights.iter().enumerate().filter(|(at, _)| !used[*at]) {
         let record = light.record(None, at).map(|mut record| {
@@ -121,6 +144,54 @@ impl Light {
         fill(record, &[], self.color.as_deref().copied(), &values, [2, 1])
             .map_err(|refusal| refusal.at(place))
     }
+}
+
+impl Measured {
+    /// Returns the light of a node by a file of the extension, whose colour is clamped and whose law is the inverse
+    /// square. A node has one light, as Unreal's exporter writes both extensions: `without` is that by its numbers.
+    fn record(
+        &self,
+        name: Option<&String>,
+        (file, at): (&Photometry, usize),
+        without: Option<Record>,
+    ) -> Result<Record, Refusal> {
+        let place = format!("EXT_lights_ies.lights[{at}]");
+        let uri = word(&file.uri);
+        if uri.is_empty() || uri.starts_with("data:") {
+            let value = if uri.is_empty() { "none" } else { "data:" };
+            let expected = "the name of a file beside this one: a profile within this file is not read";
+            return Err(Refusal::new("uri", value, expected).at(place));
+        }
+        let mut record = Record::new(name.map_or(word(&file.name), String::as_str), Kind::Point, &place);
+        record.profile =
+            Some(Box::new(Profile { file: decoded(uri), is_normalized: false, without: without.clone() }));
+        if without.is_some() {
+            record.note("its node has numbers of KHR_lights_punctual, too: they are taken as the same light");
+        }
+        let own = without.and_then(|mut own| own.triple("color", [1.0; 3]).ok());
+        let color = self.color.as_deref().copied().or(own).map(|color| color.map(|channel| channel.min(1.0)));
+        fill(record, &[], color, &[("intensity", &self.multiplier)], [1, 1]).map_err(|mut refusal| {
+            if refusal.parameter == "intensity" {
+                "multiplier".clone_into(&mut refusal.parameter);
+            }
+            refusal.at(place)
+        })
+    }
+}
+
+/// Returns a URI with its escapes `%20` as bytes of UTF-8.
+fn decoded(uri: &str) -> String {
+    let mut parts = uri.split('%');
+    let mut bytes = parts.next().unwrap_or_default().as_bytes().to_vec();
+    for part in parts {
+        // `from_str_radix` takes a sign, too.
+        let digits = part.get(..2).filter(|own| own.bytes().all(|byte| byte.is_ascii_hexdigit()));
+        match digits.and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
+            Some(byte) => bytes.extend([&[byte], &part.as_bytes()[2..]].concat()),
+            None => bytes.extend([b"%", part.as_bytes()].concat()),
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 /// Returns the JSON: the file, or the first chunk of a GLB.

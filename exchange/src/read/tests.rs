@@ -42,6 +42,8 @@ fn shown(found: Result<Found, Refusal>) -> String {
         let text = format!("{record:?}");
         let values = text.split_once("values: [").and_then(|(_, values)| values.split_once("], asked:"));
         values.into_iter().for_each(|(values, _)| lines += &format!("  {values}\n"));
+        let profile = record.profile.iter();
+        profile.for_each(|own| lines += &format!("  profile {:?}, {}\n", own.file, own.is_normalized));
         record.notes.iter().for_each(|note| lines += &format!("  {note}\n"));
     }
     found.refused.iter().for_each(|refusal| lines += &format!("refused: {refusal}\n"));

@@ -6,7 +6,7 @@ use super::Found;
 use super::scene::{
     Block, Scan, System, USD, add, among, is_text, lights, numbers, rotation, texts, unquoted,
 };
-use crate::record::Kind;
+use crate::record::{Kind, Profile, Record};
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
@@ -16,14 +16,19 @@ const SYSTEM: System = System {
            inputs:shaping:focus inputs:shaping:cone:angle inputs:shaping:cone:softness inputs:enableColorTemperature \
            inputs:colorTemperature",
     others: "inputs:diffuse=1 inputs:specular=1 inputs:shaping:focusTint=0,0,0 \
-             inputs:shaping:ies:file= collection:lightLink:includes= collection:lightLink:excludes=",
+             collection:lightLink:includes= collection:lightLink:excludes=",
     never: "",
     off: "active=false visibility=invisible",
     outside: "references payload inherits specializes subLayers variantSet",
 };
+/// The photometric file of a light.
+const PROFILE: &str = "inputs:shaping:ies:file";
+/// The values beside those of lights and transforms whose samples are read.
+const OWN: &str = "visibility inputs:shaping:ies:file";
 const OTHERS: &str = "RectLight CylinderLight DomeLight DomeLight_1 GeometryLight PortalLight MeshLightAPI";
 
-/// Returns the lights, with the names of UsdLux without `inputs:` as keys.
+/// Returns the lights, with the names of UsdLux without `inputs:` as keys, and `displayName` as the name of a prim that
+/// has it.
 ///
 /// A `SphereLight` with a cone of less than 180 degrees is a spotlight, as is a `DiskLight`, which has
 /// the key `disk` = 1. Of a value that changes over time the default is read, and without one the first
@@ -64,7 +69,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
     for block in &mut blocks {
         for name in block.values.names().collect::<Vec<_>>() {
             let is_read =
-                |key: &&str| among(SYSTEM.keys, key) || key.starts_with("xformOp:") || *key == "visibility";
+                |key: &&str| among(SYSTEM.keys, key) || key.starts_with("xformOp:") || among(OWN, key);
             let Some(key) = name.strip_suffix(".timeSamples").filter(is_read) else { continue };
             animated = Some(key.strip_prefix("inputs:").unwrap_or(key));
             if !block.has(key) {
@@ -75,6 +80,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
             }
         }
         block.values.sort();
+        block.name = block.values.get("displayName").unwrap_or(block.name);
         if texts(block.get("xformOpOrder")).any(|op| op == "!resetXformStack!") {
             block.parents.clear();
         }
@@ -107,7 +113,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         for key in bare.filter(|key| block.has(key)) {
             record.note(format!("`{key}` without `inputs:` is left out, as by USD from 21.02 on"));
         }
-        Ok(())
+        shape(block, record)
     })?;
     found.notes.extend(animated.map(|key| {
         format!("values change over time, such as `{key}`: the default of each is read, or the first sample")
@@ -116,6 +122,28 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         found.notes.push(format!("positions are those of the stage, with {key} = {}", blocks[0].get(key)));
     }
     Ok(found)
+}
+
+/// Sets the profile of a light. What renderers make of a scale of its angles differs.
+fn shape(block: &Block, record: &mut Record) -> Result<(), Refusal> {
+    let file = block.get(PROFILE);
+    if file.is_empty() {
+        return Ok(());
+    }
+    let [scale] = block.numbers("inputs:shaping:ies:angleScale", [0.0])?;
+    let [normalize] = block.numbers("inputs:shaping:ies:normalize", [0.0])?;
+    if record.kind == Kind::Directional || scale != 0.0 {
+        let why = if scale == 0.0 { "the light has no place" } else { "`shaping:ies:angleScale` is not 0" };
+        record.note(format!("its IES profile {file:?} is left out: {why}"));
+        return Ok(());
+    }
+    let profile =
+        Profile { file: file.to_owned(), is_normalized: normalize != 0.0, without: Some(record.clone()) };
+    record.profile = Some(Box::new(profile));
+    if normalize != 0.0 {
+        record.note("`shaping:ies:normalize`: the flux is that of the light without its profile");
+    }
+    Ok(())
 }
 
 fn is_connection(name: &str, key: &str) -> bool {
