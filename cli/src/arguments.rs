@@ -117,6 +117,10 @@ pub(crate) struct Export {
     /// parameters of blender, three, godot, unreal, unity, bevy, gltf, usd, opengl or direct3d; or ies
     #[arg(long, value_name = "LANGUAGE|TOOL")]
     pub(crate) to: Target,
+    /// The file to write, in place of the standard output. Of usd it is a stage, FILE.usda, and of gltf a scene,
+    /// FILE.gltf, with an IES profile beside it for each light whose intensities its numbers do not hold
+    #[arg(long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
     /// The name of the light, which begins all names in a source; of several lights with a number
     /// behind it [default: their own]
     #[arg(long)]

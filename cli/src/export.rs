@@ -1,15 +1,15 @@
 //! `luminaire export`: lights as source, as JSON, or as the parameters of a tool.
 
-use std::fmt::Write;
+use std::path::Path;
 
 use luminaire::Rgb;
 use luminaire::attenuation::AnyAttenuation;
-use luminaire_exchange::{Lamp, Refusal, Residual, System, Use, parameters, write};
+use luminaire_exchange::{Lamp, Parameters, Refusal, Residual, System, Use, parameters, write};
 use luminaire_export::{Language, export_all, json, names, printable};
 
 use crate::arguments::Export;
 use crate::model;
-use crate::source::Found;
+use crate::source::{Found, save, shown};
 use crate::text::{say, short};
 use crate::words::Target;
 
@@ -41,6 +41,13 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
         is_whole = false;
     };
     let mut text = String::new();
+    let scene = match (options.to, &options.output) {
+        (Target::Tool(tool @ (System::Usd | System::Gltf)), Some(file)) => {
+            Some((tool, Scene::new(tool, file)?))
+        }
+        _ => None,
+    };
+    let mut entries = Vec::new();
     match options.to {
         Target::Language(language) => {
             let mut lights = Vec::new();
@@ -74,9 +81,21 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
         Target::Tool(tool) => {
             for (lamp, usage) in &lamps {
                 let usage = if options.source.throw.is_some() { *usage } else { usage.within(lamp) };
-                if let Err(refusal) = tell(&mut text, lamp, tool, usage) {
-                    refuse(lamp, refusal);
+                let found = match parameters(lamp, tool, usage) {
+                    Ok(found) => found,
+                    Err(refusal) => {
+                        refuse(lamp, refusal);
+                        continue;
+                    }
+                };
+                let mut lines = told(lamp, &found, usage);
+                if scene.is_some() {
+                    entries.push(write::Entry { lamp, found, usage, lines });
+                    continue;
                 }
+                lines.extend(found.profile.map(|profile| format!("note: {profile}")));
+                text += &found.text(lamp);
+                lines.iter().for_each(|line| text += &format!("# {line}\n"));
             }
         }
         Target::Ies => match &lamps[..] {
@@ -96,32 +115,86 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
             }
         },
     }
+    match (scene, &options.output) {
+        (Some((tool, scene)), _) if !entries.is_empty() => {
+            scene.write(tool, &write::scene(tool, &scene.stem, &entries)?)?
+        }
+        (None, Some(file)) if !text.is_empty() => save("output", file, std::mem::take(&mut text))?,
+        _ => {}
+    }
     Ok((text, is_whole))
 }
 
-/// Writes the parameters of a light in a tool, with what differs.
-fn tell(text: &mut String, lamp: &Lamp, tool: System, usage: Use) -> Result<(), Refusal> {
-    let found = parameters(lamp, tool, usage)?;
-    *text += &found.text(lamp);
+/// A scene to write.
+struct Scene<'a> {
+    folder: &'a Path,
+    /// The name of its file without the extension.
+    stem: String,
+}
+
+impl<'a> Scene<'a> {
+    fn new(tool: System, file: &'a Path) -> Result<Self, Refusal> {
+        let extension = if tool == System::Usd { "usda" } else { "gltf" };
+        let stem = file.file_stem().and_then(|stem| stem.to_str());
+        // What ends a path in a stage, and what has no place in one.
+        let stem = stem.filter(|stem| printable(stem) == **stem && !stem.contains("@@@"));
+        match (file.parent(), stem) {
+            (Some(folder), Some(stem)) if file.extension().is_some_and(|own| own == extension) => {
+                Ok(Self { folder, stem: stem.to_owned() })
+            }
+            _ => {
+                let expected = format_args!("a name that ends with .{extension}, printable and without @@@");
+                Err(Refusal::new("output", shown(file.as_os_str()), expected))
+            }
+        }
+    }
+
+    /// Writes the files, the scene first, and says which profiles are beside it.
+    ///
+    /// # Errors
+    /// A profile in place of a photometric file that this command did not write; nothing is written then.
+    fn write(&self, tool: System, files: &[(String, String)]) -> Result<(), Refusal> {
+        for (name, text) in files.iter().skip(1) {
+            let own: usize = text.lines().take(3).map(|line| line.len() + 2).sum();
+            let path = self.folder.join(name);
+            if std::fs::read(&path).is_ok_and(|bytes| !bytes.starts_with(&text.as_bytes()[..own])) {
+                let expected = "no file, or one that luminaire wrote: give --output another name";
+                return Err(Refusal::new("output", shown(path.as_os_str()), expected));
+            }
+        }
+        files.iter().try_for_each(|(name, text)| save("output", &self.folder.join(name), text))?;
+        let profiles: Vec<_> = files.iter().skip(1).map(|(name, _)| name.as_str()).collect();
+        if !profiles.is_empty() {
+            let other = match tool {
+                System::Usd => "the numbers of its comments",
+                _ => "its second scene",
+            };
+            let (own, profiles) = (&files[0].0, profiles.join(", "));
+            say(
+                "note",
+                format_args!("{own} names {profiles}; for a tool that reads no IES profile, take {other}"),
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Returns what differs of a light in a tool, and what to know, a line each.
+fn told(lamp: &Lamp, found: &Parameters, usage: Use) -> Vec<String> {
+    let mut lines = Vec::new();
     let Residual { found: most, bound, degrees, measured, fitted } = found.angle;
     let [most, bound, degrees, measured, fitted] = [most, bound, degrees, measured, fitted].map(short);
     if lamp.curve().is_some() {
-        let _ = writeln!(
-            text,
-            "# over the angle: within {bound} of 255 codes (found {most} at {degrees} degrees off the axis: {fitted} \
+        lines.push(format!(
+            "over the angle: within {bound} of 255 codes (found {most} at {degrees} degrees off the axis: {fitted} \
              for {measured} of full scale)"
-        );
+        ));
     }
     if lamp.attenuation().is_some() {
         let (codes, throw) = (short(found.distance), usage.throw);
-        let _ = writeln!(
-            text,
-            "# over the distance: {codes} of 255 codes found from {throw} to {}",
-            16.0 * throw
-        );
+        lines.push(format!("over the distance: {codes} of 255 codes found from {throw} to {}", 16.0 * throw));
     }
-    for note in found.notes.iter().copied().chain(lamp.notes.iter().map(String::as_str)) {
-        let _ = writeln!(text, "# note: {}", printable(note));
-    }
-    Ok(())
+    let notes = found.notes.iter().copied().chain(lamp.notes.iter().map(String::as_str));
+    lines.extend(notes.map(|note| format!("note: {}", printable(note))));
+    lines
 }

@@ -63,6 +63,94 @@ fn tools_ies_and_pick_take_the_same_light() {
     assert!(two.contains("one_lens_irradiance") && two.contains("one_lens_bright_irradiance"), "{two}");
 }
 
+/// A scene with its profiles is written, and read from where it lies; without them it says what is left out. Nothing else
+/// is written over.
+#[test]
+fn scenes_have_their_profiles_beside_them() {
+    let folder = temporary("scenes");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = |name: &str| folder.join(name).to_str().expect("a path").to_owned();
+    let two = "export files/spot.ies files/three.gltf --light 1 --to";
+    for (tool, name, named, left_out) in [
+        (
+            "usd",
+            "stage.usda",
+            "@./stage-spot_12.ies@",
+            "note: its IES profile is left out: file = ./stage-spot",
+        ),
+        (
+            "gltf",
+            "stage.gltf",
+            "\"uri\": \"stage-spot_12.ies\"",
+            "refused: EXT_lights_ies.lights[0]: file = stage-spot",
+        ),
+    ] {
+        let (scene, profile) = (path(name), path("stage-spot_12.ies"));
+        // Again over its own files.
+        for _ in 0..2 {
+            assert_eq!(text(&format!("{two} {tool} --output {scene}")), "");
+        }
+        let written = std::fs::read_to_string(&scene).expect("a scene");
+        assert!(written.contains(named) && written.contains("within"), "{written}");
+        let read = text(&format!("import {scene}"));
+        for told in
+            ["Spot 12: spot, intensity 2000", "measured: 2000 cd at 0 degrees", "spot: spot, intensity "]
+        {
+            assert!(read.contains(told), "{read}: expected {told}");
+        }
+        assert!(!read.contains("left out: file"), "{read}");
+        std::fs::write(&profile, "of another").expect("a file");
+        let refused = luminaire(&["export", "files/spot.ies", "--to", tool, "--output", &scene]);
+        let told = String::from_utf8(refused.stderr).expect("a text");
+        assert!(
+            told.contains("expected no file, or one that luminaire wrote: give --output another name"),
+            "{told}"
+        );
+        assert_eq!(std::fs::read_to_string(&profile).expect("a file"), "of another");
+        std::fs::remove_file(&profile).expect("removed");
+        let read = luminaire(&["import", &scene]).stdout;
+        assert!(String::from_utf8_lossy(&read).contains(left_out), "{}", String::from_utf8_lossy(&read));
+    }
+    let outside = "#usda 1.0\ndef SphereLight \"a\" { asset inputs:shaping:ies:file = @../a.ies@ }";
+    std::fs::write(path("a.usda"), outside).expect("a file");
+    let read = text(&format!("import {}", path("a.usda")));
+    assert!(
+        read.contains("expected a file beside this one: it is not in the folder of this file, or below"),
+        "{read}"
+    );
+    let uneven = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 2 1 2 0 0 0\n1 1 0\n0 90\n0 180\n1000 0 1000 500\n";
+    std::fs::write(path("b.ies"), uneven).expect("a file");
+    std::fs::write(path("a.usda"), outside.replace("../a", "b")).expect("a file");
+    let read = text(&format!("import {}", path("a.usda")));
+    assert!(read.contains("left out: symmetry") && read.contains("--round that of any"), "{read}");
+    let round = luminaire(&["import", "--round", &path("a.usda")]);
+    assert!(
+        round.stderr.is_empty() && String::from_utf8_lossy(&round.stdout).contains("measured: 785.4 cd"),
+        "{round:?}"
+    );
+    // Of all else, the text itself.
+    let source = text("export --outer 40 --to glsl");
+    assert_eq!(text(&format!("export --outer 40 --to glsl --output {}", path("a.glsl"))), "");
+    assert_eq!(std::fs::read_to_string(path("a.glsl")).expect("a file"), source);
+    std::fs::remove_dir_all(folder).expect("removed");
+}
+
+/// Where a tool's numbers do not hold a light, its text says how it has the intensities.
+#[test]
+fn tools_that_read_photometry_say_so() {
+    for (tool, told) in [
+        ("blender", "# note: Cycles reads the intensities themselves, from the file of `--to ies`"),
+        ("three", "# note: IESLoader reads"),
+        ("unreal", "# note: Unreal reads"),
+        ("usd", "`--output FILE.usda` writes both"),
+        ("gltf", "`--output FILE.gltf` writes both"),
+    ] {
+        assert!(text(&format!("export files/spot.ies --to {tool}")).contains(told), "{tool}");
+        let exact = text(&format!("export --from {tool} kind=point --to {tool}"));
+        assert!(!exact.contains(told), "{exact}");
+    }
+}
+
 /// A bad file does not stop the others; the exit code and the JSON tell it.
 #[test]
 fn import_goes_on_after_a_bad_file() {
@@ -128,6 +216,11 @@ fn errors_name_the_parameter_and_stay_short() {
             "throw = 4: expected a distance below",
         ),
         (vec!["export", "--to", "json", "--lumens", "9", "--outer", "8"], "cannot be used with"),
+        (
+            vec!["export", "--to", "usd", "--outer", "8", "--output", "a.usd"],
+            "output = a.usd: expected a name that ends with .usda, printable and without @@@",
+        ),
+        (vec!["export", "--to", "glsl", "--outer", "8", "--output", "."], "a file that can be written"),
         (vec!["still", "--lumens", "9", "--beam", "9", "--output", "."], "a file that can be written"),
     ] {
         let output = luminaire(&arguments);

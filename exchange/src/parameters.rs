@@ -29,11 +29,23 @@ pub struct Parameters {
     /// The largest difference over the distance in linear codes, from the throw to 16 throws, with the
     /// light on its axis at the throw at full scale; found at 512 distances.
     pub distance: f64,
+    /// How the tool reads the intensities over the angle from a photometric file, a sentence, where its parameters do
+    /// not hold them.
+    pub profile: Option<&'static str>,
     /// What to know of the tool, a sentence each.
     pub notes: Vec<&'static str>,
 }
 
+/// The bound of a difference over the angle, in linear codes, up to which parameters are exact: twice the part to
+/// which a bound is known.
+const EXACT: f64 = 0.1;
+
 impl Parameters {
+    /// Returns whether the parameters hold the intensities over the angle, within 0.1 codes.
+    pub fn is_exact(&self) -> bool {
+        self.angle.bound <= EXACT
+    }
+
     /// Returns the parameters as a text that [`read`](crate::read) reads: a line for each, after
     /// lines such as `# kind: point` with what the tool has in other places. Position and axis are
     /// those of the light, whatever axes the tool has. A text of several lights is theirs one after
@@ -165,7 +177,14 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
     let notes = writer.notes(usage);
     let Some(attenuation) = lamp.attenuation() else {
         let values = writer.sun(lamp.light.intensity().into(), usage);
-        return Ok(Parameters { tool, values, angle: Residual::default(), distance: 0.0, notes });
+        return Ok(Parameters {
+            tool,
+            values,
+            angle: Residual::default(),
+            distance: 0.0,
+            profile: None,
+            notes,
+        });
     };
     let target = Target::new(lamp);
     if let Some(end) = target.as_ref().map(|target| target.angles[2]).filter(|end| *end < NARROWEST) {
@@ -195,5 +214,6 @@ pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, R
     let mut values = cone.map(|(free, _)| writer.cone(free)).unwrap_or_default();
     values.extend(writer.rest(&light));
     let angle = cone.map(|(_, angle)| angle).unwrap_or_default();
-    Ok(Parameters { tool, values, angle, distance, notes })
+    let profile = writer.profile().filter(|_| angle.bound > EXACT);
+    Ok(Parameters { tool, values, angle, distance, profile, notes })
 }

@@ -99,6 +99,11 @@ pub(crate) trait Writer {
         vec![row("intensity", irradiance / usage.full_scale)]
     }
 
+    /// Returns how the tool reads a photometric file itself, in a sentence.
+    fn profile(&self) -> Option<&'static str> {
+        None
+    }
+
     /// Returns what to know of the tool, a sentence each.
     fn notes(&self, _: Use) -> Vec<&'static str> {
         Vec::new()

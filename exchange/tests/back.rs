@@ -5,8 +5,8 @@ use luminaire::attenuation::{
 };
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Hard, Linear, Smooth, Soft, Step};
-use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight};
-use luminaire_exchange::{Lamp, Reading, Refusal, System, Use, parameters, read, share, write};
+use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
+use luminaire_exchange::{Lamp, Reading, Refusal, System, Use, parameters, read, read_beside, share, write};
 use luminaire_export::{json, printable};
 
 const USE: Use = Use { throw: 4.0, full_scale: 1.0, is_photometric: false };
@@ -133,6 +133,83 @@ fn differences(lamp: &Lamp, to: System, text: &str, [angle, far]: [f64; 2]) -> R
     Ok(())
 }
 
+/// Every light of a scene comes back with its name, its kind, its place and its colour, and with its light: within the
+/// stated difference of its numbers, or by its profile within the 1 code of a fit. Two lights of one name have a profile
+/// each, and one that is not there leaves the numbers beside it.
+#[test]
+fn scenes_bring_lights_back_by_their_profiles() {
+    let mut lamps: Vec<_> = Vec::new();
+    for (name, light) in lights().into_iter().filter(|(name, _)| *name != "thread") {
+        let light = light
+            .with_color(Rgb::new(1.0, 0.5, 0.25))
+            .and_then(|light| light.with_specular_color(light.color()));
+        let light = light.and_then(|light| light.with_intensity(if name == "dark" { 0.0 } else { 12.5 }));
+        lamps.extend([Lamp::new(name, light.expect("a light")), Lamp::new(name, light.expect("a light"))]);
+    }
+    let measured = include_bytes!("files/spot.ies");
+    lamps.push(read("spot.ies", measured, None, Reading::default()).expect("a light").lamps.remove(0));
+    for (tool, count) in [(System::Usd, 27), (System::Gltf, 13)] {
+        let entry = |lamp| {
+            let usage = USE.within(lamp);
+            let found = parameters(lamp, tool, usage).expect("parameters");
+            write::Entry { lamp, found, usage, lines: Vec::new() }
+        };
+        let entries: Vec<_> = lamps.iter().map(entry).collect();
+        let files = write::scene(tool, "a @%b", &entries).expect("a scene");
+        assert_eq!(
+            files.len(),
+            1 + count,
+            "{tool}: {:?}",
+            files.iter().map(|file| &file.0).collect::<Vec<_>>()
+        );
+        let beside = |name: &str| {
+            let file = files[1..].iter().find(|file| file.0 == name.trim_start_matches("./"));
+            file.map(|file| file.1.clone().into_bytes()).ok_or_else(|| "none".to_owned())
+        };
+        let (name, text) = (&files[0].0, files[0].1.as_bytes());
+        let back = read_beside(name, text, None, Reading::default(), &beside).expect("a scene");
+        assert!(back.refused.is_empty() && back.lamps.len() == lamps.len(), "{tool}: {back:?}");
+        for (entry, own) in entries.iter().zip(&back.lamps) {
+            let (light, what) = (&entry.lamp.light, format!("{tool}: {}", entry.lamp.name));
+            assert_eq!(own.name, printable(&entry.lamp.name));
+            assert_eq!(
+                (json::kind(&own.light), own.light.color()),
+                (json::kind(light), light.color()),
+                "{what}"
+            );
+            let apart = |(a, b): (Option<Vec3<f32>>, Option<Vec3<f32>>)| match (a, b) {
+                (Some(a), Some(b)) => (a.x - b.x).abs().max((a.y - b.y).abs()).max((a.z - b.z).abs()) > 1e-6,
+                (a, b) => a != b,
+            };
+            assert!(!place(light).into_iter().zip(place(&own.light)).any(apart), "{what}: {own:?}");
+            let is_shaped = own.measured.is_some();
+            assert_eq!(is_shaped, !entry.found.is_exact() && light.intensity() > 0.0, "{what}");
+            let (throw, bound) =
+                (entry.usage.throw, if is_shaped { 1.3 } else { entry.found.angle.bound + 0.3 });
+            let full = lit(light, 0.0, Some(throw)).max(f64::MIN_POSITIVE);
+            for degrees in (0..=400).map(|i| f64::from(i) * end(light) * 1.1 / 400.0).filter(|at| *at <= 90.0)
+            {
+                let near = [-3e-4, 0.0, 3e-4].map(|by: f64| lit(light, (degrees + by).max(0.0), Some(throw)));
+                let found = lit(&own.light, degrees, Some(throw));
+                let off =
+                    near.map(|near| 255.0 * (near - found).abs() / full).into_iter().fold(f64::MAX, f64::min);
+                assert!(off <= bound, "{what}: {off} codes at {degrees} degrees\n{}", files[0].1);
+            }
+        }
+        let back = read(name, text, None, Reading::default()).expect("a scene");
+        let left_out = |lamp: &Lamp| {
+            lamp.notes.iter().any(|note| note.starts_with("its IES profile is left out: file = "))
+        };
+        if tool == System::Usd {
+            assert_eq!(back.lamps.iter().filter(|lamp| left_out(lamp)).count(), count);
+        } else {
+            assert!(
+                back.refused.len() == count && back.refused[0].to_string().contains("files beside this one")
+            );
+        }
+    }
+}
+
 /// What ies does not hold, besides point lights.
 const IES: [&str; 3] =
     ["sun to ies: light = directional", "dark to ies: intensity = 0", "thread to ies: outer angle = 0.0005"];
@@ -178,7 +255,7 @@ fn end(light: &AnyLight) -> f64 {
 }
 
 /// The position, and the axis or the direction.
-fn place(light: &AnyLight) -> [Option<luminaire::Vec3<f32>>; 2] {
+fn place(light: &AnyLight) -> [Option<Vec3<f32>>; 2] {
     match light {
         AnyLight::Spot(spot) => [Some(spot.position()), Some(spot.axis())],
         AnyLight::Point(point) => [Some(point.position()), None],

@@ -89,4 +89,10 @@ impl Writer for Blender {
         let note = "the energy in watts counts 683 lumens a watt, as Blender's exporter of glTF does";
         usage.is_photometric.then_some(note).into_iter().collect()
     }
+
+    fn profile(&self) -> Option<&'static str> {
+        Some(
+            "Cycles reads the intensities themselves, from the file of `--to ies`, by the node IES Texture of the light",
+        )
+    }
 }

@@ -61,4 +61,10 @@ impl Writer for Gltf {
     fn sun(&self, irradiance: f64, _: Use) -> Rows {
         vec![row("intensity", irradiance)]
     }
+
+    fn profile(&self) -> Option<&'static str> {
+        Some(
+            "a scene has the intensities themselves in a file beside it, `EXT_lights_ies`: `--output FILE.gltf` writes both",
+        )
+    }
 }

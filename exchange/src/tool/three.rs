@@ -60,4 +60,10 @@ impl Writer for Three {
     fn sun(&self, irradiance: f64, _: Use) -> Rows {
         vec![row("intensity", irradiance)]
     }
+
+    fn profile(&self) -> Option<&'static str> {
+        Some(
+            "IESLoader reads the intensities themselves, from the file of `--to ies`, as `iesMap` of an IESSpotLight (WebGPU)",
+        )
+    }
 }

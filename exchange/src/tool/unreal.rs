@@ -109,4 +109,10 @@ impl Writer for Unreal {
     fn notes(&self, _: Use) -> Vec<&'static str> {
         vec!["from Unreal's shaders as published, not checked against a running engine"]
     }
+
+    fn profile(&self) -> Option<&'static str> {
+        Some(
+            "Unreal reads the intensities themselves, from the file of `--to ies`, as the IES Texture of the light",
+        )
+    }
 }

@@ -153,4 +153,10 @@ impl Writer for Usd {
     fn sun(&self, irradiance: f64, _: Use) -> Rows {
         vec![row("normalize", 1.0), row("intensity", irradiance)]
     }
+
+    fn profile(&self) -> Option<&'static str> {
+        Some(
+            "a stage has the intensities themselves in a file beside it, `shaping:ies:file`: `--output FILE.usda` writes both",
+        )
+    }
 }
