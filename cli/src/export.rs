@@ -165,15 +165,11 @@ impl<'a> Scene<'a> {
         files.iter().try_for_each(|(name, text)| save("output", &self.folder.join(name), text))?;
         let profiles: Vec<_> = files.iter().skip(1).map(|(name, _)| name.as_str()).collect();
         if !profiles.is_empty() {
-            let other = match tool {
-                System::Usd => "the numbers of its comments",
-                _ => "its second scene",
+            let which = match tool {
+                System::Usd => "for a tool that reads no IES profile, take the numbers of its comments",
+                _ => "its second scene has the lights by IES profiles, its first one by their numbers",
             };
-            let (own, profiles) = (&files[0].0, profiles.join(", "));
-            say(
-                "note",
-                format_args!("{own} names {profiles}; for a tool that reads no IES profile, take {other}"),
-            );
+            say("note", format_args!("{} names {}; {which}", files[0].0, profiles.join(", ")));
         }
         Ok(())
     }

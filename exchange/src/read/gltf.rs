@@ -24,7 +24,8 @@ objects! {
     Photometry: name String, uri String;
 }
 
-/// Finds the lights of the default scene, or of all scenes, and those that no node of them uses.
+/// Finds the lights of the default scene, or of one with IES profiles in its place, or of all scenes, and those that no
+/// node of them uses.
 pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
     let file: File = parse(&decode(json(bytes)?)?)?;
     let (version, mut found) = (file.asset.unwrap_or_default().version, Found::default());
@@ -51,6 +52,19 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
         Some(Ok(scene)) => shown = &scenes[scene..=scene],
         Some(Err(refusal)) => found.add("file", Err(refusal))?,
         None => {}
+    }
+    // A second scene may have the same lights by their profiles, because a node of both extensions is two lights.
+    let is_measured = |root: &f64| {
+        let node = index("nodes", *root, nodes.len()).ok().and_then(|node| nodes[node].extensions.as_ref());
+        node.is_some_and(|own| own.EXT_lights_ies.is_some())
+    };
+    let has_profiles = |scene: &&Scene| list(&scene.nodes).iter().any(is_measured);
+    if let [only] = shown
+        && !has_profiles(&only)
+        && let Some(other) = scenes.iter().position(|scene| has_profiles(&scene))
+    {
+        found.notes.push(format!("scenes[{other}] is read, which has IES profiles, and not the default one"));
+        shown = &scenes[other..=other];
     }
     let mut roots = vec![scenes.is_empty(); nodes.len()];
     for root in shown.iter().flat_map(|scene| list(&scene.nodes)) {

@@ -8,22 +8,22 @@ use super::node::{Node, Profile};
 
 /// Returns a scene as JSON.
 ///
-/// A node of both extensions would be two lights. So the first scene has the profiles, and if there are any a second
-/// one has all lights by their numbers, for tools that do not read profiles.
+/// A node of both extensions would be two lights. So the scene has all lights by their numbers, for the many tools that
+/// do not read profiles, and if there are any profiles a second one has the lights by these.
 pub(super) fn text(nodes: &[Node]) -> String {
     let (mut written, mut files, mut scenes) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
     for (light, node) in nodes.iter().enumerate() {
         if let Some(profile) = &node.profile {
-            scenes[0].push(written.len());
+            scenes[1].push(written.len());
             let [red, green, blue] = <[f32; 3]>::from(node.entry.lamp.light.color());
             let shaped =
                 json!({ "light": files.len(), "multiplier": profile.factor, "color": [red, green, blue] });
             written.push(placed(node, "EXT_lights_ies", &shaped));
             files.push(json!({ "name": node.name, "uri": uri(profile) }));
         } else {
-            scenes[0].push(written.len());
+            scenes[1].push(written.len());
         }
-        scenes[1].push(written.len());
+        scenes[0].push(written.len());
         written.push(placed(node, "KHR_lights_punctual", &json!({ "light": light })));
     }
     let lights: Vec<_> = nodes.iter().map(punctual).collect();
@@ -34,7 +34,7 @@ pub(super) fn text(nodes: &[Node]) -> String {
     if !files.is_empty() {
         used.push("EXT_lights_ies");
         extensions["EXT_lights_ies"] = json!({ "lights": files });
-        scenes.push(json!({ "name": "lights without IES profiles", "nodes": second }));
+        scenes.push(json!({ "name": "lights by IES profiles", "nodes": second }));
     }
     let file = json!({
         "asset": { "version": "2.0", "generator": "luminaire" },
