@@ -100,6 +100,9 @@ fn shaped<P: Falloff>(rng: &mut Rng, shape: &Shape<P>, half: f32) -> Pair<P, Inv
 }
 
 fn cones_broken<P: Falloff>(shape: &Shape<P>) -> Vec<String> {
+    if bounds::is_left_out(shape.name) {
+        return Vec::new();
+    }
     let measured = HALF_ANGLES.map(|half| {
         largest(
             |rng| shaped(rng, shape, half),

@@ -23,7 +23,8 @@
 //! | `seen linear`, `seen codes` | from an exact position and axis to the display | 1/255; sRGB codes before rounding | [`limits::CONES`](super::limits::CONES) | searched |
 //!
 //! `LUMINAIRE_BLESS=1 LUMINAIRE_FULL=1 cargo test --test suite --test slow -- accuracy::
-//! exhaustive:: haze::every_cone` writes the rows that are missing or do not hold.
+//! exhaustive:: haze::every_cone` writes the rows that are missing or do not hold, and with
+//! `LUMINAIRE_SHAPE` those of the shape with this name alone.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -97,7 +98,7 @@ pub fn broken(table: &str, shape: &str, format: &str, measured: &[f64]) -> Vec<S
         }
         _ => vec![format!("{name} has no row: {measured:?}")],
     };
-    if broken.is_empty() || std::env::var_os("LUMINAIRE_BLESS").is_none() {
+    if broken.is_empty() || !is_blessed() {
         return broken;
     }
     let mut rows = ROWS.lock().expect("no test panics with the table");
@@ -105,6 +106,16 @@ pub fn broken(table: &str, shape: &str, format: &str, measured: &[f64]) -> Vec<S
     rows.insert(key, measured.iter().copied().map(headroom).collect());
     write(&rows);
     Vec::new()
+}
+
+/// Whether rows are written, but not those of this shape.
+pub fn is_left_out(shape: &str) -> bool {
+    is_blessed() && std::env::var("LUMINAIRE_SHAPE").is_ok_and(|only| only != shape)
+}
+
+/// Whether the rows that do not hold are written.
+fn is_blessed() -> bool {
+    std::env::var_os("LUMINAIRE_BLESS").is_some()
 }
 
 /// Errors with three digits each.
