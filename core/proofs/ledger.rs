@@ -64,6 +64,7 @@ fn numbers(stages: &mut Stages) -> Vec<(&'static str, &mut f64)> {
         lift,
         weight,
         smooth,
+        pair,
         place,
         sample,
         power,
@@ -91,7 +92,7 @@ fn numbers(stages: &mut Stages) -> Vec<(&'static str, &mut f64)> {
         ("inverse power", constant),
         ("inverse power, per exponent", growth),
     ];
-    let roundings: [([&str; 2], &mut Rounding); 15] = [
+    let roundings: [([&str; 2], &mut Rounding); 16] = [
         (["versine", "versine, relative"], versine),
         (["ramp", "ramp, relative"], ramp),
         (["complement", "complement, relative"], complement),
@@ -99,6 +100,7 @@ fn numbers(stages: &mut Stages) -> Vec<(&'static str, &mut f64)> {
         (["value", "value, relative"], value),
         (["lift, absolute", "lift"], lift),
         (["smooth", "smooth, relative"], smooth),
+        (["pair", "pair, relative"], pair),
         (["place", "place, relative"], place),
         (["sample", "sample, relative"], sample),
         (["power", "power, relative"], power),

@@ -160,6 +160,22 @@ impl Constants {
         g + ((t * h).signed("turn") + N::from(1 << 14)).signed("turn_half").down(15).signed("bent")
     }
 
+    /// `1 - w` of the narrow one of two soft falloffs, before the cap, for a power of two `step`.
+    pub(in crate::number) fn narrow<N: Number>(&self, u: N, mantissa: N, step: N) -> N {
+        ((u * mantissa).word("scaled") + (step.clone() - N::from(1))).word("up").divided(step)
+    }
+
+    /// Two soft falloffs: a wide one of `t`, and a narrow one with a share of 14 bits.
+    pub(in crate::number) fn pair<N: Number>(&self, t: N, narrow: N, share: N) -> N {
+        let [narrow, wide] = [narrow, t].map(|t| self.times(t.clone(), t));
+        let narrow = (narrow * share.clone()).signed("narrow_part");
+        let wide = (wide * (N::from(1 << 14) - share)).signed("wide_part");
+        ((narrow + wide).signed("both") * N::from(2) + N::from(self.value_half))
+            .word("rounded")
+            .down(16)
+            .word("value")
+    }
+
     /// The interpolation of two samples, and the value of 14 bits of one of 16.
     pub(in crate::number) fn interpolated<N: Number>(&self, here: N, step: N, share: N) -> N {
         (here * N::from(1 << 15) + step * share + N::from(1 << 14)).signed("line").down(15).word("value")
@@ -241,6 +257,19 @@ impl Constants {
     pub(in crate::number) fn fine_smooth<N: Number>(&self, t: N, u: N) -> N {
         let square = self.fine_times(t.clone(), t);
         square.clone() + N::from(2) * self.fine_times(square, u)
+    }
+
+    /// `1 - w` of the narrow one of two soft falloffs, for a `u` that is scaled to the bits of the mantissa.
+    pub(in crate::number) fn fine_narrow<N: Number>(&self, scaled: N, mantissa: N) -> N {
+        (scaled.word("scaled") * mantissa).down(32).word("upper") * N::from(2)
+    }
+
+    /// Two soft falloffs: a wide one of `t`, and a narrow one with a share of 31 bits.
+    pub(in crate::number) fn fine_pair<N: Number>(&self, t: N, narrow: N, share: N) -> N {
+        let rest = N::from(1 << 31) - share.clone();
+        let [narrow, wide] = [(narrow, share), (t, rest)]
+            .map(|(t, share)| self.fine_times(self.fine_times(t.clone(), t), share));
+        narrow + wide
     }
 
     /// `t u slope`, with 31 fraction bits, of a slope with 28.

@@ -28,6 +28,8 @@ pub(super) fn of(evaluation: &Evaluation, constants: &Constants) -> Scripts {
             add(products(evaluation, constants));
             add(smooth(evaluation, constants));
             add(lifted(evaluation, constants));
+            add(narrow(evaluation, constants));
+            add(pair(evaluation, constants));
             add(samples(evaluation, constants));
             add(cosine(evaluation, constants));
             add(light(evaluation, constants));
@@ -43,6 +45,8 @@ pub(super) fn of(evaluation: &Evaluation, constants: &Constants) -> Scripts {
                 add(fine_ramp(evaluation, constants, is_short));
             }
             add(fine_products(evaluation, constants));
+            add(fine_narrow(evaluation, constants));
+            add(fine_pair(evaluation, constants));
             add(fine_cosine(evaluation, constants));
             add(fine_light(evaluation, constants));
             add(fine_length(evaluation, constants));
@@ -189,6 +193,52 @@ fn lifted(evaluation: &Evaluation, constants: &Constants) -> Script {
     let apart = format!("{} / 65536 + t * (lift - u * w / 16384) / 65536", constants.value_half);
     let bound = stages.lift.relative / STEP + stages.value.absolute / STEP;
     script.rounds(&found, "t * (32768 + u * w / 16384) / 65536", &apart, "", [-bound, bound]);
+    script
+}
+
+/// How far the narrow one of two soft falloffs is off, in units of a fraction.
+const NARROW: f64 = 1.032;
+
+/// `1 - w` of the narrow one of two soft falloffs, up to its end: from there on, both it and the exact one are capped.
+fn narrow(evaluation: &Evaluation, constants: &Constants) -> Script {
+    let mut script = named(evaluation, "narrow");
+    let u = script.integer("u", [0.0, 32_768.0]);
+    // The upper 16 bits of the mantissa, what follows them, and `2^bits`.
+    let mantissa = script.integer("m", [32_768.0, 65_535.0]);
+    script.given("e", [0.0, 1.0]);
+    let step = script.given("s", [32.0, 32_768.0]);
+    // The product of the mantissa and `u / s` is at most 2^15.
+    script.given("u / s", [0.0, 1.0]);
+    let found = constants.narrow(u, mantissa, step).named("fallen");
+    script.rounds(&found, "u * (m + e) / s", "1 - 1 / s - u / s * e", "s", [-NARROW, NARROW]);
+    script
+}
+
+/// Two soft falloffs, of a narrow part and a share that are rounded.
+fn pair(evaluation: &Evaluation, constants: &Constants) -> Script {
+    let mut script = named(evaluation, "pair");
+    let [t, narrow] = ["t", "n"].map(|name| script.integer(name, [0.0, 32_768.0]));
+    let share = script.integer("k", [0.0, 16_384.0]);
+    script.given("N", [0.0, 32_768.0]);
+    script.given("n - N", [-NARROW, NARROW]);
+    script.given("k - K", [-0.5, 0.5]);
+    let found = constants.pair(t, narrow, share);
+    let bound = evaluation.stages.pair.absolute / STEP;
+    let apart = format!(
+        "{} / 65536 + (fraction - n * n / 32768) * k / 32768 + (fraction2 - t * t / 32768) * (16384 - k) / 32768 \
+         + k * ((n - N) * (n + N)) / 1073741824 + (k - K) * (N * N - t * t) / 1073741824",
+        constants.value_half
+    );
+    let exact = "((16384 - K) * (t * t) + K * (N * N)) / 1073741824";
+    script.rounds(&found, exact, &apart, "", [-bound, bound]);
+    for (square, of) in [("fraction", "n"), ("fraction2", "t")] {
+        let sum = if of == "n" { "sum" } else { "sum2" };
+        script.equal(
+            format!("{square} - {of} * {of} / 32768"),
+            format!("({square} - {sum} / 32768) + {} / 32768", constants.fraction_half),
+            "",
+        );
+    }
     script
 }
 
@@ -462,6 +512,44 @@ fn fine_products(evaluation: &Evaluation, constants: &Constants) -> Script {
     let bound = stages.weight * 268_435_456.0;
     script.states(format!("{bend} - h * t / 2147483648"), [-bound, 0.0]);
     script.equal(format!("{bend} - h * t / 2147483648"), "(upper4 - h * t / 4294967296) * 2", "");
+    script
+}
+
+/// `1 - w` of the narrow one of two soft falloffs, up to its end.
+fn fine_narrow(evaluation: &Evaluation, constants: &Constants) -> Script {
+    let mut script = named(evaluation, "narrow");
+    let scaled = script.integer("u", [0.0, 4_294_967_295.0]);
+    let mantissa = script.integer("m", [2_147_483_648.0, 4_294_967_295.0]);
+    let fallen = constants.fine_narrow(scaled, mantissa).named("fallen");
+    script.states(format!("{fallen} - u * m / 2147483648"), [-FINE_NARROW, 0.0]);
+    script.equal(format!("{fallen} - u * m / 2147483648"), "(upper - scaled * m / 4294967296) * 2", "");
+    script
+}
+
+/// By how much the narrow one of two soft falloffs is too large, in units of 2^-31.
+const FINE_NARROW: f64 = 2.0;
+
+/// Two soft falloffs, of a narrow part and a share that are rounded.
+fn fine_pair(evaluation: &Evaluation, constants: &Constants) -> Script {
+    let mut script = named(evaluation, "pair");
+    let [t, narrow, share] = ["t", "n", "k"].map(|name| script.integer(name, [0.0, 2_147_483_648.0]));
+    script.given("N", [0.0, 2_147_483_648.0]);
+    script.given("n - N", [0.0, FINE_NARROW]);
+    // Half a unit of 2^-14; or half one of 2^-30 and one of 2^-28.
+    let rounded = if evaluation.kind == Kind::Fine32 { 9.0 } else { 65_536.0 };
+    script.given("k - K", [-rounded, rounded]);
+    let found = constants.fine_pair(t, narrow, share).named("found");
+    let bound = evaluation.stages.pair.absolute * 2_147_483_648.0;
+    let exact = "((2147483648 - K) * (t * t) + K * (N * N)) / 4611686018427387904";
+    script.states(format!("{found} - {exact}"), [-bound, bound]);
+    script.equal(
+        format!("{found} - {exact}"),
+        "(upper2 - fraction * k / 4294967296) * 2 + (upper - n * n / 4294967296) * 2 * k / 2147483648 \
+         + (upper4 - fraction3 * (2147483648 - k) / 4294967296) * 2 \
+         + (upper3 - t * t / 4294967296) * 2 * (2147483648 - k) / 2147483648 \
+         + k * ((n - N) * (n + N)) / 4611686018427387904 + (k - K) * (N * N - t * t) / 4611686018427387904",
+        "",
+    );
     script
 }
 

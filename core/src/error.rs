@@ -57,6 +57,10 @@ pub enum Parameter {
     Exponent,
     /// The `u` up to which an inverted power has full intensity.
     Floor,
+    /// The share of the narrow one of two soft falloffs.
+    NarrowShare,
+    /// The versine of the edge divided by the versine at which the narrow one of two soft falloffs ends.
+    NarrowRatio,
     /// A measured intensity.
     Sample,
     /// The number of samples, transmissions or depths.
@@ -168,6 +172,8 @@ impl fmt::Display for Parameter {
             Self::CoefficientSum => "sum of coefficients",
             Self::Exponent => "exponent",
             Self::Floor => "floor",
+            Self::NarrowShare => "share of the narrow falloff",
+            Self::NarrowRatio => "ratio of the narrow falloff",
             Self::Sample => "sample",
             Self::SampleCount => "number of samples",
             Self::Position => "position",

@@ -18,6 +18,8 @@
 //! | [`InvertedPower`] | `1 - u^N` | as [`Power`] | Godot, by an angle attenuation of `1/N` |
 //! | [`IntegerPower`], [`InvertedIntegerPower`] | the same, `N` at run time | as [`Power`] | lights of other systems |
 //! | [`RealPower`], [`InvertedRealPower`] | `t^p`, `1 - u^p`, real `p` in (0, 1024] | 11, and two tables | imports |
+//! | [`SoftPair`] | `(1 - k) t^2 + k max(0, 1 - g u)^2` | 5 | two of [`Soft`], for a beam and a field angle |
+//! | [`SoftEdged`] | [`Cubic`] or [`SoftPair`] | the same, and a branch | the same, for any two angles |
 //! | [`Table`] | samples, evenly spaced or [`Knot`]s | 2, or 1 and a binary search | goniometric data |
 //! | [`SoftOrHard`], [`FittedFalloff`], [`AnyFalloff`] | one of the above | the same, and a branch | the choice at run time |
 
@@ -32,6 +34,7 @@ mod polynomial;
 mod power;
 mod quadratic;
 mod real;
+mod soft_pair;
 mod step;
 mod table;
 
@@ -47,6 +50,7 @@ pub use self::{
     power::{InvertedPower, Power},
     quadratic::{CompiledQuadratic, Hard, Linear, Quadratic, Soft},
     real::{CompiledInvertedRealPower, CompiledRealPower, InvertedRealPower, RealPower},
+    soft_pair::{CompiledSoftEdged, CompiledSoftPair, SoftEdged, SoftPair},
     step::Step,
     table::Table,
 };

@@ -34,8 +34,8 @@
 //! narrow beams. The arc ends at the edge of the cone, at `v^2 = (omega - w0) / (1 - omega + r)`,
 //! where `omega` is the outer versine.
 //!
-//! For a falloff that is a polynomial of degree 3 or less, in a cone without a hotspot, the integral
-//! has a closed form (`polynomial.rs`). For all others the arc is split at the edges of the hotspot,
+//! For a falloff that is a polynomial of degree 3 or less, or two soft ones, in a cone without a
+//! hotspot, the integral has a closed form (`polynomial.rs`). For all others the arc is split at the edges of the hotspot,
 //! or where the intensity first falls. In each part of the arc `f` is smooth, so Gauss-Legendre
 //! quadrature with five nodes suffices. NUMERICS.md lists the errors.
 //!

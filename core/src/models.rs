@@ -34,6 +34,8 @@ macro_rules! falloffs {
             Quadratic(Quadratic) = "quadratic", |t| t * (0.5 + 0.5 * t);
             /// A monotone cubic: for the pairs of angles that no quadratic has.
             Cubic(Cubic) = "cubic", |t| t * (1.25 + t * (2.75 * t - 3.0));
+            /// Two soft falloffs, a narrow one within a wide one: a soft edge for a beam and a field angle.
+            SoftPair(SoftPair) = "soft-pair", |t| 0.625 * t * t + 0.375 * squared(f64::max(4.0 * t - 3.0, 0.0));
             /// An integer power: a concentrated beam.
             Power(IntegerPower) = "power", |t| power(t, 15.0),
                 constant Power<4> = "power-4", Power, |t| squared(squared(t));

@@ -37,6 +37,7 @@ mod refusals;
 mod rows;
 mod setup;
 mod shadow;
+mod soft_edges;
 mod tables;
 mod totality;
 mod two_angles;

@@ -138,10 +138,11 @@ fn exact_cut(falloff: oracle::Falloff, outer: f64) -> oracle::Cone {
 
 /// The shapes whose intensity never rises towards the edge. The others rise by at most a step of
 /// the format.
-pub const STRICT: [&str; 12] = [
+pub const STRICT: [&str; 13] = [
     "soft",
     "hard",
     "linear",
+    "soft-pair",
     "step",
     "power",
     "power-4",

@@ -38,13 +38,17 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// Computes the in-scattered light of `N` rays. The result is bit-identical to
     /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
     ///
-    /// For the inverse-square law there is one loop for polynomials without a hotspot, and one for each of the
-    /// other falloffs but the step. All other attenuations share one loop with branches on falloff and
+    /// For the inverse-square law there is one loop for polynomials without a hotspot, one for two soft falloffs
+    /// without one, and one for each of the other falloffs but the step. All other attenuations share one loop with branches on falloff and
     /// attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if let Some(curve) = self.polynomial() {
             for (i, light) in lights.iter_mut().enumerate() {
                 *light = self.in_closed_form(curve, &rays.at(i));
+            }
+        } else if let Some(pair) = self.pair() {
+            for (i, light) in lights.iter_mut().enumerate() {
+                *light = self.in_two_closed_forms(pair, &rays.at(i));
             }
         } else if AnyAttenuation::is_inverse_square::<f32>(&self.attenuation) {
             let ramp = self.falloff.ramp;
@@ -58,7 +62,7 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
                     raised(versines, intensities, power.exponent(), u, |x| 1.0 - x);
                 }
                 _ => with_concrete!(
-                    [Soft, Hard, Linear, Smooth, Quadratic, Cubic, RealPower, InvertedRealPower, Table],
+                    [Soft, Hard, Linear, Smooth, Quadratic, Cubic, SoftPair, RealPower, InvertedRealPower, Table],
                     self.falloff, falloff, curve => {
                         at_each(&CompiledCone::from_parts(ramp, falloff, curve), versines, intensities);
                     }

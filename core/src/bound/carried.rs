@@ -264,6 +264,16 @@ impl Fraction<f32> for Carried<'_> {
         self.lifted(g.into(), h.into(), 3.0)
     }
 
+    fn soft_pair(self, share: f32, ratio: f32) -> Self {
+        let (k, g) = (f64::from(share), f64::from(ratio));
+        let narrow = |t: f64| (1.0 - g * (1.0 - t)).max(0.0);
+        let value = |t: f64| (1.0 - k) * t * t + k * narrow(t) * narrow(t);
+        // The derivative does not fall.
+        let derivative = |t: f64| 2.0 * ((1.0 - k) * t + k * g * narrow(t));
+        let ends = [self.low, self.high];
+        self.mapped(ends.map(value), ends.map(derivative), |stages| stages.pair)
+    }
+
     fn sample(self, samples: &[u16]) -> Self {
         let last = samples.len().saturating_sub(1) as f64;
         self.interpolated(samples.windows(2).enumerate().map(|(i, pair)| {

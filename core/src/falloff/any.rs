@@ -274,3 +274,12 @@ impl From<FittedFalloff> for AnyFalloff {
         }
     }
 }
+
+impl From<SoftEdged> for AnyFalloff {
+    fn from(edge: SoftEdged) -> Self {
+        match edge {
+            SoftEdged::Cubic(cubic) => Self::Cubic(cubic),
+            SoftEdged::SoftPair(pair) => Self::SoftPair(pair),
+        }
+    }
+}

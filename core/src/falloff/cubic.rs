@@ -117,6 +117,9 @@ impl Cubic {
         Self { edge_slope: on_grid(edge_slope), middle_slope: on_grid(middle_slope) }
     }
 
+    /// Smoothstep as a cubic.
+    pub(crate) const SMOOTH: Self = Self { edge_slope: 0.0, middle_slope: 0.0 };
+
     fn polynomial(self) -> Polynomial {
         let [a, b, c] = self.coefficients();
         Polynomial { a, b, c }

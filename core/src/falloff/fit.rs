@@ -5,7 +5,7 @@
 //! slope `a`: the derivative with respect to `t` at the edge. With `a` given, bisection finds the
 //! middle slope `d`: the derivative at `t = 1`.
 
-use super::{Cubic, Quadratic, cubic::middle_slopes};
+use super::{Cubic, Quadratic, SoftPair, cubic::middle_slopes};
 use crate::{search::bisect, trig};
 
 /// The ratio `r` of the hard falloff, the smallest ratio of all quadratics: `3 sqrt(2) / sqrt(10)`.
@@ -17,6 +17,8 @@ pub(crate) const SOFT_RATIO: f32 = 2.334_553_2;
 pub(crate) const LEAST_RATIO: f32 = 1.160_4;
 /// The largest ratio `r` of a cubic.
 pub(crate) const MOST_RATIO: f32 = 5.437;
+/// The largest ratio `r` of a soft pair, whose narrow falloff then has a ratio of 1024.
+pub(crate) const MOST_SOFT_RATIO: f32 = 862.3;
 /// The default edge slope. Cubics with this edge slope have every ratio from 1.46 to
 /// [`MOST_RATIO`].
 pub(crate) const DEFAULT_SLOPE: f32 = 1.34;
@@ -45,6 +47,36 @@ pub(crate) fn cubic(edge_slope: f32, ratio: f32) -> Option<Cubic> {
     let middle_slope = bisect(least, farthest, |middle| ratio_of(edge_slope, middle) < ratio);
     Some(Cubic::nearest(edge_slope, middle_slope))
 }
+
+/// Returns the soft pair whose beam and field angle have these versines, if an outer angle of at most 180 degrees has
+/// one. The ratio of the versines is over [`SOFT_RATIO`].
+///
+/// Let `x` be the `u` of the field angle, where the wide falloff is alone, and `x / r` that of the beam angle, where the
+/// narrow one is `p`. Then `(1 - k) (1 - x)^2` is 1/10 and `(1 - k) (1 - x/r)^2 + k p^2` is 1/2. The first equation gives
+/// `k`; without `k` the second is `(5 - 10 p^2) (1 - x)^2 = (1 - x/r)^2 - p^2`, a quadratic in `x` for a given `p`.
+/// The pair with the least slope on the axis, which is the largest, has a `p` of 0.404 to 0.406; of [`NARROW_AT_BEAM`]
+/// that slope is within 1e-5 of the least. If its outer angle were over 180 degrees, `x` is that of 180 degrees and the
+/// first equation gives `k`, the second `p`.
+pub(crate) fn soft_pair(beam: f32, field: f32) -> Option<SoftPair> {
+    let inverse = beam / field;
+    let square = NARROW_AT_BEAM * NARROW_AT_BEAM;
+    let factor = 5.0 - 10.0 * square;
+    let (a, b, c) = (factor - inverse * inverse, factor - inverse, factor - 1.0 + square);
+    let best = c / (b + trig::sqrt(b * b - a * c));
+    let share_at = |x: f32| 1.0 - 0.1 / ((1.0 - x) * (1.0 - x));
+    let (x, narrow) = if best >= field {
+        (best, NARROW_AT_BEAM)
+    } else {
+        let (share, wide) = (share_at(field), 1.0 - beam);
+        let left = 0.5 - (1.0 - share) * wide * wide;
+        // Below 0 the wide falloff alone is over 1/2 at the beam angle.
+        (field, if left >= 0.0 { trig::sqrt(left / share) } else { return None })
+    };
+    SoftPair::new(share_at(x).clamp(0.0, 1.0), (1.0 - narrow) / (x * inverse)).ok()
+}
+
+/// The narrow falloff at the beam angle.
+const NARROW_AT_BEAM: f32 = 0.404;
 
 /// Returns the range of edge slopes for which a cubic has this ratio. The ratio is in
 /// [[`LEAST_RATIO`], [`MOST_RATIO`]].

@@ -17,6 +17,8 @@ pub enum Formula<'a> {
     /// 0 except for lights imported from Godot; for `p < 1` the floor keeps the derivative with
     /// respect to `t` finite at `t = 1`.
     InvertedPower(f32, f32),
+    /// `(1 - k) t^2 + k max(0, 1 - g (1 - t))^2` with `[k, g]`.
+    SoftPair([f32; 2]),
     /// Linear interpolation between evenly spaced samples over `1 - t`; 65,535 is full intensity.
     Samples(&'a [u16]),
     /// Linear interpolation between knots over `1 - t`.
@@ -34,6 +36,7 @@ impl Formula<'_> {
             Self::Polynomial(_) => "polynomial",
             Self::Power(_) => "power",
             Self::InvertedPower(..) => "inverted-power",
+            Self::SoftPair(_) => "soft-pair",
             Self::Samples(_) => "samples",
             Self::Knots(_) => "knots",
             Self::Function(..) => "named",
@@ -60,6 +63,11 @@ impl Formula<'_> {
             Self::InvertedPower(exponent, floor) => {
                 let lack = power((1.0 - t).max(floor.into()), exponent);
                 (1.0 - lack) / (1.0 - power(floor.into(), exponent))
+            }
+            Self::SoftPair(numbers) => {
+                let [share, ratio] = numbers.map(f64::from);
+                let narrow = (1.0 - ratio * (1.0 - t)).max(0.0);
+                (1.0 - share) * t * t + share * narrow * narrow
             }
             Self::Samples(samples) => interpolated(samples, 1.0 - t),
             Self::Knots(knots) => sample_knots(knots, 1.0 - t),

@@ -93,7 +93,10 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     pub fn in_scattering(&self, view: &ViewRay) -> f32 {
         match self.polynomial() {
             Some(curve) => self.in_closed_form(curve, view),
-            None => self.by_nodes(view),
+            None => match self.pair() {
+                Some(pair) => self.in_two_closed_forms(pair, view),
+                None => self.by_nodes(view),
+            },
         }
     }
 
@@ -103,25 +106,52 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// integrated by nodes: in a thin rim the primitive would cancel.
     #[inline(always)]
     pub(crate) fn polynomial(&self) -> Option<[f32; 3]> {
-        let [outer, _, reciprocal] = self.falloff.ramp.to_bits().map(f32::from_bits);
         match self.falloff.falloff.formula() {
-            Formula::Polynomial(curve)
-                if A::is_inverse_square::<f32>(&self.attenuation) && outer * reciprocal < FULL =>
-            {
-                Some(curve)
-            }
+            Formula::Polynomial(curve) if self.is_plain() => Some(curve),
             _ => None,
         }
+    }
+
+    /// Returns the share and the ratio of two soft falloffs whose in-scattering has a closed form: that of two beams.
+    #[inline(always)]
+    pub(crate) fn pair(&self) -> Option<[f32; 2]> {
+        match self.falloff.falloff.formula() {
+            Formula::SoftPair(pair) if self.is_plain() => Some(pair),
+            _ => None,
+        }
+    }
+
+    /// Whether the light attenuates with the inverse square and has no hotspot.
+    #[inline(always)]
+    fn is_plain(&self) -> bool {
+        let [outer, _, reciprocal] = self.falloff.ramp.to_bits().map(f32::from_bits);
+        A::is_inverse_square::<f32>(&self.attenuation) && outer * reciprocal < FULL
     }
 
     /// Returns the in-scattering of a [`polynomial`](Self::polynomial).
     #[inline(always)]
     pub(crate) fn in_closed_form(&self, curve: [f32; 3], view: &ViewRay) -> f32 {
         let arc = Arc::new(&self.extent(), view);
-        let edge = arc.edge(self.cone[1]);
-        let Span { from, to, scale } = arc.span(edge);
+        self.light(&arc, self.integral(&arc, curve, 1.0))
+    }
+
+    /// Returns the in-scattering of a [`pair`](Self::pair).
+    #[inline(always)]
+    pub(crate) fn in_two_closed_forms(&self, [share, ratio]: [f32; 2], view: &ViewRay) -> f32 {
+        let arc = Arc::new(&self.extent(), view);
+        let wide = self.integral(&arc, [0.0, 1.0 - share, 0.0], 1.0);
+        self.light(&arc, wide + self.integral(&arc, [0.0, share, 0.0], ratio))
+    }
+
+    /// Returns the integral of a polynomial falloff along an arc, in a cone whose outer versine is that of the beam
+    /// divided by a ratio.
+    #[inline(always)]
+    fn integral(&self, arc: &Arc, curve: [f32; 3], ratio: f32) -> f32 {
         let [outer, _, reciprocal] = self.falloff.ramp.to_bits().map(f32::from_bits);
-        self.light(&arc, scale * arc.with(curve, outer, reciprocal).integral(from, to, edge))
+        let outer = outer / ratio;
+        let edge = arc.edge(lesser(self.cone[1], outer));
+        let Span { from, to, scale } = arc.span(edge);
+        scale * arc.with(curve, outer, reciprocal * ratio).integral(from, to, edge)
     }
 
     /// Returns the in-scattering by quadrature.

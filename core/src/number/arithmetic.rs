@@ -250,6 +250,9 @@ pub trait Fraction<S: Types>: Copy + PartialOrd + core::fmt::Debug {
     /// Valid coefficients are `g` in `[-1, 3]`, `h` in `[-4, 2]` and `g + h` in `[-3, 1]`, where
     /// the cubic is monotone.
     fn cubic(self, g: S::Weight, h: S::Weight) -> Self::Value;
+    /// Returns `(1 - k) t^2 + k w^2` with `w = max(0, 1 - g u)`, for `k` in `[0, 1]` and `g` in `[1, 1024]`: exactly
+    /// 0 at `t = 0` and exactly 1 at `t = 1`. Five multiplications, in an order that keeps the result monotone.
+    fn soft_pair(self, share: S::Weight, ratio: S::Gain) -> Self::Value;
     /// Interpolates linearly between samples that are evenly spaced from `u = 0`; 65,535 means 1.
     ///
     /// The function takes one multiplication for the position and one for the interpolation.

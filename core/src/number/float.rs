@@ -279,6 +279,13 @@ impl Fraction<f32> for f32 {
         clamp(self * (1.0 + (1.0 - self) * (g + h * self)))
     }
 
+    #[inline]
+    fn soft_pair(self, share: Self, ratio: Self) -> Self {
+        let narrow = 1.0 - (1.0 - self) * ratio;
+        let narrow = if narrow > 0.0 { narrow } else { 0.0 };
+        clamp((1.0 - share) * (self * self) + share * (narrow * narrow))
+    }
+
     #[inline(always)] // `table.f32` on Cortex-M0: +69 instructions without.
     fn sample(self, samples: &[u16]) -> Self {
         let place = (1.0 - self) * samples.len().saturating_sub(1) as f32;

@@ -42,7 +42,7 @@ pub use self::frame::Frame16;
 use super::{
     Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, OffsetAlong, Quick, Ray,
     RealExponent, Share, Stages, Versine, Weight16, cold_path,
-    fx32::{Fine, FineRay},
+    fx32::{Fine, FineRay, Ratio},
     knot::{SLOPE_BITS, neighbours},
     mantissa_and_shift,
     ramp::{Chords, FixedRamp, MOST_ZOOM, is_outside},
@@ -419,6 +419,17 @@ impl Fraction<Fx16> for Fraction16 {
     }
 
     #[inline]
+    fn soft_pair(self, share: Weight16, ratio: Gain16) -> Fx16 {
+        // The mantissa is rounded down, so the product is rounded up. A ratio in range has a shift of 5 to 15.
+        let (product, bits) = (self.complement().0 * ratio.factor(), ratio.scale() as u32 & 15);
+        let narrow = Self(Self::ONE.saturating_sub((product + (1 << bits) - 1) >> bits));
+        let (share, [narrow, wide]) = (share.to_bits(), [narrow, self].map(|t| t.times(t).0 as i32));
+        let rest = (1_i32 << Weight16::FRACTION_BITS).wrapping_sub(share);
+        let sum = narrow.wrapping_mul(share).wrapping_add(wide.wrapping_mul(rest));
+        Self::capped((sum as u32) << 1)
+    }
+
+    #[inline]
     fn sample(self, samples: &[u16]) -> Fx16 {
         let last = (samples.len() as u32).saturating_sub(1);
         let place = self.complement().0.wrapping_mul(last);
@@ -499,6 +510,13 @@ fn factor(scalar: Fx16) -> u32 {
 pub struct Gain16 {
     mantissa: u32,
     shift: i32,
+}
+
+impl From<Gain16> for Ratio {
+    #[inline]
+    fn from(Gain16 { mantissa, shift }: Gain16) -> Self {
+        Self::new(mantissa, shift)
+    }
 }
 
 impl Gain16 {

@@ -379,7 +379,29 @@ impl From<Weight32> for Slope {
     }
 }
 
-impl<S: Types<Weight: Into<Slope>>> Fraction<S> for Fine
+/// A gain of at least 1 as `mantissa 2^(bits - 31)`.
+#[derive(Clone, Copy, Debug)]
+pub struct Ratio {
+    mantissa: u32,
+    bits: u32,
+}
+
+impl Ratio {
+    /// Creates the ratio `mantissa / 2^shift`. One that is out of range wraps.
+    #[inline]
+    pub(super) fn new(mantissa: u32, shift: i32) -> Self {
+        Self { mantissa, bits: 31_i32.wrapping_sub(shift) as u32 & 31 }
+    }
+}
+
+impl From<Gain32> for Ratio {
+    #[inline]
+    fn from(Gain32 { mantissa, shift }: Gain32) -> Self {
+        Self::new(mantissa << 4, shift.wrapping_add(4))
+    }
+}
+
+impl<S: Types<Weight: Into<Slope>, Gain: Into<Ratio>>> Fraction<S> for Fine
 where
     Self: Share<S>,
 {
@@ -436,6 +458,16 @@ where
         let bend = (high_half(self.0, h.unsigned_abs()) as i32) << 1;
         let bend = if h < 0 { bend.wrapping_neg() } else { bend };
         self.lifted(g.wrapping_add(bend))
+    }
+
+    #[inline]
+    fn soft_pair(self, share: S::Weight, ratio: S::Gain) -> Self {
+        let (Slope(share), Ratio { mantissa, bits }) = (share.into(), ratio.into());
+        // A `u` that is cut off here is over `2 / g`, where the narrow falloff has ended.
+        let scaled = self.complement().0.min(u32::MAX >> bits) << bits;
+        let narrow = Self(high_half(scaled, mantissa).min(1 << 30) << 1).complement();
+        let share = Self((share.clamp(0, 1 << 28) as u32) << 3);
+        Self(narrow.times(narrow).times(share).0 + self.times(self).times(share.complement()).0)
     }
 
     #[inline]

@@ -75,6 +75,8 @@ pub struct Stages {
     pub weight: f64,
     /// `t^2 (3 - 2 t)`.
     pub smooth: Rounding,
+    /// `(1 - k) t^2 + k w^2` with `w = max(0, 1 - g u)`, with the error of `k`.
+    pub pair: Rounding,
     /// The place `1 - t` among samples, which their slope magnifies.
     pub place: Rounding,
     /// The interpolation of samples.

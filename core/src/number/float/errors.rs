@@ -30,6 +30,9 @@ pub(super) const STAGES: Stages = Stages {
     lift: Rounding::relative(5.0 * 4.0 * UNIT),
     weight: 4.0 * UNIT,
     smooth: Rounding::relative(5.0 * UNIT),
+    // The narrow part `w` is a difference, a product and a difference, `(2 - w) UNIT` in all; its square, too, has
+    // `(4 w - w^2) UNIT` then, at most 3. Two more products and the sum.
+    pair: Rounding::absolute(5.0 * UNIT),
     // A difference, and its product with the number of samples.
     place: Rounding::relative(2.0 * UNIT),
     // The distance from a sample, its slope, their product and sum, and the product with a constant.

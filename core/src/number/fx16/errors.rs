@@ -73,6 +73,9 @@ pub(super) const fn coarse(bits: u32) -> Stages {
         weight: FINER,
         // The square is rounded to a fraction and multiplied by up to 3.
         smooth: Rounding::absolute(1.5 * FINER + STEP / 2.0),
+        // The mantissa of the ratio is rounded down and its product up, by at most a unit and 1/32; the square doubles
+        // this, and is rounded. Half a unit of 2^-14 of the share, and the sum is rounded.
+        pair: Rounding::absolute((2.0 * 1.032 + 0.501 + 1.0) * FINER + STEP / 2.0),
         place: Rounding::NONE,
         // A sample has 16 bits.
         sample: Rounding::absolute(STEP / 2.0 + power_of_two(-16)),
@@ -115,6 +118,7 @@ pub(super) const FINE: Stages = Stages {
     weight: FINER,
     // A square that is rounded down by 2 units of 2^-31, three times, and twice a product.
     smooth: Rounding::absolute(5.0 * power_of_two(-30)),
+    pair: Rounding::absolute(fx32::errors::PAIR + FINER),
     place: Rounding::NONE,
     sample: fx32::errors::STAGES.sample,
     power: Rounding::NONE,

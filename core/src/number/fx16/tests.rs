@@ -2,7 +2,10 @@
 
 use super::*;
 use crate::{
-    falloff::{CompiledFalloff, Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft},
+    falloff::{
+        CompiledFalloff, Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft,
+        SoftPair,
+    },
     number::{Arithmetic, Directions, Errors, HALF_A_CODE, Scalar, proofs::model::Constants},
 };
 
@@ -135,6 +138,21 @@ fn all_blends_and_cubics_fall_by_a_step_at_most() {
     assert!((0.5..=1.1).contains(&worst) && fall <= 1, "cubics: {worst}, fall by {fall}");
 }
 
+/// Tests, at every `t`, pairs with shares in steps of 1/8 and ratios up to the limit.
+#[test]
+fn all_soft_pairs_are_monotone() {
+    let mut worst = 0.0_f64;
+    for (share, octave) in (0..=8_u8).flat_map(|share| (0..=40_u8).map(move |octave| (share, octave))) {
+        let (share, ratio) = (f32::from(share) / 8.0, (f32::from(octave) / 4.0).exp2());
+        let (k, g) = (f64::from(share), f64::from(ratio));
+        let exact = |t: f64| (1.0 - k) * t * t + k * (1.0 - g * (1.0 - t)).max(0.0).powi(2);
+        let (error, falls) = over_all_t(SoftPair::new(share, ratio).expect("sound"), exact);
+        assert_eq!(falls, 0, "{share} {ratio}");
+        worst = worst.max(error);
+    }
+    assert!((1.0..=2.3).contains(&worst), "pairs: {worst}");
+}
+
 /// Coefficients that no falloff has also give results in `[0, 1]`.
 #[test]
 fn every_weight_has_an_answer() {
@@ -142,7 +160,9 @@ fn every_weight_has_an_answer() {
     for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
         for t in [0, 1, 12_345, 16_384, 32_767, 32_768_u16] {
             let narrow = Fraction16(t.into());
-            for value in [narrow.quadratic(weights[i]), narrow.cubic(weights[i], weights[j])] {
+            let gain = Gain16::from_bits([weights[i].to_bits(), weights[j].to_bits()]);
+            let pair = narrow.soft_pair(weights[i], gain);
+            for value in [narrow.quadratic(weights[i]), narrow.cubic(weights[i], weights[j]), pair] {
                 assert!((Fx16::ZERO..=Fx16::ONE).contains(&value));
             }
         }
@@ -331,6 +351,11 @@ fn the_model_of_the_proofs_has_the_bits_of_coarse_falloffs() {
             let value = model.quadratic(t, (1 << 15) - t, bend);
             assert_eq!(bits(fraction.cubic(g, h)), value.min(1 << 14), "{t} {g:?} {h:?}");
         }
+        let (share, ratio) = (Fx16::weight(random.f32()), Fx16::gain((10.0 * random.f32()).exp2()));
+        let [mantissa, shift] = ratio.to_bits();
+        let narrow = model.narrow((1 << 15) - t, i128::from(mantissa as u32 >> 16), 1 << (shift - 16));
+        let value = model.pair(t, (1 << 15) - narrow.min(1 << 15), share.to_bits().into());
+        assert_eq!(bits(fraction.soft_pair(share, ratio)), value, "{t} {share:?} {ratio:?}");
         let samples = [random.u16(..), random.u16(..)];
         let [here, next] = samples.map(i128::from);
         if t > 0 {

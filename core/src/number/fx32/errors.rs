@@ -20,6 +20,10 @@ pub(in crate::number) const AXIS_TURN: f64 = 0.866_2 * STEP;
 /// A halved offset changes it by 0.71 steps.
 pub(in crate::number) const DISTANCE: f64 = 4.7e-8;
 
+/// Two squares and their products with the shares are rounded down by 2 units of 2^-31 each. The narrow part is up to 2
+/// units too large, and its square 4.
+pub(in crate::number) const PAIR: f64 = 8.0 * power_of_two(-31);
+
 /// The evaluation.
 pub(in crate::number) const STAGES: Stages = Stages {
     // The direction's 2.4e-8 is that of its excess: three squares rounded down, by 5.6e-9 of the length,
@@ -43,6 +47,8 @@ pub(in crate::number) const STAGES: Stages = Stages {
     weight: power_of_two(-27),
     // A square that is rounded down by 2 units of 2^-31, three times, and twice a product.
     smooth: Rounding::absolute(5.0 * STEP),
+    // The share is rounded to 30 bits, and truncated to 28.
+    pair: Rounding::absolute(PAIR + power_of_two(-31) + power_of_two(-28)),
     place: Rounding::NONE,
     // A share of the step to the next sample is rounded down, and the sum, too, beside half a unit of its conversion:
     // 2 units of 2^-31.

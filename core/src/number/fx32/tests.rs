@@ -1,7 +1,7 @@
 //! Errors of the stages, over every argument where that is possible.
 
 use super::{set_up::inner, *};
-use crate::number::{Directions, Fx16, Scalar, fx16::Gain16, proofs::model::Constants};
+use crate::number::{Arithmetic, Directions, Fx16, Scalar, fx16::Gain16, proofs::model::Constants};
 
 extern crate std;
 
@@ -168,6 +168,15 @@ fn the_model_of_the_proofs_has_the_bits_of_the_fine_stages() {
         });
         let incidence = model.incidence(i128::from(inner(d, n)), 28).clamp(0, 1 << 30);
         assert_eq!(i128::from(Fx32::incidence(d, n).to_bits()), incidence, "{d:?} {n:?}");
+        let (share, ratio) = (Fx32::weight(random.f32()), Fx32::gain((10.0 * random.f32()).exp2()));
+        let [mantissa, shift] = ratio.to_bits().map(i128::from);
+        let fallen = model.fine_narrow((u << (27 - shift)).min((1 << 32) - 1), mantissa << 4).min(1 << 31);
+        let value = model.fine_pair(t.into(), (1 << 31) - fallen, i128::from(share.to_bits() >> 2) << 3);
+        assert_eq!(
+            i128::from(Fraction::<Fx32>::soft_pair(fraction, share, ratio).0),
+            value,
+            "{share} {ratio:?}"
+        );
         let slope = random.i32(0..=1 << 28);
         assert_eq!(i128::from(fraction.lifted(slope).0), t + model.lift(t, u, slope.into()));
     }

@@ -16,7 +16,7 @@ use luminaire::{
         NoAttenuation, Polynomial, SmoothRange, attenuations,
     },
     falloff::{
-        Cubic, FalloffVisitor, Hard, ListedFalloff, Power, Quadratic, Soft, SoftOrHard, Table,
+        Cubic, FalloffVisitor, Hard, ListedFalloff, Power, Quadratic, Soft, SoftOrHard, SoftPair, Table,
         constant_falloffs,
     },
     specular::{BlinnPhong, DifferenceForm, DualConeLobe, MirroredPhong, NoSpecular, Phong},
@@ -100,6 +100,11 @@ fn quadratic(case: &mut Case<'_>) -> Result<Quadratic, luminaire::Error> {
 fn cubic(case: &mut Case<'_>) -> Result<Cubic, luminaire::Error> {
     let (edge, middle) = (case.number("edge slope"), case.number("middle slope"));
     Cubic::with_slopes(edge, middle)
+}
+
+fn soft_pair(case: &mut Case<'_>) -> Result<SoftPair, luminaire::Error> {
+    let (share, ratio) = (case.number("share"), case.number("ratio"));
+    SoftPair::new(share, ratio)
 }
 
 fn table(_: &mut Case<'_>) -> Result<Table<'static>, luminaire::Error> {
@@ -189,9 +194,11 @@ static WRITTEN: &[Model] = &[
     once!("cone table", case => falloff::cone(case, table)),
     once!("cone two-angles", case => falloff::two_angles(case)),
     once!("cone two-angles-and-slope", case => falloff::two_angles_and_slope(case)),
+    once!("cone two-angles-soft", case => falloff::two_angles_soft(case)),
     once!("cone opengl-15", case => falloff::opengl(case)),
     each!("falloff quadratic", S, case => falloff::falloff::<S, _>(case, quadratic)),
     each!("falloff cubic", S, case => falloff::falloff::<S, _>(case, cubic)),
+    each!("falloff soft-pair", S, case => falloff::falloff::<S, _>(case, soft_pair)),
     each!("falloff power-1", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<1>))),
     each!("falloff power-15", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<15>))),
     each!("falloff power-128", S, case => falloff::falloff::<S, _>(case, |_| Ok(Power::<128>))),

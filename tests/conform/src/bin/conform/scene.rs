@@ -56,6 +56,7 @@ impl Scene {
         scene.set("number", random.between(-3.0, 3.0));
         scene.set_beam(&mut SplitMix64(random.0 ^ 0x6265_616d));
         scene.set_decay(&mut SplitMix64(random.0 ^ 0x6465_6361));
+        scene.set_pair(&mut SplitMix64(random.0 ^ 0x7061_6972));
         scene
     }
 
@@ -73,6 +74,12 @@ impl Scene {
     fn set_decay(&mut self, random: &mut SplitMix64) {
         self.set("exponent", libm::exp(random.between(libm::log(0.1), libm::log(16.0))));
         self.set("cap", libm::exp(random.between(0.0, libm::log(1e4))));
+    }
+
+    /// The narrow one of two soft falloffs.
+    fn set_pair(&mut self, random: &mut SplitMix64) {
+        self.set("share", random.between(0.0, 1.0));
+        self.set("ratio", libm::exp(random.between(0.0, libm::log(1024.0))));
     }
 
     /// A value by its name.
