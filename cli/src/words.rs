@@ -43,7 +43,10 @@ pub(crate) fn falloff(text: &str) -> Result<AnyFalloff, String> {
 
 /// The falloffs, as the help tells them.
 pub(crate) fn falloffs() -> String {
-    format!("One of {} [default: soft]", words::falloff_words())
+    format!(
+        "One of {} [default: soft]. Beside both --beam and --field only soft is possible: a soft edge that has both",
+        words::falloff_words()
+    )
 }
 
 /// The laws of the attenuation, as the help tells them.

@@ -49,7 +49,7 @@ fn export_writes_every_language_and_falloff() {
     {
         assert!(text(&format!("--to {language} --beam 12 --field 20")).contains("light"), "{language}");
     }
-    for falloff in "soft hard linear smooth step quadratic=0.5 power=15 inverted-power=4 \
+    for falloff in "soft hard linear smooth step soft-pair=0.4,5 quadratic=0.5 power=15 inverted-power=4 \
                     real-power=2.25 inverted-real-power=2.5 table=65535,40000,0"
         .split_whitespace()
     {
@@ -64,7 +64,16 @@ fn export_refusals_name_the_parameter() {
         ("--to pascal", "expected one of json, glsl"),
         ("--to glsl --outer 400", "error: outer angle = 400: expected more than 0 and at most 180"),
         ("--to glsl --outer 40 --field 20", "error: outer angle = 40: expected no beam or field angle"),
-        ("--to glsl --beam 20 --field 30 --falloff soft", "error: falloff = given: expected no falloff"),
+        (
+            "--to glsl --beam 20 --field 30 --falloff hard",
+            "error: falloff = given: expected soft or no falloff",
+        ),
+        ("--to glsl --beam 20 --field 179 --falloff soft", "error: field angle = 179: expected 20 to 127.5"),
+        (
+            "--to glsl --falloff soft-pair=1.5,5",
+            "share of the narrow falloff = 1.5: expected a finite number from 0 to 1",
+        ),
+        ("--to glsl --falloff soft-pair=0.5", "soft-pair = 1 number: expected the share, the ratio"),
         ("--to glsl --falloff bowl", "expected one of soft, hard"),
         ("--to glsl --falloff quadratic", "quadratic = 0 numbers: expected the edge slope"),
         ("--to glsl --falloff table=70000,0", "sample = 70000: expected a whole number from 0 to 65535"),

@@ -366,13 +366,14 @@ fn cone(shape: &Shape) -> Result<Cone<AnyFalloff>, ExportError> {
 }
 
 /// Returns the cone of one of beam, field and outer angle, or of beam and field angle together, which
-/// determine the falloff; with a hotspot and a cutoff in degrees. Angles are full angles.
+/// determine the falloff: beside [`Soft`] that of [`Cone::soft_from_beam_and_field`], and else that of
+/// [`Cone::from_beam_and_field`]. With a hotspot and a cutoff in degrees. Angles are full angles.
 ///
 /// With a hotspot the falloff begins at the inner angle, and the light still has half of its
 /// intensity at the beam angle and a tenth at the field angle.
 ///
 /// # Errors
-/// Other combinations of angles, a falloff beside both beam and field angle, or an angle that the cone
+/// Other combinations of angles, a falloff but `Soft` beside both beam and field angle, or an angle that the cone
 /// does not accept.
 pub fn from_angles(
     falloff: Option<AnyFalloff>,
@@ -428,23 +429,31 @@ fn without_hotspot(
         [Some(beam), None, None] => Cone::from_beam(any, beam)?,
         [None, Some(field), None] => Cone::from_field(any, field)?,
         [None, None, Some(outer)] => Cone::from_outer(any, outer)?,
-        [Some(_), Some(_), None] if falloff.is_some() => {
-            let expected = "no falloff beside both a beam and a field angle, which determine it";
-            return Err(ExportError::new("falloff", "given", expected));
-        }
         [Some(beam), Some(field), None] => {
-            let cone = Cone::from_beam_and_field(beam, field).map_err(|error| {
+            let cone = match falloff {
+                None => Cone::from_beam_and_field(beam, field).map(any_falloff),
+                Some(AnyFalloff::Soft(_)) => Cone::soft_from_beam_and_field(beam, field).map(any_falloff),
+                Some(_) => {
+                    let expected =
+                        "soft or no falloff beside both a beam and a field angle, which determine it";
+                    return Err(ExportError::new("falloff", "given", expected));
+                }
+            };
+            cone.map_err(|error| {
                 let ExportError { parameter, value, expected } = error.into();
                 let remedy = "or one of the two alone; the beam angle (50 %) is below the field angle (10 %)";
                 ExportError { parameter, value, expected: format!("{expected}, {remedy}") }
-            })?;
-            cone.with_falloff(cone.falloff().into())
+            })?
         }
         [.., Some(outer)] => {
             let expected = "no beam or field angle beside it";
             return Err(ExportError::new("outer angle", outer.to_degrees(), expected));
         }
     })
+}
+
+fn any_falloff(cone: Cone<impl Falloff + Into<AnyFalloff>>) -> Cone<AnyFalloff> {
+    cone.with_falloff(cone.falloff().into())
 }
 
 fn attenuation(described: &Map<String, Value>) -> Result<AnyAttenuation, ExportError> {

@@ -41,6 +41,8 @@ pub(crate) enum Operation<S: Types> {
     Quadratic(usize, S::Weight),
     /// `x (1 + (1 - x) (g + h x))`.
     Cubic(usize, S::Weight, S::Weight),
+    /// Two soft falloffs, `(1 - k) x^2 + k w^2` with `w = max(0, 1 - g (1 - x))`, by `k` and `g`.
+    SoftPair(usize, S::Weight, S::Gain),
     /// The interpolation of evenly spaced samples at `1 - x`.
     Sample(usize, Vec<u16>),
     /// The line of a knot at `1 - x`.
@@ -79,6 +81,7 @@ impl<S: Types> Operation<S> {
             | Self::Smooth(a)
             | Self::Quadratic(a, _)
             | Self::Cubic(a, ..)
+            | Self::SoftPair(a, ..)
             | Self::Sample(a, _)
             | Self::Along(a, _)
             | Self::Smoothed(a)
@@ -329,6 +332,10 @@ impl<S: Types> Fraction<S> for Symbol<'_, S> {
 
     fn cubic(self, g: S::Weight, h: S::Weight) -> Self {
         self.record(|x| Operation::Cubic(x, g, h))
+    }
+
+    fn soft_pair(self, share: S::Weight, ratio: S::Gain) -> Self {
+        self.record(|x| Operation::SoftPair(x, share, ratio))
     }
 
     fn sample(self, samples: &[u16]) -> Self {

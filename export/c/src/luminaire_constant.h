@@ -258,6 +258,25 @@ static inline uint32_t luminaire_fine_quadratic(uint32_t x, int32_t g) {
     return luminaire_fine_lifted(x, luminaire_shl(g, 14));
 }
 
+/* Two soft falloffs: a share of 14 bits of a narrow one, which ends at 1 over a gain of the versine of the edge. */
+static inline uint32_t luminaire_coarse_soft_pair(uint32_t x, int32_t share, uint32_t mantissa, int32_t shift) {
+    uint32_t bits = (uint32_t)(shift - 16) & 15, part = (uint32_t)share;
+    uint32_t fallen = (luminaire_coarse_complement(x) * (mantissa >> 16) + (UINT32_C(1) << bits) - 1) >> bits;
+    uint32_t narrow = LUMINAIRE_COARSE_ONE - luminaire_min(fallen, LUMINAIRE_COARSE_ONE);
+    uint32_t sum = luminaire_coarse_fine_product(narrow, narrow) * part;
+    sum += luminaire_coarse_fine_product(x, x) * (LUMINAIRE_FULL_SCALE - part);
+    return luminaire_coarse_capped(sum << 1);
+}
+
+static inline uint32_t luminaire_fine_soft_pair(uint32_t x, int32_t share, uint32_t mantissa, int32_t shift) {
+    uint32_t bits = (uint32_t)(31 - shift) & 31, part = (uint32_t)share << 17;
+    uint32_t scaled = luminaire_min(LUMINAIRE_FINE_ONE - x, UINT32_C(0xffffffff) >> bits) << bits;
+    uint32_t fallen = luminaire_min(luminaire_high_half(scaled, mantissa), UINT32_C(1) << 30) << 1;
+    uint32_t narrow = LUMINAIRE_FINE_ONE - fallen;
+    return luminaire_fine_product(luminaire_fine_product(narrow, narrow), part)
+        + luminaire_fine_product(luminaire_fine_product(x, x), LUMINAIRE_FINE_ONE - part);
+}
+
 static inline uint32_t luminaire_coarse_real_power(
     uint32_t x, uint32_t mantissa, uint32_t shift, uint32_t least, uint32_t gain
 ) {

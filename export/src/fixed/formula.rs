@@ -133,6 +133,11 @@ fn expression(
         Operation::Cubic(x, g, h) => {
             call("cubic", &[of(x), &g.to_bits().to_string(), &h.to_bits().to_string()])
         }
+        Operation::SoftPair(x, share, ratio) => {
+            let [mantissa, shift] = ratio.to_bits();
+            let mantissa = format!("UINT32_C({:#x})", mantissa as u32);
+            call("soft_pair", &[of(x), &share.to_bits().to_string(), &mantissa, &shift.to_string()])
+        }
         Operation::Sample(x, ref samples) => {
             call("sample", &[of(x), &global(name, "table"), &samples.len().to_string()])
         }

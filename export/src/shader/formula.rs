@@ -104,6 +104,12 @@ impl<'a> Lowering<'a> {
                 let slope = number(g) + number(h) * of(x);
                 clamp(of(x) * (number(1.0) + (number(1.0) - of(x)) * slope))
             }
+            Operation::SoftPair(x, share, ratio) => {
+                let narrow = number(1.0) - (number(1.0) - of(x)) * number(ratio);
+                let narrow = name(self.local("narrow", call(Builtin::Max, narrow, number(0.0))));
+                let wide = number(1.0 - share) * (of(x) * of(x));
+                clamp(wide + number(share) * (narrow.clone() * narrow))
+            }
             Operation::Smoothed(x) => {
                 let t = name(self.local("nearness", of(x)));
                 t.clone() * t.clone() * (number(3.0) - number(2.0) * t)
