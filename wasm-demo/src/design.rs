@@ -4,7 +4,7 @@ use crate::refusal::{Refusal, choose};
 use luminaire::{
     Angle, Cone, Error,
     error::{Expected, Parameter},
-    falloff::AnyFalloff,
+    falloff::{AnyFalloff, Falloff},
 };
 
 /// The angle that a cone is designed from. The kernel computes the others.
@@ -14,6 +14,18 @@ pub(crate) enum Mark {
     Beam,
     /// Full angle at which the intensity is a tenth of that on the axis.
     Field,
+}
+
+/// Share by which the ends of a range are drawn in, so that an end in degrees is accepted.
+const MARGIN: f32 = 1e-5;
+
+/// The edge of a cone that has a beam and a field angle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Both {
+    /// The falloff with the narrowest outer angle that both determine.
+    Fitted,
+    /// A soft edge, farther out.
+    Soft,
 }
 
 /// Full angles in degrees. One of them gives the other by the falloff; both give the falloff. The
@@ -39,6 +51,55 @@ impl Mark {
     }
 }
 
+impl Both {
+    pub(crate) const ALL: [Self; 2] = [Self::Fitted, Self::Soft];
+
+    /// The name in the list of edges.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Fitted => "fitted",
+            Self::Soft => "fitted-soft",
+        }
+    }
+
+    /// Returns the cone with both angles, in degrees.
+    fn cone(self, beam: f32, field: f32) -> Result<Cone<AnyFalloff>, Error> {
+        let (beam, field) = (Angle::degrees(beam), Angle::degrees(field));
+        match self {
+            Self::Fitted => Cone::from_beam_and_field(beam, field).map(any),
+            Self::Soft => Cone::soft_from_beam_and_field(beam, field).map(any),
+        }
+    }
+
+    /// Returns the least and the largest field angle of the cones with this beam angle, in degrees;
+    /// `None` if there is no such cone.
+    pub(crate) fn fields(self, beam: f32) -> Option<[f32; 2]> {
+        // No field angle is 0: the error has the range.
+        match self.cone(beam, 0.0).err()? {
+            Error {
+                parameter: Parameter::FieldAngle, accepted: Expected::AngleBetween(least, most), ..
+            } => Some([least, most * (1.0 - MARGIN)]),
+            _ => None,
+        }
+    }
+
+    /// Returns the least and the largest beam angle of the cones with this field angle, in degrees;
+    /// `None` if there is no such cone.
+    pub(crate) fn beams(self, field: f32) -> Option<[f32; 2]> {
+        self.cone(field, field).ok()?;
+        let (mut most_refused, mut least) = (0.0, field);
+        for _ in 0..24 {
+            let middle = f32::midpoint(most_refused, least);
+            if self.cone(middle, field).is_ok() { least = middle } else { most_refused = middle }
+        }
+        Some([least * (1.0 + MARGIN), field])
+    }
+}
+
+fn any(cone: Cone<impl Falloff + Into<AnyFalloff>>) -> Cone<AnyFalloff> {
+    cone.with_falloff(cone.falloff().into())
+}
+
 impl Design {
     /// One angle.
     pub(crate) fn of(mark: Mark, degrees: f32) -> Self {
@@ -48,11 +109,12 @@ impl Design {
         }
     }
 
-    /// The two angles of a cone. The field angle is the nearest that a cone with this beam angle
-    /// can have.
-    pub(crate) fn both_of(cone: &Cone<AnyFalloff>) -> Self {
-        let beam = cone.beam().to_degrees();
-        Self { beam: Some(beam), field: Some(cone.field().to_degrees()) }.with(Mark::Beam, beam)
+    /// These two angles, or else those of a cone. The field angle is the nearest that a cone with this beam
+    /// angle and such an edge can have.
+    pub(crate) fn or_both_of(self, cone: &Cone<AnyFalloff>, edge: Both) -> Self {
+        let of_cone = || (cone.beam().to_degrees(), cone.field().to_degrees());
+        let (beam, field) = self.both().unwrap_or_else(of_cone);
+        Self { beam: None, field: Some(field) }.with(Mark::Beam, beam, edge)
     }
 
     /// Both angles, if both are given.
@@ -70,20 +132,25 @@ impl Design {
     }
 
     /// The design of two angles with one of them changed. The other one follows as far as it must,
-    /// so that there is a cone with both.
-    pub(crate) fn with(self, mark: Mark, degrees: f32) -> Self {
+    /// so that there is a cone with both and such an edge.
+    pub(crate) fn with(self, mark: Mark, degrees: f32, edge: Both) -> Self {
         let nearest = |other: Option<f32>, reach: Option<[f32; 2]>| {
             other.zip(reach).map(|(other, [least, most])| other.max(least).min(most)).or(other)
         };
         match mark {
-            Mark::Beam => Self { beam: Some(degrees), field: nearest(self.field, fields(degrees)) },
-            Mark::Field => Self { field: Some(degrees), beam: nearest(self.beam, beams(degrees)) },
+            Mark::Beam => Self { beam: Some(degrees), field: nearest(self.field, edge.fields(degrees)) },
+            Mark::Field => Self { field: Some(degrees), beam: nearest(self.beam, edge.beams(degrees)) },
         }
     }
 
     /// All angles multiplied by a factor.
     pub(crate) fn times(self, factor: f32) -> Self {
         Self { beam: self.beam.map(|angle| factor * angle), field: self.field.map(|angle| factor * angle) }
+    }
+
+    /// Returns the edge of two angles, for the chosen falloff.
+    pub(crate) fn edge_of(edge: Option<AnyFalloff>) -> Both {
+        if matches!(edge, Some(AnyFalloff::Soft(_))) { Both::Soft } else { Both::Fitted }
     }
 
     /// Returns the cone with these angles: by the falloff `edge`, or by that of `original`.
@@ -94,7 +161,7 @@ impl Design {
     ) -> Result<Cone<AnyFalloff>, Error> {
         let profile = edge.unwrap_or(original.falloff());
         match (self.beam, self.field) {
-            (Some(beam), Some(field)) => fitted(beam, field),
+            (Some(beam), Some(field)) => Self::edge_of(edge).cone(beam, field),
             (Some(beam), None) => Cone::from_beam(profile, Angle::degrees(beam)),
             (None, Some(field)) => Cone::from_field(profile, Angle::degrees(field)),
             (None, None) if edge.is_some() => Cone::from_field(profile, original.field()),
@@ -103,70 +170,38 @@ impl Design {
     }
 }
 
-fn fitted(beam: f32, field: f32) -> Result<Cone<AnyFalloff>, Error> {
-    let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
-    Ok(cone.with_falloff(cone.falloff().into()))
-}
-
-/// Share by which the ends of a range are drawn in, so that an end in degrees is accepted.
-const MARGIN: f32 = 1e-5;
-
-/// Returns the least and the largest field angle of the cones with this beam angle, in degrees;
-/// `None` if there is no such cone.
-pub(crate) fn fields(beam: f32) -> Option<[f32; 2]> {
-    // No field angle is 0: the error has the range.
-    match fitted(beam, 0.0).err()? {
-        Error { parameter: Parameter::FieldAngle, accepted: Expected::AngleBetween(least, most), .. } => {
-            Some([least, most * (1.0 - MARGIN)])
-        }
-        _ => None,
-    }
-}
-
-/// Returns the least and the largest beam angle of the cones with this field angle, in degrees;
-/// `None` if there is no such cone.
-pub(crate) fn beams(field: f32) -> Option<[f32; 2]> {
-    fitted(field, field).ok()?;
-    let (mut most_refused, mut least) = (0.0, field);
-    for _ in 0..24 {
-        let middle = f32::midpoint(most_refused, least);
-        if fitted(middle, field).is_ok() { least = middle } else { most_refused = middle }
-    }
-    Some([least * (1.0 + MARGIN), field])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn the_ends_of_what_is_reached_are_cones_and_beyond_them_is_none() {
-        for angle in [0.1, 1.0, 9.8, 30.0, 89.0, 140.0, 170.0] {
-            let [least, most] = fields(angle).unwrap();
-            assert!(
-                fitted(angle, least).is_ok() && fitted(angle, most).is_ok(),
-                "{angle}: {least} to {most}"
-            );
-            assert!(fitted(angle, most * 1.001).is_err() && fitted(angle, least * 0.999).is_err(), "{angle}");
-            let [least, most] = beams(angle).unwrap();
-            assert!(
-                fitted(least, angle).is_ok() && fitted(most, angle).is_ok(),
-                "{angle}: {least} to {most}"
-            );
-            assert!(fitted(least * 0.999, angle).is_err() && fitted(most * 1.001, angle).is_err(), "{angle}");
+        let angles = [0.1, 1.0, 9.8, 30.0, 89.0, 140.0, 170.0];
+        for (edge, angle) in Both::ALL.into_iter().flat_map(|edge| angles.map(|angle| (edge, angle))) {
+            let is_cone = |beam, field| edge.cone(beam, field).is_ok();
+            let [least, most] = edge.fields(angle).unwrap();
+            assert!(is_cone(angle, least) && is_cone(angle, most), "{angle}: {least} to {most}");
+            assert!(!is_cone(angle, most * 1.001) && !is_cone(angle, least * 0.999), "{angle}");
+            let [least, most] = edge.beams(angle).unwrap();
+            assert!(is_cone(least, angle) && is_cone(most, angle), "{angle}: {least} to {most}");
+            assert!(!is_cone(least * 0.999, angle) && !is_cone(most * 1.001, angle), "{angle}");
         }
         for angle in [0.0, -1.0, 181.0, f32::NAN, f32::INFINITY] {
-            assert_eq!((fields(angle), beams(angle)), (None, None));
+            assert_eq!((Both::Soft.fields(angle), Both::Fitted.beams(angle)), (None, None));
         }
     }
 
     #[test]
     fn the_other_angle_follows_no_farther_than_it_must() {
         let design = Design { beam: Some(10.0), field: Some(15.0) };
-        assert_eq!(design.with(Mark::Field, 20.0), Design { beam: Some(10.0), field: Some(20.0) });
-        assert_eq!(design.with(Mark::Field, 5.0), Design { beam: Some(5.0), field: Some(5.0) });
-        assert_eq!(design.with(Mark::Beam, 18.0), Design { beam: Some(18.0), field: Some(18.0) });
-        let wide = design.with(Mark::Field, 60.0);
-        assert!(wide.beam.unwrap() > 20.0 && wide.cone(None, fitted(10.0, 15.0).unwrap()).is_ok());
+        let with = |mark, degrees| design.with(mark, degrees, Both::Fitted);
+        assert_eq!(with(Mark::Field, 20.0), Design { beam: Some(10.0), field: Some(20.0) });
+        assert_eq!(with(Mark::Field, 5.0), Design { beam: Some(5.0), field: Some(5.0) });
+        assert_eq!(with(Mark::Beam, 18.0), Design { beam: Some(18.0), field: Some(18.0) });
+        let wide = with(Mark::Field, 60.0);
+        assert!(wide.beam.unwrap() > 20.0 && wide.cone(None, Both::Fitted.cone(10.0, 15.0).unwrap()).is_ok());
+        // A soft edge has both.
+        let wide = Design { beam: Some(10.0), field: Some(60.0) };
+        assert_eq!(design.with(Mark::Field, 60.0, Both::Soft), wide);
     }
 }

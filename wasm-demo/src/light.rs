@@ -29,9 +29,9 @@ pub struct LightState {
     /// The least and the largest beam angle with this field angle, and the least and the largest
     /// field angle with this beam angle, over all edges, in degrees. Empty if there are none.
     pub reach: Vec<f32>,
-    /// The name of the falloff that the visitor has chosen, `fitted` to both angles, or `own`.
+    /// The name of the falloff that the visitor has chosen, that of both angles, or `own`.
     pub edge: String,
-    /// The numbers of the falloff that the visitor has chosen; empty for `fitted` and `own`.
+    /// The numbers of the falloff that the visitor has chosen; empty for that of both angles and `own`.
     #[wasm_bindgen(js_name = edgeNumbers)]
     pub edge_numbers: Vec<f32>,
     /// The name of the scene's own falloff of the light.

@@ -1,7 +1,7 @@
 //! The visitor's settings of one light, over the light as the scene has it.
 
 use crate::{
-    design::{Design, Mark},
+    design::{Both, Design, Mark},
     fixture,
     kind::{AnySpot, BRIGHTEST, KINDS, as_bright, kept},
     model::Chosen,
@@ -12,13 +12,10 @@ use luminaire::{
     attenuation::AnyAttenuation,
     display::decode_srgb,
     dynamic::{AnyLight, Effect},
-    falloff::AnyFalloff,
+    falloff::{AnyFalloff, Soft},
 };
 use luminaire_fixtures::Fixture;
 use luminaire_render::scenes::MovingLight;
-
-/// The name of the edge that a beam angle and a field angle determine together.
-const FITTED: &str = "fitted";
 
 /// A change of a setting, given the cone before it.
 type Reshape<'a> = dyn Fn(&mut Setting, &Cone<AnyFalloff>) -> Result<(), Refusal> + 'a;
@@ -149,7 +146,7 @@ impl Setting {
     fn set_angle(&mut self, mark: Mark, degrees: f32) -> Result<(), Refusal> {
         self.fixture = None;
         self.design = if self.design.both().is_some() {
-            self.design.with(mark, degrees)
+            self.design.with(mark, degrees, Design::edge_of(self.edge))
         } else {
             Design::of(mark, degrees)
         };
@@ -158,20 +155,20 @@ impl Setting {
 
     /// Sets one angle of the cone and keeps the other one, by the edge that both determine.
     fn fit(&mut self, mark: Mark, degrees: f32, cone: &Cone<AnyFalloff>) -> Result<(), Refusal> {
-        self.set_edge(FITTED, cone)?;
+        if self.design.both().is_none() {
+            self.set_edge(Both::Fitted.name(), cone)?;
+        }
         self.set_angle(mark, degrees)
     }
 
     /// Sets the edge by name.
     fn set_edge(&mut self, name: &str, cone: &Cone<AnyFalloff>) -> Result<(), Refusal> {
-        if name == FITTED {
-            (self.edge, self.fixture) = (None, None);
-            if self.design.both().is_none() {
-                self.design = Design::both_of(cone);
-            }
+        if let Some(both) = Both::ALL.into_iter().find(|both| both.name() == name) {
+            (self.edge, self.fixture) = ((both == Both::Soft).then(|| Soft.into()), None);
+            self.design = self.design.or_both_of(cone, both);
             return Ok(());
         }
-        self.edge = AnyFalloff::chosen("edge", name, &["own", FITTED])?;
+        self.edge = AnyFalloff::chosen("edge", name, &["own", Both::Fitted.name(), Both::Soft.name()])?;
         if self.design.both().is_some() {
             self.design.beam = None;
         }
@@ -336,10 +333,10 @@ impl Setting {
         self.edge.filter(|_| self.design.both().is_none())
     }
 
-    /// The name of the edge: `own`, `fitted`, or that of a falloff.
+    /// The name of the edge: `own`, that of [`Both`], or that of a falloff.
     pub(crate) fn edge_name(&self) -> &'static str {
         if self.design.both().is_some() {
-            return FITTED;
+            return Design::edge_of(self.edge).name();
         }
         self.edge.map_or("own", |edge| edge.name())
     }

@@ -85,7 +85,7 @@ fn numbers_are_those_of_the_published_formulas() {
         ("edges&field=40", &beams(40.0), 1e-4),
         ("beam-field&given=soft-field", &[beams(15.0)[0], 15.0, whole(tau(15.0))], 1e-4),
         ("beam-field&given=hard-beam", &[15.0, whole(1.0 - hard * 0.9_f64.sqrt()), whole(1.0 - hard)], 1e-4),
-        ("both", &[7.0, 15.0, whole(0.0), versine(7.5) / versine(3.5)], 1e-5),
+        ("both", &[7.0, 15.0, whole(0.0), versine(7.5) / versine(3.5), 19.75], 5e-4),
         ("highlight&way=gouraud", &[brightest(500, 16.0), brightest(9, 16.0)], 0.02),
         ("bits&bits=8", &[in_integers(8), 255.0 / 64.0, 65.0], 1e-9),
         ("bits&bits=16", &[in_integers(16), f64::from(255.0 * Fx16::STEP), 16_385.0], 1e-9),

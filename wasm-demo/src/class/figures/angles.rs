@@ -115,7 +115,7 @@ fn angles<P: Falloff + 'static>(label: &'static str, cone: Cone<P>) -> Result<Dr
 pub(super) const BOTH: Figure = Figure {
     name: "both",
     title: "Both angles at once",
-    text: "A data sheet gives both angles, but a quadratic of Hast has only one. The kernel fits a falloff to both: a quadratic between hard and soft, a hard one with a bright core, or a cubic. The ratio r of the two versines decides which, and far ratios are refused.",
+    text: "A data sheet gives both angles, but a quadratic of Hast has only one. The kernel fits a falloff to both: a quadratic between hard and soft, a hard one with a bright core, or a cubic. The ratio r of the two versines decides which, and far ratios are refused; a soft edge, as a Fresnel has, ends farther out and has them, too.",
     formula: "r = (1 − cos field/2) / (1 − cos beam/2)",
     source: "Hast 2004, section 5, “Discussion”: a Fresnel of 15° field and 7° beam",
     parameters: &[Dial(BEAM, 7.0), Dial(FIELD, 15.0)],
@@ -125,8 +125,11 @@ pub(super) const BOTH: Figure = Figure {
         let cone = Cone::from_beam_and_field(Angle::degrees(7.0), Angle::degrees(15.0))?;
         let [beam, field] = [cone.beam(), cone.field()].map(|angle| tidy(angle.to_degrees()));
         Ok(format!(
-            "With a field angle of {field}° its beam angle is {soft}°. The kernel has {beam}°, too, by {}.",
-            kind(&cone)
+            "With a field angle of {field}° its beam angle is {soft}°. The kernel has {beam}°, too, by {} that ends at \
+             {}°, or by a soft edge that ends at {}°.",
+            kind(&cone),
+            tidy(cone.outer().to_degrees()),
+            tidy(Cone::soft_from_beam_and_field(cone.beam(), cone.field())?.outer().to_degrees())
         ))
     },
     draw: |values| {
@@ -139,9 +142,17 @@ pub(super) const BOTH: Figure = Figure {
         let told = |error| format!("{error}. Drawn is the nearest pair, {}° and {}°.", pair[0], pair[1]);
         let refused = Cone::from_beam_and_field(beam, field).map_or_else(told, |_| String::new());
         let cone = Cone::from_beam_and_field(beam, nearest)?;
-        let mut drawing = angles(kind(&cone), cone)?;
-        drawing.numbers.push(("Ratio r of the chosen pair", (field.versine() / beam.versine()).into(), ""));
-        Ok(Drawing { refused, ..drawing })
+        let mut numbers = angles(kind(&cone), cone)?.numbers;
+        numbers.push(("Ratio r of the chosen pair", (field.versine() / beam.versine()).into(), ""));
+        let (mut curves, mut outer) = (vec![Beam::of(kind(&cone), cone)?], cone.outer());
+        if let Ok(soft) = Cone::soft_from_beam_and_field(beam, nearest) {
+            outer = soft.outer();
+            numbers.push(("Outer angle of a soft edge", outer.to_degrees().into(), "°"));
+            curves.push(Beam::of("a soft edge", soft)?);
+        }
+        let [beam, field, outer] =
+            [cone.beam(), cone.field(), outer].map(|angle| f64::from(angle.to_degrees()) / 2.0);
+        Ok(Drawing { refused, numbers, ..beams(&curves, outer * 1.1, &[(beam, "beam"), (field, "field")]) })
     },
 };
 

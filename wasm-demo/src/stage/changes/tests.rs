@@ -172,6 +172,22 @@ fn both_angles_are_given_and_stay_as_they_were_given() {
     assert!((least - 10.0).abs() < 1e-3 && (23.0..24.0).contains(&most), "{least} to {most}");
     number(&mut stage, "field", 40.0).unwrap();
     assert!(light(&stage, 0).beam > 17.0, "the beam does not follow");
+    // A soft edge has these two angles and others.
+    choice(&mut stage, "edge", "fitted-soft").unwrap();
+    let state = light(&stage, 0);
+    assert!((state.field - 40.0).abs() < 1e-3 && state.edge == "fitted-soft", "{}", state.field);
+    number(&mut stage, "beam", 7.0).unwrap();
+    let soft = light(&stage, 0);
+    assert!(
+        (soft.beam - 7.0).abs() < 1e-3 && (soft.field - 40.0).abs() < 1e-3,
+        "{} {}",
+        soft.beam,
+        soft.field
+    );
+    assert!(soft.outer > 50.0 && soft.reach[3] > 100.0, "{} {:?}", soft.outer, soft.reach);
+    choice(&mut stage, "edge", "fitted").unwrap();
+    assert!(light(&stage, 0).field < 17.0, "the field angle does not follow");
+    number(&mut stage, "field", 40.0).unwrap();
     // Another edge has one angle.
     choice(&mut stage, "edge", "smooth").unwrap();
     assert!((light(&stage, 0).field - 40.0).abs() < 1e-3 && light(&stage, 0).edge == "smooth");
@@ -208,7 +224,7 @@ fn a_zoom_conserves_the_flux() {
     stage.zoom_light(0, 2.0).unwrap();
     assert!((light(&stage, 0).intensity / wide.intensity - 1.0).abs() < 1e-3);
     // Another edge gives another intensity, and the same flux.
-    for edge in ["hard", "step", "fitted", "power", "own"] {
+    for edge in ["hard", "step", "fitted", "fitted-soft", "power", "own"] {
         choice(&mut stage, "edge", edge).unwrap();
         let lumens = light(&stage, 0).lumens.unwrap();
         assert!((lumens / wide.lumens.unwrap() - 1.0).abs() < 1e-3, "{edge}: {lumens} lm");
@@ -366,7 +382,8 @@ fn dials_accept_both_ends() {
         }
     }
     for format in Format::ALL {
-        let edges: Vec<_> = AnyFalloff::all().iter().map(|edge| edge.name()).chain(["fitted"]).collect();
+        let edges: Vec<_> =
+            AnyFalloff::all().iter().map(|edge| edge.name()).chain(["fitted", "fitted-soft"]).collect();
         for (name, value) in edges
             .iter()
             .map(|edge| ("edge", *edge))
