@@ -39,8 +39,8 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
     ///
     /// For the inverse-square law there is one loop for polynomials without a hotspot, one for two soft falloffs
-    /// without one, and one for each of the other falloffs but the step. All other attenuations share one loop with branches on falloff and
-    /// attenuation.
+    /// without one, and one for each of the other falloffs but the step. All other attenuations share one loop
+    /// with branches on falloff and attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if let Some(curve) = self.polynomial() {
             for (i, light) in lights.iter_mut().enumerate() {

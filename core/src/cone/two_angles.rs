@@ -74,8 +74,8 @@ impl Cone<SoftEdged> {
     ///
     /// # Errors
     /// A beam angle outside (0, 180] degrees. A field angle that is smaller than the beam angle, needs an outer angle
-    /// over 180 degrees, or needs a pair whose ratio is over 1024: one about 26 times as wide as a narrow beam. The error
-    /// names the range of field angles for this beam angle.
+    /// over 180 degrees, or needs a pair whose ratio is over 1024, as one of 29 times a narrow beam angle does. The error names the
+    /// range of field angles for this beam angle.
     pub fn soft_from_beam_and_field(beam: impl IntoAngle, field: impl IntoAngle) -> Result<Self, Error> {
         design(beam.into_angle(), field.into_angle(), MOST_SOFT_RATIO, soft_edged)
     }

@@ -19,6 +19,9 @@ model! {
     /// a visible edge, and it does not rise towards the edge, because neither of the two does. In contrast to
     /// `Soft` it can have a field angle that is many times as wide as the beam angle:
     /// [`Cone::soft_from_beam_and_field`](crate::Cone::soft_from_beam_and_field).
+    ///
+    /// In haze of `f32` the sum of two beams has a closed form. Where haze is integrated by nodes (other laws than the
+    /// inverse square, and 16 bits), a narrow falloff of a large ratio may be missed between them.
     SoftPair {
         /// Returns `k`, the share of the narrow falloff in the intensity on the axis, in [0, 1].
         share: f32 = Number::between(Parameter::NarrowShare, 0.0, 1.0, 0.375);
