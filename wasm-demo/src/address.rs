@@ -33,8 +33,9 @@ type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, &mut Setting) -> O
 
 /// The settings of a light: `x` off, `k` kind, `a` law of distance and `e` edge, by their names and numbers,
 /// `o` own cone, `b` and `f` beam and field angle, `l` fixture, `c` colour, `w` white of a colour temperature, `i`
-/// intensity as a multiple of full scale at 1 metre, `p` position, `t` target. Three numbers without a name are a polynomial of the distance,
-/// as in older addresses.
+/// intensity as a multiple of full scale at 1 metre, `p` position, `t` target. Three numbers without a name are a
+/// polynomial of the distance, as in older addresses. The edge is before the angles, because a soft one has pairs of
+/// angles that no other has.
 const SETTINGS: [Letter; 13] = [
     (
         'x',
@@ -60,6 +61,11 @@ const SETTINGS: [Letter; 13] = [
         |text, light| own_cone::read(text).map(|cone| light.own = Some(cone)),
     ),
     (
+        'e',
+        |light| Some(light.edge?.written()),
+        |text, light| AnyFalloff::read(text).map(|edge| light.edge = Some(edge)),
+    ),
+    (
         'b',
         |light| Some(light.design.beam?.to_string()),
         |text, light| read(text).map(|degrees| light.design.beam = Some(degrees)),
@@ -68,11 +74,6 @@ const SETTINGS: [Letter; 13] = [
         'f',
         |light| Some(light.design.field?.to_string()),
         |text, light| read(text).map(|degrees| light.design.field = Some(degrees)),
-    ),
-    (
-        'e',
-        |light| Some(light.edge?.written()),
-        |text, light| AnyFalloff::read(text).map(|edge| light.edge = Some(edge)),
     ),
     (
         'l',

@@ -39,8 +39,8 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
     /// [`in_scattering`](Self::in_scattering) with the beam's own falloff type.
     ///
     /// For the inverse-square law there is one loop for polynomials without a hotspot, one for two soft falloffs
-    /// without one, and one for each of the other falloffs but the step. All other attenuations share one loop
-    /// with branches on falloff and attenuation.
+    /// without one, and one for each of the other falloffs but the step and two soft ones with a hotspot. All other
+    /// attenuations share one loop with branches on falloff and attenuation.
     pub fn in_scattering_each<const N: usize>(&self, rays: &ViewRays<N>, lights: &mut [f32; N]) {
         if let Some(curve) = self.polynomial() {
             for (i, light) in lights.iter_mut().enumerate() {
@@ -62,7 +62,7 @@ impl BeamScattering<AnyFalloff, AnyAttenuation> {
                     raised(versines, intensities, power.exponent(), u, |x| 1.0 - x);
                 }
                 _ => with_concrete!(
-                    [Soft, Hard, Linear, Smooth, Quadratic, Cubic, SoftPair, RealPower, InvertedRealPower, Table],
+                    [Soft, Hard, Linear, Smooth, Quadratic, Cubic, RealPower, InvertedRealPower, Table],
                     self.falloff, falloff, curve => {
                         at_each(&CompiledCone::from_parts(ramp, falloff, curve), versines, intensities);
                     }

@@ -110,8 +110,13 @@ more("beam and field angle are set on the curve, and another edge keeps the fiel
   assert.deepEqual([(await angles())[1], await value("light-edge")], [field, "fitted"]);
   await enter("light-field-number", 35);
   assert.deepEqual(await angles(), [narrower, 35], "a data sheet's two angles");
+  await change("a soft edge", () => enter("light-edge", "fitted-soft"));
+  assert.deepEqual(await angles(), [narrower, 35], "the angles of a soft edge");
+  const [soft, drawn] = [await isWritten(/:esoft:/), await sum()];
   await change("another edge", () => enter("light-edge", "smooth"));
   assert.equal((await angles())[1], 35, "the field angle with another edge");
+  await open(soft);
+  assert.deepEqual([await value("light-edge"), await sum()], ["fitted-soft", drawn], "of a link");
 });
 
 /** A field that is cleared is about to be filled. A field that is left shows the value in force. */

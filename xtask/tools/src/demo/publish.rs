@@ -21,7 +21,7 @@ const PAGE: &str = "index.html";
 type Files = Vec<(String, Vec<u8>)>;
 
 /// Writes the demo of the folder `site` into the folder `to`, which must be absent or empty, with scripts
-/// and styles without comments and indentation: a quarter of the compressed page. `address` is where
+/// and styles without comments, indentation and long names: a quarter of the compressed page. `address` is where
 /// the demo will be, as in `https://example.org/demo/`; link previews need it. `repository` is where its source is,
 /// to which it then links. Returns the paths below `to` of the
 /// files that a browser loads for the first picture.
@@ -35,7 +35,7 @@ pub fn publish(
     let is_code = |path: &PathBuf| path.extension().is_some_and(|end| end == "js" || end == "css");
     let code = project::files(to, &[])?.into_keys().filter(is_code).map(|path| to.join(path));
     let mut minify = install::npm_program("esbuild", "esbuild", progress)?;
-    minify.args(["--minify-whitespace", "--minify-syntax", "--allow-overwrite", "--log-level=error"]);
+    minify.args(["--minify", "--format=esm", "--allow-overwrite", "--log-level=error"]);
     minify.arg(format!("--outdir={}", to.display())).arg(format!("--outbase={}", to.display())).args(code);
     progress.run(minify)?;
     Ok(first)
