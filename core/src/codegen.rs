@@ -46,7 +46,7 @@ pub use crate::{
     attenuation::CompiledAnyAttenuation,
     falloff::{
         CompiledAnyFalloff, CompiledCubic, CompiledFittedFalloff, CompiledInvertedRealPower,
-        CompiledQuadratic, CompiledRealPower,
+        CompiledQuadratic, CompiledRealPower, CompiledSoftEdged, CompiledSoftPair,
     },
     number::float::{FloatFrame, FloatRamp},
     source::{AsSource, as_source, written_by},

@@ -2,13 +2,17 @@
 //! a defined result. Run with overflow checks, as `cargo test` does.
 
 use fastrand::Rng;
-use luminaire::codegen::{CompiledCubic, CompiledQuadratic, FixedRamp, FloatRamp, Gain16, Gain32};
+use luminaire::codegen::{
+    CompiledCubic, CompiledQuadratic, CompiledSoftPair, FixedRamp, FloatRamp, Gain16, Gain32,
+};
 use luminaire::number::{Light16, Light32, Quick, Weight16, Weight32};
 use luminaire::{
     Angle, Cone, Fx16, Fx32, Length, Rgb, SpotLight, Vec3,
     attenuation::{AnyAttenuation, CompiledAnyAttenuation, GltfRange},
     display::{CompiledExposure, compress_keep_hue},
-    falloff::{AnyFalloff, CompiledAnyFalloff, Cubic, Falloff, Hard, IntegerPower, Quadratic, Soft},
+    falloff::{
+        AnyFalloff, CompiledAnyFalloff, Cubic, Falloff, Hard, IntegerPower, Quadratic, Soft, SoftPair,
+    },
     light::{
         CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
         LightModel, QuickSpotLight, Row, SurfacePoint,
@@ -283,6 +287,9 @@ fn assert_any_bits_make_a_light<S: Raw>() {
         assert_falls::<S>(rng, raw.into(), CompiledAnyFalloff::Quadratic(quadratic));
         let raw = Cubic::from_bits([bits(rng) as u32, bits(rng) as u32]);
         assert_falls::<S>(rng, raw.into(), CompiledAnyFalloff::Cubic(cubic));
+        let pair = CompiledSoftPair::from_parts(S::any_weight(rng), S::any_gain(rng));
+        let raw = SoftPair::from_bits([bits(rng) as u32, bits(rng) as u32]);
+        assert_falls::<S>(rng, raw.into(), CompiledAnyFalloff::SoftPair(pair));
         assert_distances::<S>(rng);
         let colors = [color(rng), color(rng)];
         let (direction, intensity) = (vector(rng, S::unit_from_bits), S::any_gain(rng));
