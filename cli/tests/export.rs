@@ -68,7 +68,7 @@ fn export_refusals_name_the_parameter() {
             "--to glsl --beam 20 --field 30 --falloff hard",
             "error: falloff = given: expected soft or no falloff",
         ),
-        ("--to glsl --beam 20 --field 179 --falloff soft", "error: field angle = 179: expected 20 to 127.5"),
+        ("--to glsl --beam 20 --field 179 --falloff soft", "error: field angle = 179: expected 20 to 127.7"),
         (
             "--to glsl --falloff soft-pair=1.5,5",
             "share of the narrow falloff = 1.5: expected a finite number from 0 to 1",

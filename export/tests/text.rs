@@ -44,6 +44,10 @@ fn falloff(falloff: &Value, t: f64) -> f64 {
             let (floor, exponent) = (number(&falloff["floor"]), number(&falloff["exponent"]));
             (1.0 - u.max(floor).powf(exponent)) / (1.0 - floor.powf(exponent))
         }
+        "soft-pair" => {
+            let [share, ratio] = numbers("parameters")[..] else { panic!("two numbers") };
+            (1.0 - share) * t * t + share * (1.0 - ratio * u).max(0.0).powi(2)
+        }
         "samples" => {
             let samples = numbers("parameters");
             let place = u * (samples.len() - 1) as f64;

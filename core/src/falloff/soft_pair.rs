@@ -37,8 +37,7 @@ impl SoftPair {
     /// # Errors
     /// A share outside [0, 1], or a ratio outside [1, 1024].
     pub fn new(share: f32, ratio: f32) -> Result<Self, Error> {
-        let [of_share, of_ratio] = Self::NUMBERS else { unreachable!() };
-        Ok(Self { share: of_share.checked(share)?, ratio: of_ratio.checked(ratio)? })
+        Ok(Self { share: Self::NUMBERS[0].checked(share)?, ratio: Self::NUMBERS[1].checked(ratio)? })
     }
 
     /// Returns the `u` with this intensity, less than 1, without cancellation.
@@ -108,11 +107,10 @@ impl Falloff for SoftPair {
         let (span, rest) = (1.0 - hotspot, 1.0 - k);
         let steepest = |a: f32, b: f32, [from, to]: [f32; 2]| {
             let [from, to] = [from, to].map(|u| hotspot + span * u);
-            let v = ((a * span / b + hotspot) / 3.0).clamp(from, to);
+            let v = ((a * span / b + hotspot) / 3.0).min(to).max(from);
             4.0 * (a - b * (v - hotspot) / span) * trig::sqrt(v) / span
         };
         let narrow = steepest(rest + k * g, rest + k * g * g, [0.0, 1.0 / g]);
-        // Without a wide falloff this is NaN, which `max` drops.
         narrow.max(steepest(rest, rest, [1.0 / g, 1.0]))
     }
 

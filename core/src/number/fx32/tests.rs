@@ -171,7 +171,7 @@ fn the_model_of_the_proofs_has_the_bits_of_the_fine_stages() {
         let (share, ratio) = (Fx32::weight(random.f32()), Fx32::gain((10.0 * random.f32()).exp2()));
         let [mantissa, shift] = ratio.to_bits().map(i128::from);
         let fallen = model.fine_narrow((u << (27 - shift)).min((1 << 32) - 1), mantissa << 4).min(1 << 31);
-        let value = model.fine_pair(t.into(), (1 << 31) - fallen, i128::from(share.to_bits() >> 2) << 3);
+        let value = model.fine_pair(t, (1 << 31) - fallen, i128::from(share.to_bits() >> 2) << 3);
         assert_eq!(
             i128::from(Fraction::<Fx32>::soft_pair(fraction, share, ratio).0),
             value,

@@ -2,7 +2,7 @@
 
 use luminaire::{
     Angle, Cone, Error, HalfAngle, Vec3,
-    falloff::{Falloff, FittedFalloff, Power, SoftEdged},
+    falloff::{Falloff, FittedFalloff, Power},
 };
 
 use crate::case::{Case, Outcome};
@@ -84,23 +84,6 @@ pub(super) fn two_angles(case: &mut Case<'_>) -> Outcome {
         FittedFalloff::Cubic(cubic) => {
             case.give(cubic.edge_slope());
             case.give(cubic.middle_slope());
-        }
-    }
-    Ok(())
-}
-
-/// The outputs of a cone and the inner angle; then the slope of a cubic in the middle, or the share and the ratio of a
-/// pair.
-pub(super) fn two_angles_soft(case: &mut Case<'_>) -> Outcome {
-    let (beam, field) = (case.number("beam"), case.number("field"));
-    let cone = Cone::soft_from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
-    give(case, &cone);
-    case.give(cone.inner().to_degrees());
-    match cone.falloff() {
-        SoftEdged::Cubic(cubic) => case.give(cubic.middle_slope()),
-        SoftEdged::SoftPair(pair) => {
-            case.give(pair.share());
-            case.give(pair.ratio());
         }
     }
     Ok(())

@@ -194,7 +194,6 @@ static WRITTEN: &[Model] = &[
     once!("cone table", case => falloff::cone(case, table)),
     once!("cone two-angles", case => falloff::two_angles(case)),
     once!("cone two-angles-and-slope", case => falloff::two_angles_and_slope(case)),
-    once!("cone two-angles-soft", case => falloff::two_angles_soft(case)),
     once!("cone opengl-15", case => falloff::opengl(case)),
     each!("falloff quadratic", S, case => falloff::falloff::<S, _>(case, quadratic)),
     each!("falloff cubic", S, case => falloff::falloff::<S, _>(case, cubic)),
