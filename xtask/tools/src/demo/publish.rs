@@ -21,7 +21,8 @@ const PAGE: &str = "index.html";
 type Files = Vec<(String, Vec<u8>)>;
 
 /// Writes the demo of the folder `site` into the folder `to`, which must be absent or empty, with scripts
-/// and styles without comments, indentation and long names: a quarter of the compressed page. `address` is where
+/// and styles without comments, indentation and long names, and pages without indentation: a quarter of the
+/// compressed page. `address` is where
 /// the demo will be, as in `https://example.org/demo/`; link previews need it. `repository` is where its source is,
 /// to which it then links. Returns the paths below `to` of the
 /// files that a browser loads for the first picture.
@@ -60,7 +61,11 @@ fn place(site: &Path, to: &Path, links: [Option<&str>; 2]) -> Result<BTreeSet<St
         let file = to.join(placed(name));
         fs::create_dir_all(file.parent().unwrap_or(to))?;
         let written = if name.ends_with(".html") {
-            let mut text = String::from_utf8_lossy(content).into_owned();
+            // No text of the pages depends on its indentation.
+            let mut text: String = String::from_utf8_lossy(content)
+                .lines()
+                .map(|line| line.trim_start().to_owned() + "\n")
+                .collect();
             for (other, _) in &files {
                 let prefix = if other == PREVIEW { links[0].unwrap_or_default() } else { "" };
                 text = text.replace(&format!("\"{other}\""), &format!("\"{prefix}{folder}{other}\""));
