@@ -267,7 +267,7 @@ impl Source {
     /// How measured intensities are read.
     fn reading(&self) -> Reading {
         let fit = self.fit.unwrap_or(Reading::default().fit);
-        Reading { fit, is_round: self.round }
+        Reading { fit, is_round: self.round, remedy: ROUND }
     }
 
     /// Says which options have no effect on these lights. `has_throw` is whether the command has a
@@ -331,19 +331,7 @@ fn open(path: &Path, system: Option<System>, reading: Reading) -> Result<Lamps, 
         }
         content(&path.with_file_name(file)).map_err(|refusal| refusal.expected)
     };
-    let remedy = |refusal: &mut Refusal| {
-        refusal.expected.push_str(if refusal.parameter == "symmetry" { ROUND } else { "" });
-    };
-    let mut lamps = read_beside(&name, &bytes, system, reading, &beside).map_err(|mut refusal| {
-        remedy(&mut refusal);
-        refusal
-    })?;
-    lamps.refused.iter_mut().for_each(remedy);
-    let notes = lamps.lamps.iter_mut().flat_map(|lamp| &mut lamp.notes);
-    notes
-        .filter(|note| note.starts_with("its IES profile is left out: symmetry"))
-        .for_each(|note| *note += ROUND);
-    Ok(lamps)
+    read_beside(&name, &bytes, system, reading, &beside)
 }
 
 /// The remedy of planes that differ.

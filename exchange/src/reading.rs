@@ -8,10 +8,12 @@ pub struct Reading {
     pub fit: f64,
     /// Whether the mean of all planes is taken whatever their difference.
     pub is_round: bool,
+    /// How to have the mean nevertheless, at the end of the refusal of planes that differ.
+    pub remedy: &'static str,
 }
 
 impl Default for Reading {
     fn default() -> Self {
-        Self { fit: 1.0, is_round: false }
+        Self { fit: 1.0, is_round: false, remedy: "" }
     }
 }

@@ -111,7 +111,7 @@ mod tests {
         let two = |candela: f64, fit, is_round| {
             let planes = format!("2550 0 0 0 0 2550 {candela} 0 0 0");
             let file = format!("{} 0 180 {planes}", head.replace("5 3 1 2", "5 2 1 2"));
-            super::read(&file, Reading { fit, is_round })
+            super::read(&file, Reading { fit, is_round, ..Reading::default() })
         };
         let is_refused =
             |read: Result<_, Refusal>| read.is_err_and(|refusal| refusal.parameter == "symmetry");

@@ -167,7 +167,8 @@ impl Planes<'_> {
                 100.0 * difference
             );
             if !reading.is_round && 255.0 * difference > reading.fit {
-                let expected = format_args!("a light with rotational symmetry; in this one {differs}");
+                let expected =
+                    format_args!("a light with rotational symmetry; in this one {differs}{}", reading.remedy);
                 return Err(Refusal::new("symmetry", self.symmetry, expected));
             }
             notes.push(format!("The light is taken as round: {differs}."));
