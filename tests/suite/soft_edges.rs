@@ -129,6 +129,24 @@ fn every_pair_of_angles_has_a_soft_edge() {
     assert!((1e-6..=3e-5).contains(&worst), "a slope of {worst} over the least");
 }
 
+/// In f64, the closed form with a `w` of 0.404 at the beam angle has nearly the least slope that is possible, for ratios up
+/// to 2,000.
+#[test]
+fn the_closed_form_is_nearly_the_best() {
+    let mut worst = 0.0_f64;
+    for step in 0..=200 {
+        let ratio = 2.35 * (2_000.0_f64 / 2.35).powf(f64::from(step) / 200.0);
+        let (versines, narrow, inverse) = ([1e-6, 1e-6 * ratio], 0.404_f64.powi(2), 1.0 / ratio);
+        let factor = 5.0 - 10.0 * narrow;
+        let (a, b, c) = (factor - inverse * inverse, factor - inverse, factor - 1.0 + narrow);
+        let x = c / (b + (b * b - a * c).sqrt());
+        let [found, best] = [pair_of(versines[1] / x, versines), best(versines)].map(|pair| pair.map(slope));
+        worst = worst.max(found.expect("a pair") / best.expect("a pair") - 1.0);
+    }
+    println!("a slope of {worst:.1e} over the least");
+    assert!((5e-6..=1e-5).contains(&worst), "{worst:e}");
+}
+
 /// A format that holds the cone has an intensity at an angle.
 fn assert_has<S: Format>(cone: &Cone<SoftEdged>, degrees: f32, intensity: f64) {
     let Ok(falloff) = cone.compile::<S>() else { return };
