@@ -145,7 +145,7 @@ fn constants(name: &str, color: Rgb<f32>, parts: &Parts<Fx16, AnyAttenuation>) -
         define("luminaire_ramp", "ramp", list(ramp), "The map from a versine to the falloff's argument.");
         let outside = format!("{}", cone.outside.to_bits().max(0));
         let doc = "The squared cosine of half the outer angle, less a margin.";
-        define("uint32_t", "outside", outside, doc);
+        define("int32_t", "outside", outside, doc);
     }
     text
 }

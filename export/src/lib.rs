@@ -41,14 +41,14 @@
 //!
 //! The folder `c` of this crate is a library for C and C++ without Rust, and [`C_HEADERS`] are its
 //! files. The source of [`Language::CFixed`] includes `luminaire_constant.h`, and that
-//! `luminaire.h`. This has `luminaire_spot`, a spotlight that is set up and moves at run time. For
-//! any words of it the results have the bits of
-//! [`CompiledSpotLight`](luminaire::light::CompiledSpotLight) in [`Fx16`] with a
-//! [`Cubic`](luminaire::falloff::Cubic) and the inverse square, and its set-up those of
-//! [`IntegerCone`](luminaire::light::IntegerCone). A spotlight of a cubic falloff with the inverse
-//! square that is exported has a function `key_spot`, which returns it as one that moves. Two
-//! headers of different lights of one name are an error of the compiler, and a header that is
-//! included twice counts once.
+//! `luminaire.h`. This has `luminaire_spot`, a spotlight that is set up and moves at run time. Its
+//! results have the bits of [`CompiledSpotLight`](luminaire::light::CompiledSpotLight) in [`Fx16`]
+//! with a [`Cubic`](luminaire::falloff::Cubic) and the inverse square, and its set-up those of
+//! [`IntegerCone`](luminaire::light::IntegerCone). For words that no set-up made, such as those of
+//! a damaged file, the results are defined, and have these bits after `luminaire_spot_restore`. A
+//! spotlight of a cubic falloff with the inverse square that is exported has a function `key_spot`,
+//! which returns it as one that moves. Two headers of different lights of one name are an error of
+//! the compiler, and a header that is included twice counts once.
 //!
 //! # JSON
 //!

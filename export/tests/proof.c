@@ -57,6 +57,7 @@ static void light(void) {
 }
 
 static void change(void) {
+    luminaire_spot_restore(any_spot());
     luminaire_spot_move(any_spot(), OR_NULL(point));
     luminaire_spot_aim(any_spot(), OR_NULL(point));
     luminaire_spot_aim_along(any_spot(), OR_NULL(point));

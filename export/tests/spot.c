@@ -8,9 +8,11 @@ typedef struct {
     luminaire_row row;
     int8_t bytes[4];
     uint32_t count;
+    uint32_t is_made; /* whether set-up made the words of the lights */
 } place;
 
 #define MOST 200
+static int is_mute;
 static luminaire_rgb lights[MOST];
 static luminaire_vertex vertices[MOST];
 static int8_t normals[3 * MOST];
@@ -19,14 +21,18 @@ void put(const void *words, uint32_t count);
 void answer(const place *at);
 int nothing(void);
 
-static void put_number(uint32_t number) { put(&number, 1); }
+static void put_all(const void *words, uint32_t count) {
+    if (!is_mute) { put(words, count); }
+}
 
-static void put_spot(const luminaire_spot *spot) { put(spot, sizeof *spot / 4); }
+static void put_number(uint32_t number) { put_all(&number, 1); }
+
+static void put_spot(const luminaire_spot *spot) { put_all(spot, sizeof *spot / 4); }
 
 /* Writes the lights of as many pixels, and starts with other ones. */
 static void put_lights(uint32_t count) {
     uint32_t i;
-    put(lights, 3 * count);
+    put_all(lights, 3 * count);
     for (i = 0; i < MOST; ++i) {
         lights[i].red = i;
         lights[i].green = 0;
@@ -68,23 +74,46 @@ static void put_many(const place *at) {
     put_lights(at->count);
 }
 
-void answer(const place *at) {
+static void put_answer(const place *at) {
     luminaire_rgb light = luminaire_spot_light(at->spots, at->point, at->normal);
     const uint8_t map[6] = { (uint8_t)at->bytes[0], (uint8_t)at->bytes[1], (uint8_t)at->bytes[2] };
     int8_t signed_bytes[12];
     int16_t normal[6];
     put_number(luminaire_spot_irradiance(at->spots, at->point, at->normal));
-    put(&light, 3);
+    put_all(&light, 3);
     put_number((uint32_t)luminaire_spot_falloff(at->spots, at->point));
     put_number((uint32_t)luminaire_spot_can_reach(at->spots, at->point, at->radius));
     luminaire_normal_from_bytes(normal, at->bytes);
     luminaire_normal_from_unit_bytes(&normal[3], at->bytes);
-    put(normal, 3);
+    put_all(normal, 3);
     luminaire_normals_from_opengl(signed_bytes, map, 2);
     luminaire_normals_from_directx(&signed_bytes[6], map, 2);
-    put(signed_bytes, 3);
+    put_all(signed_bytes, 3);
     put_changes(at);
     put_many(at);
+}
+
+/* Calls the functions for lights of any words, with axes of any length. */
+static void put_nothing(place at) {
+    uint32_t i, k;
+    for (i = 0; i < 2; ++i) {
+        for (k = 0; k < 3; ++k) { at.spots[i].axis[k] = luminaire_shl(at.spots[i].axis[k], 1); }
+    }
+    is_mute = 1;
+    put_answer(&at);
+    is_mute = 0;
+}
+
+/* Writes the restored lights, and what they answer: those of set-up without being restored. */
+void answer(const place *at) {
+    place restored = *at;
+    uint32_t i;
+    for (i = 0; i < 2; ++i) {
+        luminaire_spot_restore(&restored.spots[i]);
+        put_spot(&restored.spots[i]);
+    }
+    if (!at->is_made) { put_nothing(*at); }
+    put_answer(at->is_made ? at : &restored);
 }
 
 /* Calls every function with null pointers. Returns 0 if they do nothing. */
@@ -93,6 +122,7 @@ int nothing(void) {
     const int32_t point[3] = { 0, 0, 0 };
     const int16_t normal[3] = { 0, 0, 0 };
     luminaire_rgb light = luminaire_spot_light(0, point, normal);
+    luminaire_spot_restore(0);
     luminaire_spot_move(0, point);
     luminaire_spot_tint(0, normal);
     luminaire_spot_dim(0, 1);

@@ -13,7 +13,8 @@
  * | light | uint32_t | 2^-14 of full scale | may exceed it, and saturates |
  *
  * The code has no floats, no division, no heap and no state: calls may run side by side if none changes what another
- * uses. No call fails but a set-up, and all are defined for all values. The bits are those of luminaire's Fx16 in Rust.
+ * uses. No call fails but a set-up, and all are defined for all values. The bits are those of luminaire's Fx16 in Rust;
+ * a light whose words are from elsewhere, such as a file, has them after luminaire_spot_restore.
  * A null pointer is a dark light, nothing to change, or an array without elements. What a function writes stands before
  * what it reads.
  *
@@ -92,6 +93,14 @@ static const uint16_t luminaire_inverse_square_roots[129] LUMINAIRE_TABLE = {
 #define LUMINAIRE_HOT static inline
 #endif
 
+/* A stage of the coarse evaluation. A compiler for size inlines it, too: alone, it would pass vectors by memory. That of
+ * an AVR does not: it would take 1,900 bytes more for a light that moves. */
+#if defined(__OPTIMIZE__) && defined(__GNUC__) && !defined(__AVR__) && !defined(__FRAMAC__)
+#define LUMINAIRE_STAGE __attribute__((always_inline)) static inline
+#else
+#define LUMINAIRE_STAGE static inline
+#endif
+
 #define LUMINAIRE_FULL_SCALE (UINT32_C(1) << 14)    /* 1 as a coarse share */
 #define LUMINAIRE_COARSE_ONE (UINT32_C(1) << 15)    /* 1 as a coarse fraction */
 #define LUMINAIRE_FINE_ONE (UINT32_C(1) << 31)      /* 1 as a fine fraction and share */
@@ -108,17 +117,24 @@ typedef struct {
     uint32_t zoom, inner, width, shift, mantissa, one, fine, fine_shift, fine_mantissa;
 } luminaire_ramp;
 
-/* The vector from a light to a point: way >> shift has 17 bits. bits is its unscaled bit length. */
+/* The vector from a light to a point, scaled to 17 bits, and its unscaled bit length. Its components are no array, so
+ * that a compiler keeps them in registers. */
 typedef struct {
-    int32_t way[3];
-    uint32_t shift, bits;
-} luminaire_offset;
+    int32_t x, y, z;
+    uint32_t bits;
+} luminaire_way;
 
-/* The direction to a point with 30 fraction bits, and 2^30 over its length. */
+/* The direction to a point with 30 fraction bits, before its bias, and 2^30 over its length. */
 typedef struct {
-    int32_t direction[3];
+    int32_t x, y, z;
     uint32_t bits, squared, reciprocal;
 } luminaire_coarse_ray;
+
+/* The vector from a light to a point, scaled to 31 bits, and its unscaled bit length. */
+typedef struct {
+    int32_t way[3];
+    uint32_t bits;
+} luminaire_offset;
 
 /* The direction to a point with 30 fraction bits, and the correction of the estimated length. */
 typedef struct {
@@ -136,7 +152,7 @@ static inline int32_t luminaire_shl(int32_t a, uint32_t by) { return (int32_t)((
 static inline uint32_t luminaire_min(uint32_t a, uint32_t b) { return a < b ? a : b; }
 
 /* Returns the magnitude of the smaller of a number and 0. */
-static inline uint32_t luminaire_below_zero(int32_t a) { return a < 0 ? UINT32_C(0) - (uint32_t)a : 0; }
+static inline uint32_t luminaire_below_zero(int32_t a) { return UINT32_C(0) - (uint32_t)(a & (a >> 31)); }
 
 /* Returns the magnitude. */
 static inline uint32_t luminaire_magnitude(int32_t a) { return a < 0 ? UINT32_C(0) - (uint32_t)a : (uint32_t)a; }
@@ -154,7 +170,7 @@ static const uint8_t luminaire_log2[128] LUMINAIRE_TABLE = {
 /* Returns the bit length of n from 1 to 127. */
 LUMINAIRE_HOT uint32_t luminaire_bit_length_of_seven(uint32_t n) {
 #if defined(LUMINAIRE_COUNTS_ZEROS)
-    return 32 - (uint32_t)__builtin_clz(n | 1);
+    return (32 - (uint32_t)__builtin_clz(n | 1)) & 7;
 #else
     return LUMINAIRE_READ_8(&luminaire_log2[n & 127]) + UINT32_C(1);
 #endif
@@ -220,20 +236,19 @@ LUMINAIRE_HOT uint32_t luminaire_high_square(int32_t a) {
 }
 
 /* Returns a number of at least the magnitude's bits, for the bit length of the largest component. */
-LUMINAIRE_HOT uint32_t luminaire_size(const int32_t way[3]) {
-    return (uint32_t)(way[0] ^ (way[0] >> 31)) | (uint32_t)(way[1] ^ (way[1] >> 31))
-        | (uint32_t)(way[2] ^ (way[2] >> 31));
+LUMINAIRE_STAGE uint32_t luminaire_size(int32_t x, int32_t y, int32_t z) {
+    return (uint32_t)(x ^ (x >> 31)) | (uint32_t)(y ^ (y >> 31)) | (uint32_t)(z ^ (z >> 31));
 }
 
 /* Returns 2^31 / sqrt(n) for n >= 2^30, by linear interpolation. */
-LUMINAIRE_HOT uint32_t luminaire_guess(uint32_t n) {
+LUMINAIRE_STAGE uint32_t luminaire_guess(uint32_t n) {
     uint32_t here = LUMINAIRE_READ_16(&luminaire_inverse_square_roots[n >> 25]);
     uint32_t next = LUMINAIRE_READ_16(&luminaire_inverse_square_roots[(n >> 25) + 1]);
     return here - (((here - next) * ((n << 7) >> 16)) >> 16);
 }
 
 /* Returns 2^30 / sqrt(n) for n >= 2^28; 0 for 0. */
-LUMINAIRE_HOT uint32_t luminaire_inverse_sqrt(uint32_t n) {
+LUMINAIRE_STAGE uint32_t luminaire_inverse_sqrt(uint32_t n) {
     return n >> 30 ? (luminaire_guess(n) + 1) >> 1 : luminaire_guess(n << 2);
 }
 
@@ -241,14 +256,14 @@ LUMINAIRE_HOT uint32_t luminaire_inverse_sqrt(uint32_t n) {
 
 /* Returns the light product / 2^shift, rounded to nearest; saturates. */
 LUMINAIRE_HOT uint32_t luminaire_light_of(uint32_t product, int32_t shift) {
-    uint32_t but_one = (uint32_t)shift - 1;
+    uint32_t but_one = (uint32_t)shift - 1, up;
     if (but_one < 32) {
         uint32_t doubled = product >> but_one;
         return (doubled >> 1) + (doubled & 1);
     }
     if (shift > 0 || product == 0) { return 0; }
-    if ((uint32_t)-shift <= 32 - luminaire_bit_length(product)) { return product << (uint32_t)-shift; }
-    return UINT32_C(0xffffffff);
+    up = UINT32_C(0) - (uint32_t)shift;
+    return up <= 32 - luminaire_bit_length(product) ? product << up : UINT32_C(0xffffffff);
 }
 
 static inline luminaire_gain luminaire_gain_of(uint32_t mantissa, int32_t shift) {
@@ -267,11 +282,12 @@ static inline luminaire_gain luminaire_normalised(uint32_t bits, int32_t shift) 
     mantissa = bits << up;
     rounded = (mantissa >> 16) + ((mantissa >> 15) & 1);
     carry = rounded >> 16;
-    return luminaire_gain_of(rounded << (16 - carry), shift + up - (int32_t)carry);
+    return luminaire_gain_of(rounded << (16 - carry), luminaire_plus(shift, up - (int32_t)carry));
 }
 
 static inline luminaire_gain luminaire_gain_by(luminaire_gain a, luminaire_gain b) {
-    return luminaire_normalised((a.mantissa >> 16) * (b.mantissa >> 16), a.shift - 16 + b.shift - 16);
+    int32_t shift = luminaire_minus(luminaire_plus(a.shift, b.shift), 32);
+    return luminaire_normalised((a.mantissa >> 16) * (b.mantissa >> 16), shift);
 }
 
 /* Returns 2^31 / m for m of 16 bits, with a relative error of at most 5.6e-5. */
@@ -287,93 +303,98 @@ static inline int32_t luminaire_quick_inverse(uint32_t m) {
 
 /* ---- offsets and rays ---- */
 
-LUMINAIRE_HOT luminaire_offset luminaire_offset_of(const int32_t way[3], uint32_t shift, uint32_t bits) {
-    luminaire_offset offset;
-    offset.way[0] = way[0];
-    offset.way[1] = way[1];
-    offset.way[2] = way[2];
-    offset.shift = shift & 15;
-    offset.bits = bits;
-    return offset;
-}
-
-/* Returns the offset from a light to a point. */
-LUMINAIRE_HOT luminaire_offset luminaire_offset_between(const int32_t light[3], const int32_t point[3]) {
-    int32_t way[3];
-    uint32_t size, bits, up;
-    int i;
-    for (i = 0; i < 3; ++i) { way[i] = luminaire_minus(point[i], light[i]); }
-    size = luminaire_size(way);
-    if (size >> 24) {
-        /* A difference that wraps still has more than 24 bits. Halved, it fits. */
-        for (i = 0; i < 3; ++i) { way[i] = (point[i] >> 1) - (light[i] >> 1); }
-        bits = luminaire_bit_length(luminaire_size(way));
-        return luminaire_offset_of(way, bits - 17, bits + 1);
+/* Returns the way from a light to a point. */
+LUMINAIRE_STAGE luminaire_way luminaire_way_between(const int32_t light[3], const int32_t point[3]) {
+    int32_t x = luminaire_minus(point[0], light[0]), y = luminaire_minus(point[1], light[1]);
+    int32_t z = luminaire_minus(point[2], light[2]);
+    uint32_t size = luminaire_size(x, y, z), above = size >> 17, down, up, is_halved = 0;
+    luminaire_way way;
+    /* A call for what is rare would cost the usual path 50 instructions on Cortex-M0. */
+    if (above - 1 < 127) {
+        down = luminaire_bit_length_of_seven(above);
+    } else if (above) {
+        /* Farther than 256 units. A difference that wraps still has more than 24 bits. Halved, it fits. */
+        x = (point[0] >> 1) - (light[0] >> 1);
+        y = (point[1] >> 1) - (light[1] >> 1);
+        z = (point[2] >> 1) - (light[2] >> 1);
+        down = (luminaire_bit_length(luminaire_size(x, y, z)) - 17) & 31;
+        is_halved = 1;
+    } else {
+        up = (17 - luminaire_bit_length(size)) & 31;
+        way.x = luminaire_shl(x, up);
+        way.y = luminaire_shl(y, up);
+        way.z = luminaire_shl(z, up);
+        way.bits = (17 - up) & 31;
+        return way;
     }
-    if (size >> 17) {
-        bits = luminaire_bit_length_of_seven(size >> 17);
-        return luminaire_offset_of(way, bits, bits + 17);
-    }
-    bits = luminaire_bit_length(size);
-    up = ~bits & 31; /* 31 - bits */
-    for (i = 0; i < 3; ++i) { way[i] = luminaire_shl(way[i], up); }
-    return luminaire_offset_of(way, 14, bits);
+    way.x = x >> down;
+    way.y = y >> down;
+    way.z = z >> down;
+    way.bits = down + 17 + is_halved;
+    return way;
 }
 
-/* Returns a component of the offset, scaled until the largest has 15 bits. */
-LUMINAIRE_HOT int32_t luminaire_part(const luminaire_offset *offset, int i) {
-    return offset->way[i] >> (offset->shift + 2);
+/* Returns the inner product of a vector and the way, of which each component is scaled to 15 bits. */
+LUMINAIRE_STAGE int32_t luminaire_along(const luminaire_way *way, int32_t x, int32_t y, int32_t z) {
+    int32_t sum = luminaire_plus(luminaire_times(x, way->x >> 2), luminaire_times(y, way->y >> 2));
+    return luminaire_plus(sum, luminaire_times(z, way->z >> 2));
 }
 
-/* Returns the squared length of the scaled offset. */
-LUMINAIRE_HOT uint32_t luminaire_squared(const luminaire_offset *offset) {
-    uint32_t squared = 0;
-    int i;
-    for (i = 0; i < 3; ++i) {
-        int32_t part = luminaire_part(offset, i);
-        squared += (uint32_t)luminaire_times(part, part);
-    }
-    return squared;
+/* Returns the product of the way and a normal: negative if the surface faces the light. */
+LUMINAIRE_STAGE int32_t luminaire_facing(const luminaire_way *way, const int16_t normal[3]) {
+    return luminaire_along(way, normal[0], normal[1], normal[2]);
 }
 
-/* Returns the product of the scaled offset and a normal: negative if the surface faces the light. */
-LUMINAIRE_HOT int32_t luminaire_facing(const luminaire_offset *offset, const int16_t normal[3]) {
-    int32_t sum = 0;
-    int i;
-    for (i = 0; i < 3; ++i) { sum = luminaire_plus(sum, luminaire_times(normal[i], luminaire_part(offset, i))); }
-    return sum;
+/* Returns the squared length of the way. */
+LUMINAIRE_STAGE uint32_t luminaire_squared(const luminaire_way *way) {
+    return (uint32_t)luminaire_along(way, way->x >> 2, way->y >> 2, way->z >> 2);
 }
 
 /* Returns whether a point is so close to the light that it needs the fine evaluation. */
-LUMINAIRE_HOT int luminaire_is_near(const luminaire_offset *offset, uint32_t fine_below) {
-    uint32_t fewer = (fine_below >> 26) - offset->bits, down = 2 * fewer + 4;
+LUMINAIRE_STAGE int luminaire_is_near(const luminaire_way *way, uint32_t squared, uint32_t fine_below) {
+    uint32_t fewer = (fine_below >> 26) - way->bits, down = 2 * fewer + 4;
     if ((int32_t)fewer < 0) { return 0; }
-    return (down < 32 ? luminaire_squared(offset) >> down : 0) < (fine_below & ((UINT32_C(1) << 26) - 1));
+    return (down < 32 ? squared >> down : 0) < (fine_below & ((UINT32_C(1) << 26) - 1));
 }
 
 /* Returns whether a point is certainly outside a cone. */
-LUMINAIRE_HOT int luminaire_is_outside(const luminaire_offset *offset, const int32_t axis[3], uint32_t bound) {
-    int32_t along = 0;
-    int i;
-    for (i = 0; i < 3; ++i) {
-        along = luminaire_plus(along, luminaire_times(axis[i] >> 16, luminaire_part(offset, i)));
-    }
-    along = along >> 14 > 0 ? along >> 14 : 0;
-    return (uint32_t)along * (uint32_t)along < (luminaire_squared(offset) >> 14) * bound;
+LUMINAIRE_STAGE int luminaire_is_outside(
+    const luminaire_way *way, uint32_t squared, const int32_t axis[3], int32_t bound
+) {
+    int32_t along = luminaire_along(way, axis[0] >> 16, axis[1] >> 16, axis[2] >> 16) >> 14;
+    if (bound <= 0) { return 0; }
+    return along < 0 || (uint32_t)along * (uint32_t)along < (squared >> 14) * (uint32_t)bound;
 }
 
-LUMINAIRE_HOT luminaire_coarse_ray luminaire_coarse_ray_of(const luminaire_offset *offset) {
+LUMINAIRE_STAGE luminaire_coarse_ray luminaire_coarse_ray_of(const luminaire_way *way, uint32_t squared) {
     luminaire_coarse_ray ray;
-    int i;
-    ray.bits = offset->bits;
-    ray.squared = luminaire_squared(offset);
-    ray.reciprocal = luminaire_inverse_sqrt(ray.squared);
-    for (i = 0; i < 3; ++i) {
-        /* The bias replaces the bits that the offset lost. */
-        int32_t part = luminaire_times(offset->way[i] >> offset->shift, (int32_t)((ray.reciprocal + 2) >> 2));
-        ray.direction[i] = luminaire_plus(part, 6144);
-    }
+    int32_t fourteen_bits;
+    ray.bits = way->bits;
+    ray.squared = squared;
+    ray.reciprocal = luminaire_inverse_sqrt(squared);
+    fourteen_bits = (int32_t)((ray.reciprocal + 2) >> 2);
+    ray.x = luminaire_times(way->x, fourteen_bits);
+    ray.y = luminaire_times(way->y, fourteen_bits);
+    ray.z = luminaire_times(way->z, fourteen_bits);
     return ray;
+}
+
+/* Returns the offset from a light to a point. */
+static inline luminaire_offset luminaire_offset_between(const int32_t light[3], const int32_t point[3]) {
+    luminaire_offset offset;
+    uint32_t size, bits, is_halved;
+    int i;
+    for (i = 0; i < 3; ++i) { offset.way[i] = luminaire_minus(point[i], light[i]); }
+    size = luminaire_size(offset.way[0], offset.way[1], offset.way[2]);
+    is_halved = size >> 24 != 0;
+    if (is_halved) {
+        for (i = 0; i < 3; ++i) { offset.way[i] = (point[i] >> 1) - (light[i] >> 1); }
+        size = luminaire_size(offset.way[0], offset.way[1], offset.way[2]);
+    }
+    bits = luminaire_bit_length(size);
+    for (i = 0; i < 3; ++i) { offset.way[i] = luminaire_shl(offset.way[i], ~bits & 31); } /* by 31 - bits */
+    offset.bits = bits + is_halved;
+    return offset;
 }
 
 /* Returns the squared length of a vector that is scaled up by 2^shift. */
@@ -385,15 +406,17 @@ static inline uint32_t luminaire_squared_length(const int32_t vector[3], uint32_
 
 static inline luminaire_fine_ray luminaire_fine_ray_of(const luminaire_offset *offset) {
     luminaire_fine_ray ray;
-    int32_t whole[3], over, coarse;
+    uint32_t squared = 0;
+    int32_t over, coarse;
     int i;
-    ray.bits = (int32_t)offset->bits;
-    ray.estimate = luminaire_inverse_sqrt(luminaire_squared(offset));
     for (i = 0; i < 3; ++i) {
-        whole[i] = luminaire_shl(offset->way[i], (14 - offset->shift) & 31);
-        ray.direction[i] = luminaire_signed_high_product(whole[i], ray.estimate);
+        int32_t part = offset->way[i] >> 16;
+        squared += (uint32_t)luminaire_times(part, part);
     }
-    ray.squared = luminaire_squared_length(whole, 0);
+    ray.bits = (int32_t)offset->bits;
+    ray.estimate = luminaire_inverse_sqrt(squared);
+    for (i = 0; i < 3; ++i) { ray.direction[i] = luminaire_signed_high_product(offset->way[i], ray.estimate); }
+    ray.squared = luminaire_squared_length(offset->way, 0);
     /* The squared length of the direction is 1 + x, and 1 / sqrt(1 + x) = 1 - x / 2 + 3/8 x^2. */
     over = (int32_t)(luminaire_squared_length(ray.direction, 0) - (UINT32_C(1) << 28));
     coarse = over >> 4;
@@ -421,7 +444,7 @@ static inline uint32_t luminaire_capped(uint32_t product, int32_t shift) {
 }
 
 /* Returns Lambert's cosine as a fraction. */
-LUMINAIRE_HOT uint32_t luminaire_coarse_cosine(const luminaire_coarse_ray *ray, int32_t facing) {
+LUMINAIRE_STAGE uint32_t luminaire_coarse_cosine(const luminaire_coarse_ray *ray, int32_t facing) {
     return luminaire_min(((luminaire_below_zero(facing) >> 13) * ray->reciprocal) >> 16, LUMINAIRE_COARSE_ONE);
 }
 
@@ -439,19 +462,27 @@ static inline uint32_t luminaire_fine_cosine(const luminaire_fine_ray *ray, cons
 /* ---- the ramp of a cone ---- */
 
 /* Returns the versine of the angle between a ray and an axis, in the scale of a ramp. */
-LUMINAIRE_HOT uint32_t luminaire_coarse_versine(
+LUMINAIRE_STAGE uint32_t luminaire_coarse_versine(
     const luminaire_coarse_ray *ray, const int32_t axis[3], uint32_t zoom
 ) {
-    uint32_t shift = 16 - zoom, versine = 0;
-    int32_t difference[3];
-    int i;
-    for (i = 0; i < 3; ++i) {
-        int32_t lowered = luminaire_minus(axis[i], (int32_t)(UINT32_C(1) << (shift - 1)));
-        difference[i] = luminaire_minus(ray->direction[i], lowered) >> shift;
-    }
-    if (luminaire_size(difference) >> 15) { return UINT32_C(0xffffffff); }
-    for (i = 0; i < 3; ++i) { versine += (uint32_t)luminaire_times(difference[i], difference[i]); }
-    return versine;
+    /* The bias of the direction replaces the bits that the way lost; half a step rounds the difference. */
+    uint32_t drop = ~zoom & 15; /* 15 - zoom */
+    int32_t bias = 6144 + (int32_t)(UINT32_C(1) << drop);
+    int32_t x = luminaire_minus(luminaire_plus(ray->x, bias), axis[0]) >> (drop + 1);
+    int32_t y = luminaire_minus(luminaire_plus(ray->y, bias), axis[1]) >> (drop + 1);
+    int32_t z = luminaire_minus(luminaire_plus(ray->z, bias), axis[2]) >> (drop + 1);
+    /* More than 15 bits and a sign are outside. */
+    if ((((uint32_t)x + 32768) | ((uint32_t)y + 32768) | ((uint32_t)z + 32768)) >> 16) { return UINT32_C(0xffffffff); }
+    return (uint32_t)luminaire_times(x, x) + (uint32_t)luminaire_times(y, y) + (uint32_t)luminaire_times(z, z);
+}
+
+/* Returns the falloff's argument along a ray. */
+LUMINAIRE_STAGE uint32_t luminaire_coarse_rise(
+    const luminaire_coarse_ray *ray, const int32_t axis[3], const luminaire_ramp *ramp
+) {
+    uint32_t versine = luminaire_coarse_versine(ray, axis, ramp->zoom), past = versine - ramp->inner;
+    if (past < ramp->width) { return (ramp->one - (past >> (ramp->shift & 31)) * ramp->mantissa) >> 16; }
+    return versine < ramp->inner ? LUMINAIRE_COARSE_ONE : 0;
 }
 
 /* Returns the excess over the inner versine at which the intensity becomes zero. */
@@ -471,7 +502,9 @@ static inline uint32_t luminaire_fine_rise(
     int32_t difference[3];
     int i;
     for (i = 0; i < 3; ++i) { difference[i] = luminaire_minus(ray->direction[i], axis[i]); }
-    if (luminaire_size(difference) >> (31 - zoom) == 0) { versine = luminaire_squared_length(difference, zoom); }
+    if (luminaire_size(difference[0], difference[1], difference[2]) >> (31 - zoom) == 0) {
+        versine = luminaire_squared_length(difference, zoom);
+    }
     past = versine - ramp->inner;
     if (past >= luminaire_width(ramp)) { return versine < ramp->inner ? LUMINAIRE_FINE_ONE : 0; }
     fallen = luminaire_fallen(ramp, past);
@@ -508,7 +541,7 @@ LUMINAIRE_HOT uint32_t luminaire_coarse_quadratic(uint32_t x, int32_t g) {
 }
 
 /* Returns x (1 + (1 - x) slope) for a slope with 28 fraction bits. */
-static inline uint32_t luminaire_fine_lifted(uint32_t x, int32_t slope) {
+LUMINAIRE_HOT uint32_t luminaire_fine_lifted(uint32_t x, int32_t slope) {
     uint32_t bent = luminaire_fine_product(x, LUMINAIRE_FINE_ONE - x);
     uint32_t lift = luminaire_high_half(bent, luminaire_magnitude(slope));
     uint32_t lifted;
@@ -523,7 +556,7 @@ LUMINAIRE_HOT uint32_t luminaire_coarse_cubic(uint32_t x, int32_t g, int32_t h) 
     return luminaire_coarse_quadratic(x, luminaire_plus(g, bend));
 }
 
-static inline uint32_t luminaire_fine_cubic(uint32_t x, int32_t g, int32_t h) {
+LUMINAIRE_HOT uint32_t luminaire_fine_cubic(uint32_t x, int32_t g, int32_t h) {
     int32_t slope = luminaire_shl(h, 14);
     int32_t bend = (int32_t)(luminaire_high_half(x, luminaire_magnitude(slope)) << 1);
     if (slope < 0) { bend = luminaire_minus(0, bend); }
@@ -536,11 +569,11 @@ static inline uint32_t luminaire_rounded(uint32_t share) { return (share + (UINT
 /* ---- attenuation ---- */
 
 /* Returns a share of a gain by the inverse-square law. */
-LUMINAIRE_HOT uint32_t luminaire_coarse_inverse_square(
+LUMINAIRE_STAGE uint32_t luminaire_coarse_inverse_square(
     const luminaire_coarse_ray *ray, uint32_t share, luminaire_gain gain
 ) {
     uint32_t mantissa = ((gain.mantissa >> 16) * ((ray->reciprocal * ray->reciprocal) >> 16)) >> 14;
-    return luminaire_light_of(share * mantissa, gain.shift - 16 + 2 * (int32_t)ray->bits - 32);
+    return luminaire_light_of(share * mantissa, luminaire_plus(gain.shift, 2 * (int32_t)ray->bits - 48));
 }
 
 static inline uint32_t luminaire_fine_inverse_square(
@@ -550,7 +583,7 @@ static inline uint32_t luminaire_fine_inverse_square(
     int32_t square = luminaire_times(ray->excess, ray->excess);
     int32_t excess = luminaire_minus(luminaire_times(2, ray->excess), square >> 26);
     uint32_t here = nearly - (uint32_t)(luminaire_times((int32_t)(nearly >> 17), excess) >> 9);
-    return luminaire_light_of(luminaire_high_half(share, here), gain.shift + 2 * ray->bits - 49);
+    return luminaire_light_of(luminaire_high_half(share, here), luminaire_plus(gain.shift, 2 * ray->bits - 49));
 }
 
 /* Returns whether light is past full scale by more than the error of its share. */
@@ -614,36 +647,28 @@ LUMINAIRE_RARE luminaire_gain luminaire_restored(luminaire_gain gain) {
     return gain;
 }
 
-LUMINAIRE_HOT luminaire_gain luminaire_spot_gain(luminaire_gain gain) {
-    uint32_t shift = (uint32_t)gain.shift; /* a copy, of which a proof learns the range */
-    if ((int32_t)gain.mantissa > 0 || shift > 127) {
-        gain = luminaire_restored(gain);
-    } else {
-        gain.shift = (int32_t)shift;
-    }
-    return gain;
-}
-
-/* Returns the falloff's argument at an excess over the inner versine, of a ramp of any words. */
-LUMINAIRE_RARE uint32_t luminaire_odd_rise(const luminaire_ramp *ramp, uint32_t past) {
-    uint32_t shift = ramp->shift & 31, steps = (ramp->width - 1) >> shift, slope = ramp->mantissa;
-    uint32_t one = luminaire_min(ramp->one, LUMINAIRE_FINE_ONE + 65535);
-    if (ramp->fine) { return past + ramp->inner < ramp->inner ? LUMINAIRE_COARSE_ONE : 0; }
-    if (luminaire_high_half(steps, slope) || steps * slope > one) { slope = 0; }
-    return (one - (past >> shift) * slope) >> 16;
+/* Replaces words that no set-up makes, such as those of a damaged file, as Rust does. A light that was set up keeps its
+ * words. Without this call any words are defined, too, but may give another light than in Rust. */
+LUMINAIRE_RARE void luminaire_spot_restore(luminaire_spot *spot) {
+    if (!spot) { return; }
+    luminaire_ramp *ramp = &spot->ramp;
+    uint32_t steps;
+    if (ramp->fine) { ramp->width = 0; }
+    ramp->zoom = luminaire_min(ramp->zoom, 15);
+    ramp->shift &= 31;
+    ramp->fine_shift &= 63;
+    ramp->one = luminaire_min(ramp->one, LUMINAIRE_FINE_ONE + 65535);
+    /* No versine gives a negative t. */
+    steps = ramp->width ? (ramp->width - 1) >> ramp->shift : 0;
+    if (luminaire_high_half(steps, ramp->mantissa) || steps * ramp->mantissa > ramp->one) { ramp->mantissa = 0; }
+    spot->intensity = luminaire_restored(spot->intensity);
 }
 
 /* Returns the falloff along a ray. */
-LUMINAIRE_HOT uint32_t luminaire_spot_coarse_share(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
-    const luminaire_ramp *ramp = &spot->ramp;
-    uint32_t versine = luminaire_coarse_versine(ray, spot->axis, luminaire_min(ramp->zoom, 15));
-    uint32_t past = versine - ramp->inner, t = versine < ramp->inner ? LUMINAIRE_COARSE_ONE : 0;
-    if (past < ramp->width) {
-        uint32_t shift = ramp->shift & 31, steps = (ramp->width - 1) >> shift;
-        uint32_t odd = ramp->fine | (steps | ramp->mantissa) >> 16 | (ramp->one << 1) >> 17;
-        t = (ramp->one - (past >> shift) * ramp->mantissa) >> 16;
-        if (odd || steps * ramp->mantissa > ramp->one) { t = luminaire_odd_rise(ramp, past); }
-    }
+LUMINAIRE_STAGE uint32_t luminaire_spot_coarse_share(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
+    uint32_t t = luminaire_coarse_rise(ray, spot->axis, &spot->ramp);
+    /* The soft edge is a square. */
+    if (spot->g == -16384 && spot->h == 0) { return (t * t + (UINT32_C(1) << 15)) >> 16; }
     return luminaire_coarse_cubic(t, spot->g, spot->h);
 }
 
@@ -651,43 +676,37 @@ static inline uint32_t luminaire_spot_fine_share(const luminaire_spot *spot, con
     return luminaire_fine_cubic(luminaire_fine_rise(ray, spot->axis, &spot->ramp), spot->g, spot->h);
 }
 
-LUMINAIRE_HOT int luminaire_spot_is_outside(const luminaire_spot *spot, const luminaire_offset *offset) {
-    int32_t bound = spot->outside;
-    return luminaire_is_outside(offset, spot->axis, bound > 0 ? (uint32_t)bound : 0);
-}
-
 /* The irradiance near the light or in a steep cone. Not inlined: it would slow the usual case. */
-LUMINAIRE_RARE uint32_t luminaire_spot_near(
-    const luminaire_spot *spot, luminaire_offset offset, int32_t facing, const int16_t normal[3]
+LUMINAIRE_RARE uint32_t luminaire_spot_fine_irradiance(
+    const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
 ) {
-    if (facing >= 7 << 12 || luminaire_spot_is_outside(spot, &offset)) { return 0; }
-    luminaire_gain gain = luminaire_spot_gain(spot->intensity);
-    if (spot->fine_below != LUMINAIRE_ALWAYS_FINE) {
-        /* Light that is clipped to full scale in any case keeps the coarse evaluation. */
-        luminaire_coarse_ray coarse = luminaire_coarse_ray_of(&offset);
-        uint32_t cosine = luminaire_coarse_cosine(&coarse, facing);
-        uint32_t share = luminaire_coarse_of(cosine, luminaire_spot_coarse_share(spot, &coarse));
-        uint32_t light = luminaire_coarse_inverse_square(&coarse, share, gain);
-        if (luminaire_is_clipped(share, light)) { return light; }
-    }
+    luminaire_offset offset = luminaire_offset_between(spot->position, point);
     luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
-    uint32_t cosine = luminaire_fine_cosine(&ray, normal);
-    return luminaire_fine_inverse_square(&ray, luminaire_fine_of(cosine, luminaire_spot_fine_share(spot, &ray)), gain);
+    uint32_t share = luminaire_fine_of(luminaire_fine_cosine(&ray, normal), luminaire_spot_fine_share(spot, &ray));
+    return luminaire_fine_inverse_square(&ray, share, spot->intensity);
 }
 
 /* Returns the irradiance at a point with a unit normal, before the colour. */
-static inline uint32_t luminaire_spot_irradiance(
+LUMINAIRE_HOT uint32_t luminaire_spot_irradiance(
     const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
 ) {
     if (!spot || !point || !normal) { return 0; }
-    luminaire_offset offset = luminaire_offset_between(spot->position, point);
-    int32_t facing = luminaire_facing(&offset, normal);
-    if (luminaire_is_near(&offset, spot->fine_below)) { return luminaire_spot_near(spot, offset, facing, normal); }
-    if (facing >= 0 || luminaire_spot_is_outside(spot, &offset)) { return 0; }
-    luminaire_coarse_ray ray = luminaire_coarse_ray_of(&offset);
+    luminaire_way way = luminaire_way_between(spot->position, point);
+    int32_t facing = luminaire_facing(&way, normal);
+    if (facing >= 0) {
+        /* The fine evaluation has more bits of the product with the normal. */
+        if (facing >= 7 << 12 || !luminaire_is_near(&way, luminaire_squared(&way), spot->fine_below)) { return 0; }
+    }
+    uint32_t squared = luminaire_squared(&way);
+    if (luminaire_is_outside(&way, squared, spot->axis, spot->outside)) { return 0; }
+    luminaire_coarse_ray ray = luminaire_coarse_ray_of(&way, squared);
     uint32_t cosine = luminaire_coarse_cosine(&ray, facing);
     uint32_t share = luminaire_coarse_of(cosine, luminaire_spot_coarse_share(spot, &ray));
-    return luminaire_coarse_inverse_square(&ray, share, luminaire_spot_gain(spot->intensity));
+    uint32_t light = luminaire_coarse_inverse_square(&ray, share, spot->intensity);
+    if (!luminaire_is_near(&way, squared, spot->fine_below)) { return light; }
+    /* Light that is clipped to full scale in any case keeps the coarse evaluation. */
+    if (spot->fine_below != LUMINAIRE_ALWAYS_FINE && luminaire_is_clipped(share, light)) { return light; }
+    return luminaire_spot_fine_irradiance(spot, point, normal);
 }
 
 /* Returns the light at a point with a unit normal: the irradiance times the colour. */
@@ -707,12 +726,14 @@ static inline luminaire_rgb luminaire_spot_light(
 /* Returns the falloff at a point, from 0 to 2^14. */
 static inline int16_t luminaire_spot_falloff(const luminaire_spot *spot, const int32_t point[3]) {
     if (!spot || !point) { return 0; }
-    luminaire_offset offset = luminaire_offset_between(spot->position, point);
-    if (luminaire_is_near(&offset, spot->fine_below)) {
+    luminaire_way way = luminaire_way_between(spot->position, point);
+    uint32_t squared = luminaire_squared(&way);
+    if (luminaire_is_near(&way, squared, spot->fine_below)) {
+        luminaire_offset offset = luminaire_offset_between(spot->position, point);
         luminaire_fine_ray fine = luminaire_fine_ray_of(&offset);
         return (int16_t)luminaire_rounded(luminaire_spot_fine_share(spot, &fine));
     }
-    luminaire_coarse_ray ray = luminaire_coarse_ray_of(&offset);
+    luminaire_coarse_ray ray = luminaire_coarse_ray_of(&way, squared);
     return (int16_t)luminaire_spot_coarse_share(spot, &ray);
 }
 
@@ -752,7 +773,7 @@ static inline void luminaire_spot_tint(luminaire_spot *spot, const int16_t color
 static inline void luminaire_spot_dim(luminaire_spot *spot, int16_t part) {
     if (!spot || part >= 1 << 14) { return; }
     luminaire_gain factor = luminaire_normalised(part > 0 ? (uint32_t)part : 0, 14);
-    spot->intensity = luminaire_gain_by(luminaire_spot_gain(spot->intensity), factor);
+    spot->intensity = luminaire_gain_by(spot->intensity, factor);
 }
 
 /* Sets the unit normal along a vector of signed bytes; zero along zero. */
@@ -784,8 +805,8 @@ LUMINAIRE_RARE int luminaire_spot_can_reach(const luminaire_spot *spot, const in
     }
     /* A light with a coordinate of 31 bits may get a tip of which offsets wrap. */
     if (ends < 0 && is_beyond) { return 1; }
-    luminaire_offset offset = luminaire_offset_between(tip, center);
-    return !luminaire_spot_is_outside(spot, &offset);
+    luminaire_way way = luminaire_way_between(tip, center);
+    return !luminaire_is_outside(&way, luminaire_squared(&way), spot->axis, spot->outside);
 }
 
 /* ---- zoom: the cones between two cones, by the chords sqrt(v) of their versines v ---- */

@@ -150,15 +150,6 @@ static inline luminaire_gain luminaire_fine_distance(const luminaire_fine_ray *r
     return luminaire_normalised(luminaire_fine_length(ray), 47 - ray->bits);
 }
 
-/* Returns the falloff's argument along a ray. */
-static inline uint32_t luminaire_coarse_rise(
-    const luminaire_coarse_ray *ray, const int32_t axis[3], const luminaire_ramp *ramp
-) {
-    uint32_t versine = luminaire_coarse_versine(ray, axis, ramp->zoom), past = versine - ramp->inner;
-    if (past < ramp->width) { return (ramp->one - (past >> ramp->shift) * ramp->mantissa) >> 16; }
-    return versine < ramp->inner ? LUMINAIRE_COARSE_ONE : 0;
-}
-
 /* Returns the last knot at or before a place; the first if all are later. */
 static inline luminaire_knot luminaire_knot_at(const luminaire_knot *knots, uint32_t count, uint32_t place) {
     uint32_t begin = 0, end = count;

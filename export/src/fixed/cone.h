@@ -1,5 +1,5 @@
-static inline int luminaire_NAME_IsOutside(const luminaire_offset *offset) {
-    return luminaire_is_outside(offset, luminaire_NAME_Axis, luminaire_NAME_Outside);
+static inline int luminaire_NAME_IsOutside(const luminaire_way *way, uint32_t squared) {
+    return luminaire_is_outside(way, squared, luminaire_NAME_Axis, luminaire_NAME_Outside);
 }
 
 static inline uint32_t luminaire_NAME_CoarseShare(const luminaire_coarse_ray *ray, uint32_t cosine) {
@@ -14,13 +14,15 @@ static inline uint32_t luminaire_NAME_FineShare(const luminaire_fine_ray *ray, u
 
 /* Returns the falloff at a point, from 0 to 2^14. */
 static inline int16_t NAME_falloff(const int32_t point[3]) {
-    luminaire_offset offset = luminaire_offset_between(luminaire_NAME_Position, point);
-    if (luminaire_is_near(&offset, luminaire_NAME_FineBelow)) {
+    luminaire_way way = luminaire_way_between(luminaire_NAME_Position, point);
+    uint32_t squared = luminaire_squared(&way);
+    if (luminaire_is_near(&way, squared, luminaire_NAME_FineBelow)) {
+        luminaire_offset offset = luminaire_offset_between(luminaire_NAME_Position, point);
         luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
         uint32_t rise = luminaire_fine_rise(&ray, luminaire_NAME_Axis, &luminaire_NAME_Ramp);
         return (int16_t)luminaire_rounded(luminaire_NAME_FineCurve(rise));
     } else {
-        luminaire_coarse_ray ray = luminaire_coarse_ray_of(&offset);
+        luminaire_coarse_ray ray = luminaire_coarse_ray_of(&way, squared);
         uint32_t rise = luminaire_coarse_rise(&ray, luminaire_NAME_Axis, &luminaire_NAME_Ramp);
         return (int16_t)luminaire_NAME_CoarseCurve(rise);
     }

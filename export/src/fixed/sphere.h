@@ -1,5 +1,6 @@
-static inline int luminaire_NAME_IsOutside(const luminaire_offset *offset) {
-    (void)offset;
+static inline int luminaire_NAME_IsOutside(const luminaire_way *way, uint32_t squared) {
+    (void)way;
+    (void)squared;
     return 0;
 }
 
