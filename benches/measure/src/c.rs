@@ -32,8 +32,10 @@ pub(crate) fn figure(name: &str) -> String {
     format!("c.{name}")
 }
 
-/// How they are optimised, and the units of their figures.
-pub(crate) const LEVELS: [(&str, &str); 2] = [("-O3", "instructions"), ("-Os", "instructions_for_size")];
+/// How they are optimised, and the units of their figures: `-O2` is the level of many builds by CMake and of
+/// ESP-IDF's for speed, `-Os` that of the Arduino IDE.
+pub(crate) const LEVELS: [(&str, &str); 3] =
+    [("-O3", "instructions"), ("-O2", "instructions_at_o2"), ("-Os", "instructions_for_size")];
 
 /// The calls that are counted: name, and what they are; a row counts for each of its pixels.
 pub(crate) const CALLS_COUNTED: [(&str, &str); 16] = [
@@ -161,7 +163,7 @@ pub(crate) fn add(board: &Board, group: &mut Group, progress: &Progress) -> Resu
     Ok(())
 }
 
-/// Counts the instructions of the calls, optimised for speed and for size. The results must be the host's.
+/// Counts the instructions of the calls at each level. The results must be the host's.
 fn add_prices(machine: &Machine, group: &mut Group, progress: &Progress) -> Result<()> {
     let Machine { board, compiler, options, beside } = machine;
     let root = project::root();

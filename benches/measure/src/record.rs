@@ -114,7 +114,9 @@ impl Group {
 fn leeway(unit: &str, is_same_compiler: bool) -> Option<f64> {
     match unit {
         _ if unit.starts_with("ns") || unit.starts_with("ms") => None,
-        "instructions" | "instructions_for_size" | "cycles" if !is_same_compiler => Some(LEEWAY),
+        "instructions" | "instructions_at_o2" | "instructions_for_size" | "cycles" if !is_same_compiler => {
+            Some(LEEWAY)
+        }
         "bytes" | "flash" | "kibibytes" if !is_same_compiler => None,
         _ => Some(0.0),
     }
