@@ -140,7 +140,7 @@ fn random_lights_have_the_bits_of_the_kernel() {
     let (variants, each) = if full { (12, 40_000) } else { (2, 5_000) };
     let mut lights: Vec<AnyLight> =
         spots::<Fx16>(&mut rng, variants).into_iter().map(AnyLight::from).collect();
-    lights.extend(points_of_light(&mut rng).into_iter().map(AnyLight::from));
+    lights.extend(points_of_light::<Fx16>(&mut rng).into_iter().map(AnyLight::from));
     let (mut input, mut expected, mut fine) = (Vec::new(), Vec::new(), 0);
     for light in &lights {
         let places = places(&mut rng, light, each);

@@ -20,7 +20,7 @@ const POINTS: usize = 4_000;
 fn lights() -> Vec<AnyLight> {
     let mut rng = Rng::with_seed(1983);
     let mut lights: Vec<AnyLight> = spots::<f32>(&mut rng, 4).into_iter().map(AnyLight::from).collect();
-    lights.extend(points_of_light(&mut rng).into_iter().map(AnyLight::from));
+    lights.extend(points_of_light::<f32>(&mut rng).into_iter().map(AnyLight::from));
     let sun = DirectionalLight::new([0.3, -1.0, 0.2]).and_then(|sun| sun.with_intensity(2.0));
     lights.push(sun.expect("a light").into());
     lights
@@ -195,8 +195,10 @@ fn c_has_the_bits_of_the_kernel() {
                         "{compiler}: {found:?}, expected {expected:?} at {place:?} of {light:?}"
                     );
                 }
+                // At the light itself no direction is exact.
                 if let AnyLight::Spot(spot) = light
                     && is_smooth(spot)
+                    && spot.position() != place.0.into()
                 {
                     smooth += 1;
                     let [_, falloff] = exact(spot, place.0, place.1);

@@ -254,7 +254,7 @@ fn a_build_script_describes_the_light() -> Result<(), Box<dyn std::error::Error>
 fn the_build_scripts_of_drawn_lights_compile() -> Result<(), Box<dyn std::error::Error>> {
     let mut rng = Rng::with_seed(12);
     let spots = spots::<Fx16>(&mut rng, 2).into_iter().map(AnyLight::from);
-    let lights = spots.chain(points_of_light(&mut rng).into_iter().map(AnyLight::from));
+    let lights = spots.chain(points_of_light::<Fx16>(&mut rng).into_iter().map(AnyLight::from));
     let mut file = String::new();
     for (index, light) in lights.enumerate() {
         let text = export(light, &format!("light{index}"), Language::RustBuild)?;

@@ -31,7 +31,8 @@ pub(crate) fn knots() -> AnyFalloff {
 
 /// Returns `variants` lights of each falloff, the first with its sample, and as many with knots.
 ///
-/// The lights go through all attenuations. Each is accepted by the format `S`.
+/// The lights go through all attenuations. Half of them have usual numbers, the others any that the constructors take,
+/// the ends among them. Each is accepted by the format `S`.
 pub(crate) fn spots<S: Scalar>(rng: &mut Rng, variants: usize) -> Vec<Spot> {
     let mut spots = Vec::new();
     for index in 0..=AnyFalloff::COUNT {
@@ -42,7 +43,7 @@ pub(crate) fn spots<S: Scalar>(rng: &mut Rng, variants: usize) -> Vec<Spot> {
                     (_, 0) => AnyFalloff::samples().nth(index)?,
                     _ => AnyFalloff::anywhere(index, || rng.f32()).ok()?,
                 };
-                let spot = spot(rng, falloff, index + variant).ok()?;
+                let spot = spot::<S>(rng, falloff, index + variant).ok()?;
                 spot.compile::<S>().is_ok().then_some(spot)
             });
             spots.push(light.expect("a light that the format holds"));
@@ -51,31 +52,67 @@ pub(crate) fn spots<S: Scalar>(rng: &mut Rng, variants: usize) -> Vec<Spot> {
     spots
 }
 
-fn spot(rng: &mut Rng, falloff: AnyFalloff, index: usize) -> Result<Spot, Error> {
-    let outer = 180.0 * rng.f32() * rng.f32();
+fn spot<S: Scalar>(rng: &mut Rng, falloff: AnyFalloff, index: usize) -> Result<Spot, Error> {
+    let outer = match rng.u8(..8) {
+        0 => 180.0,
+        1 => Cone::narrowest::<S>(falloff).to_degrees() * 1.000_01,
+        _ => 180.0 * rng.f32() * rng.f32(),
+    };
     let mut cone = Cone::from_outer(falloff, Angle::degrees(outer))?;
     if rng.u8(..3) == 0 {
-        cone = cone.with_inner(Angle::degrees(outer * rng.f32()))?;
+        cone = cone.with_inner(Angle::degrees(outer * part(rng)))?;
     }
     if rng.u8(..4) == 0 {
-        cone = cone.with_cutoff(Angle::degrees(outer * (0.3 + 0.7 * rng.f32())))?;
+        cone = cone.with_cutoff(Angle::degrees(outer * part(rng)))?;
     }
     let attenuation = AnyAttenuation::anywhere(index, || rng.f32())?;
-    let position = [0; 3].map(|_| 20.0 * rng.f32() - 10.0);
     let color = Rgb::new(rng.f32(), rng.f32(), rng.f32());
-    let intensity = [1.0, 16.0, 1e4 * rng.f32(), 1e9 * rng.f32()][usize::from(rng.u8(..4))];
-    let light = SpotLight::new(position, direction(rng), cone)?.with_color(color)?;
-    Ok(light.with_intensity(intensity)?.with_attenuation(attenuation))
+    let light = SpotLight::new(position::<S>(rng), direction(rng), cone)?.with_color(color)?;
+    Ok(light.with_intensity(intensity(rng))?.with_attenuation(attenuation))
 }
 
-/// Returns a point light of each attenuation.
-pub(crate) fn points_of_light(rng: &mut Rng) -> Vec<PointLight<AnyAttenuation>> {
+/// Returns the part of an outer angle that an inner angle or a cutoff is.
+fn part(rng: &mut Rng) -> f32 {
+    match rng.u8(..8) {
+        0 => rng.choice([0.0, 1.0]).unwrap_or_default(),
+        1 => 1.0 - 1e-6_f32.powf(rng.f32()),
+        _ => 0.3 + 0.7 * rng.f32(),
+    }
+}
+
+/// Returns a position within 10 of the origin, or at any coordinates that the format takes.
+fn position<S: Scalar>(rng: &mut Rng) -> [f32; 3] {
+    // In `f32` little is lit at the farthest coordinates, because points are farther apart there.
+    let (is_near, farthest) = (rng.bool(), S::FARTHEST.min(1e6));
+    let reach = if is_near { 10.0 } else { farthest * 1e-4_f32.powf(rng.f32()) };
+    let end = if rng.u8(..4) == 0 { S::FARTHEST } else { farthest };
+    [0; 3].map(|_| match rng.u8(..4) {
+        0 if !is_near => rng.choice([-end, end]).unwrap_or_default(),
+        _ => reach * (2.0 * rng.f32() - 1.0),
+    })
+}
+
+/// Returns an intensity from 0 to the largest that lights take.
+fn intensity(rng: &mut Rng) -> f32 {
+    match rng.u8(..8) {
+        0 => rng.choice([0.0, f32::from_bits(1), 1e9, 1e9]).unwrap_or_default(),
+        1 => 10.0_f32.powf(18.0 * rng.f32() - 9.0),
+        2 => 1e9 * rng.f32(),
+        3 => 1e4 * rng.f32(),
+        4 => 16.0,
+        5 => 1.0,
+        _ => 100.0 * rng.f32(),
+    }
+}
+
+/// Returns point lights of each attenuation, as many at usual places as at any.
+pub(crate) fn points_of_light<S: Scalar>(rng: &mut Rng) -> Vec<PointLight<AnyAttenuation>> {
     let light = |index| {
         let attenuation = AnyAttenuation::anywhere(index, || rng.f32()).ok()?;
-        let light = PointLight::new([0; 3].map(|_| 20.0 * rng.f32() - 10.0)).ok()?;
-        light.with_intensity(100.0 * rng.f32()).ok().map(|light| light.with_attenuation(attenuation))
+        let light = PointLight::new(position::<S>(rng)).ok()?;
+        light.with_intensity(intensity(rng)).ok().map(|light| light.with_attenuation(attenuation))
     };
-    (0..2 * AnyAttenuation::COUNT).filter_map(light).collect()
+    (0..4 * AnyAttenuation::COUNT).filter_map(light).collect()
 }
 
 /// Returns a point that a light is likely to reach, and a normal.
@@ -97,7 +134,13 @@ pub(crate) fn place(rng: &mut Rng, light: &AnyLight) -> ([f32; 3], [f32; 3]) {
     let along = axis.dot(aside);
     let aside = aside.zip(axis, |a, s| a - along * s).unit();
     let ray = axis.zip(aside, |s, a| s * angle.cos() + a * angle.sin());
-    let distance = 40.0 * rng.f32() * rng.f32() * [1.0, 1.0, 0.01][usize::from(rng.u8(..3))];
+    let reach = position.x.abs().max(position.y.abs()).max(position.z.abs());
+    let distance = match rng.u8(..6) {
+        // As far as the coordinates are large: in `f32` a shorter way there is rounded to few bits or none.
+        0 => reach.min(1e18) * rng.f32(),
+        1 | 2 => 0.4 * rng.f32() * rng.f32(),
+        _ => 40.0 * rng.f32() * rng.f32(),
+    };
     let point = position.zip(ray, |p, r| p + distance * r);
     let tilt = Vec3::from(direction(rng));
     let normal = tilt.zip(ray, |t, r| 0.7 * t - r).unit();

@@ -105,7 +105,7 @@ fn constant_lights() -> Result<String> {
     let mut rng = Rng::with_seed(2001);
     let spots = lights::spots::<Fx16>(&mut rng, VARIANTS).into_iter().map(AnyLight::from);
     let all: Vec<_> =
-        spots.chain(lights::points_of_light(&mut rng).into_iter().map(AnyLight::from)).collect();
+        spots.chain(lights::points_of_light::<Fx16>(&mut rng).into_iter().map(AnyLight::from)).collect();
     let (mut text, mut calls) = (String::new(), String::new());
     for (index, light) in all.into_iter().enumerate() {
         text += &export(light, &format!("light{index}"), Language::CFixed)?;
