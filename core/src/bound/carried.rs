@@ -1,5 +1,8 @@
 //! Numbers that carry their errors through the kernel's code of falloffs and attenuations.
 
+#[cfg(test)]
+mod tests;
+
 use core::{cell::Cell, cmp::Ordering};
 
 use crate::{
