@@ -521,6 +521,27 @@ mod tests {
     }
 
     #[test]
+    fn a_bound_is_the_next_number_of_f32_or_equal() {
+        let mut rng = fastrand::Rng::with_seed(24);
+        for _ in 0..10_000 {
+            let value = f64::from_bits(rng.u64(0x3800_0000_0000_0000..0x4700_0000_0000_0000));
+            let [below, found] = [1, 0].map(|step| f64::from(f32::from_bits(above(value).to_bits() - step)));
+            assert!(below < value && value <= found, "{value:e}: {below:e} {found:e}");
+            assert_eq!(f64::from(above(found)), found);
+        }
+    }
+
+    #[test]
+    fn an_angle_has_its_versine() {
+        for i in 1..=1_000_u16 {
+            let versine = f64::from(i) / 1_000.0;
+            let found = versine_of(angle_of(versine));
+            // micromath has 1.3e-3 of an angle.
+            assert!((found - versine).abs() < 3e-3, "{versine}: {found}");
+        }
+    }
+
+    #[test]
     fn one_distance_has_a_bound() {
         let spot = spot(Cone::soft(Angle::degrees(30.0)));
         let at = |from, to| spot.error_bound::<f32>(from..=to).unwrap().light;
