@@ -74,14 +74,21 @@ impl<P: Falloff> SpotLight<P, InverseSquare> {
         let (nearest, true) = (positive(nearest)?, limit >= outer && outer > inner) else { return None };
         let h = positive(spacing)? / nearest;
         let (span, sine) = (outer - inner, square_root(2.0 * outer));
-        let curvature = 2.0 * outer * curvature / (span * span) + (1.0 + BOTH * sine) * slope / span;
         // The axis is no edge: there the versine has no slope.
         let at_edges = start + if inner > 0.0 { end } else { 0.0 };
         let crossed = sine.max(h * (1.0 + BENT * sine));
-        let error = h * h / 8.0 * (curvature + FALL) + h / 4.0 * at_edges * crossed / span;
+        let bend = second_derivative([inner, outer], slope, curvature);
+        let error = h * h / 8.0 * bend + h / 4.0 * at_edges * crossed / span;
         Some(above(f64::from(self.intensity()) / (nearest * nearest) * error))
             .filter(|bound| bound.is_finite())
     }
+}
+
+/// Returns an upper bound of the second derivative along a line, of a light of intensity 1 at distance 1, from
+/// the largest slope and curvature of the falloff.
+fn second_derivative([inner, outer]: [f64; 2], slope: f64, curvature: f64) -> f64 {
+    let (span, sine) = (outer - inner, square_root(2.0 * outer));
+    2.0 * outer * curvature / (span * span) + (1.0 + BOTH * sine) * slope / span + FALL
 }
 
 #[cfg(test)]
@@ -106,6 +113,59 @@ mod tests {
         ];
         for (constant, most) in [FALL, BOTH, BENT].into_iter().zip(maxima) {
             assert!((most..most + 2e-4).contains(&constant), "{constant} of {most}");
+        }
+    }
+
+    /// Random lines through random cones, by differences of three points.
+    #[test]
+    fn no_second_derivative_along_a_line_exceeds_its_bound() {
+        type Vector = [f64; 3];
+        type Curve = (fn(f64) -> f64, [f64; 2]);
+        let dot = |a: Vector, b: Vector| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let mut rng = fastrand::Rng::with_seed(1968);
+        let mut direction = || loop {
+            let v = [0; 3].map(|_| 2.0 * rng.f64() - 1.0);
+            if (0.05..=1.0).contains(&dot(v, v)) {
+                return v.map(|c| c / dot(v, v).sqrt());
+            }
+        };
+        let numbers = &mut fastrand::Rng::with_seed(1969);
+        // Each falloff with its largest slope and curvature.
+        let falloffs: [Curve; 4] = [
+            (|t| t, [1.0, 0.0]),
+            (|t| t * t, [2.0, 2.0]),
+            (|t| t * t * (3.0 - 2.0 * t), [1.5, 6.0]),
+            (|t| t.powi(8), [8.0, 56.0]),
+        ];
+        for (falloff, [slope, curvature]) in falloffs {
+            let mut most = 0.0_f64;
+            for _ in 0..50_000 {
+                let outer = 1e-6_f64.powf(numbers.f64());
+                let inner = if numbers.bool() { 0.0 } else { 0.9 * outer * numbers.f64() };
+                let (axis, along) = (direction(), direction());
+                let off = direction();
+                let size = outer.sqrt() * numbers.f64();
+                let point = [0, 1, 2].map(|i| axis[i] + size * off[i]);
+                let point = point.map(|c| c / dot(point, point).sqrt());
+                // The surface that faces the light most, of those that have the line.
+                let across = dot(point, along);
+                let height = (1.0 - across * across).sqrt();
+                let t = |place: f64| {
+                    let at = [0, 1, 2].map(|i| point[i] + place * along[i]);
+                    let distance = dot(at, at).sqrt();
+                    let chord = [0, 1, 2].map(|i| at[i] / distance - axis[i]);
+                    ((outer - dot(chord, chord) / 2.0) / (outer - inner), distance)
+                };
+                let step = 1e-3 * (outer - inner) / outer.sqrt();
+                let places = [-step, 0.0, step].map(t);
+                if places.iter().any(|(t, _)| !(0.0..=1.0).contains(t)) {
+                    continue;
+                }
+                let [a, b, c] = places.map(|(t, distance)| falloff(t) * height / distance.powi(3));
+                let found = (a - 2.0 * b + c).abs() / (step * step);
+                most = most.max(found / second_derivative([inner, outer], slope, curvature));
+            }
+            assert!((0.25..=1.001).contains(&most), "{slope} {curvature}: {most} of the bound");
         }
     }
 
