@@ -84,6 +84,18 @@ mod tests {
         assert!((0.74..0.78).contains(&errors[0]) && (0.37..0.4).contains(&errors[1]), "{errors:?}");
     }
 
+    #[test]
+    fn every_pixel_but_black_is_its_bytes_less_128() {
+        for (red, green) in (0..=u8::MAX).flat_map(|red| (0..=u8::MAX).map(move |green| (red, green))) {
+            let map: [_; 256] = core::array::from_fn(|blue| [red, green, blue as u8]);
+            for (pixel, normal) in map.into_iter().zip(normals_from_directx(&map)) {
+                let expected =
+                    if pixel == [0; 3] { [0; 3] } else { pixel.map(|c| c.wrapping_sub(128) as i8) };
+                assert_eq!(normal, expected, "{pixel:?}");
+            }
+        }
+    }
+
     /// The light is above the picture, so only the pixel that faces up is lit.
     #[test]
     fn green_says_what_faces_up() {
