@@ -412,6 +412,34 @@ mod tests {
         );
     }
 
+    /// No error falls where a slope rises.
+    fn errors_rise_with_slopes<S: Scalar>() {
+        let mut rng = fastrand::Rng::with_seed(510);
+        for _ in 0..20_000 {
+            let slope = |rng: &mut fastrand::Rng| 1e-2 * 1e9_f32.powf(rng.f32());
+            let [angle, fraction, beside_axis] = [(); 3].map(|()| slope(&mut rng));
+            let less = Slopes { angle, fraction, beside_axis };
+            let by = 1e6_f32.powf(rng.f32());
+            let more = match rng.u8(..3) {
+                0 => Slopes { angle: angle * by, ..less },
+                1 => Slopes { fraction: fraction * by, ..less },
+                _ => Slopes { beside_axis: beside_axis * by, ..less },
+            };
+            let outer = 1e-8_f32.powf(rng.f32());
+            let limit = outer * rng.f32().max(1e-3);
+            assert!(S::rounding(&less) <= S::rounding(&more), "{less:?} {more:?}");
+            let [less, more] = [less, more].map(|slopes| S::coarse_error(&slopes, outer, limit));
+            assert!(less <= more, "{less} {more}");
+        }
+    }
+
+    #[test]
+    fn errors_of_each_format_rise_with_slopes() {
+        errors_rise_with_slopes::<f32>();
+        errors_rise_with_slopes::<Fx32>();
+        errors_rise_with_slopes::<Fx16>();
+    }
+
     #[test]
     fn conversion_rounds_and_saturates_as_the_crate_fixed_does() {
         let stride = if std::env::var_os("LUMINAIRE_FULL").is_some() { 1 } else { 509 };
