@@ -324,6 +324,33 @@ fn an_offset_is_that_of_the_difference() {
     }
 }
 
+/// Points along x share what they can: on the common path, and only there, a stretch has the point that it was made of.
+#[test]
+fn a_stretch_has_its_point_and_the_offsets_of_others() {
+    let mut random = fastrand::Rng::with_seed(7);
+    let mut others = 0;
+    for _ in 0..100_000 {
+        let light = Vec3::from([(); 3].map(|()| random.i32(-(1 << 29)..1 << 29)));
+        let point = light.map(|c| c + (random.i32(..) >> random.u32(2..32)));
+        let other = Vec3 { x: point.x.wrapping_add(random.i32(..) >> random.u32(0..32)), ..point };
+        let [light, point, other] = [light, point, other].map(|place| place.map(Length::from_bits));
+        let (offset, stretch) = (QuickOffset16::between(light, point), QuickOffset16::stretch(light, point));
+        let is_common = (COARSE_BITS + 1..COARSE_BITS + 8).contains(&offset.bits);
+        assert_eq!(QuickOffset16::is_in(&stretch, point.x), is_common, "{light:?} {point:?}");
+        if QuickOffset16::is_in(&stretch, other.x) {
+            let (found, expected) =
+                (QuickOffset16::on_stretch(&stretch, other.x), QuickOffset16::between(light, other));
+            assert_eq!(
+                (found.way, found.bits),
+                (expected.way, expected.bits),
+                "{light:?} {point:?} {other:?}"
+            );
+            others += 1;
+        }
+    }
+    assert!(others > 5_000, "{others} others");
+}
+
 /// For all fractions, with random second arguments.
 #[test]
 fn the_model_of_the_proofs_has_the_bits_of_coarse_falloffs() {
