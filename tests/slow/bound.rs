@@ -103,6 +103,18 @@ struct Beam<E: Evaluation> {
     edges: Vec<f64>,
 }
 
+/// A cone with usual angles, or with any.
+fn cone(rng: &mut Rng, falloff: AnyFalloff, is_usual: bool) -> Option<Cone<AnyFalloff>> {
+    let outer = HalfAngle::degrees(90.0 * 1e-3_f32.powf(rng.f32() * rng.f32()));
+    let part = |rng: &mut Rng| {
+        let part = if is_usual || rng.bool() { rng.f32() } else { 1.0 - 1e-6_f32.powf(rng.f32()) };
+        HalfAngle::degrees(outer.to_degrees() * part)
+    };
+    let cone = Cone::from_outer(falloff, outer).ok()?;
+    let cone = if rng.u8(..3) == 0 { cone.with_inner(part(rng)).ok()? } else { cone };
+    if rng.u8(..6) == 0 { cone.with_cutoff(part(rng)).ok() } else { Some(cone) }
+}
+
 /// The angle of a versine, in radians.
 fn angle(versine: f64) -> f64 {
     oracle::half_degrees(versine).to_radians()
@@ -119,14 +131,7 @@ impl<E: Evaluation> Beam<E> {
             }
             falloff => falloff,
         };
-        let outer = HalfAngle::degrees(90.0 * 1e-3_f32.powf(rng.f32() * rng.f32()));
-        let part = |rng: &mut Rng| {
-            let part = if is_usual || rng.bool() { rng.f32() } else { 1.0 - 1e-6_f32.powf(rng.f32()) };
-            HalfAngle::degrees(outer.to_degrees() * part)
-        };
-        let cone = Cone::from_outer(falloff, outer).ok()?;
-        let cone = if rng.u8(..3) == 0 { cone.with_inner(part(rng)).ok()? } else { cone };
-        let cone = if rng.u8(..6) == 0 { cone.with_cutoff(part(rng)).ok()? } else { cone };
+        let cone = cone(rng, falloff, is_usual)?;
         let farthest = f64::from(<E::Format as Scalar>::FARTHEST).min(1e6);
         let reach = if rng.bool() { 8.0 } else { farthest * 1e-4_f64.powf(rng.f64()) };
         let position = DVec3::from_array([0; 3].map(|_| match rng.u8(..8) {
@@ -149,15 +154,21 @@ impl<E: Evaluation> Beam<E> {
             Some(range) if !is_usual && range < 1e5 => [range * (0.5 + 0.5 * rng.f32()), 1.01 * range],
             _ => [near, near * 100.0_f32.powf(rng.f32())],
         };
+        Self::between(light, distances, E::compile)
+    }
+
+    /// A light between these distances, and how it is compiled once it has a bound.
+    fn between(light: Any, distances: [f32; 2], compile: impl Fn(&Any) -> E::Compiled) -> Option<Self> {
         let bound = E::bound(&light, distances[0]..=distances[1]).ok()?;
-        let [inner, _, limit] = cone.versines().map(f64::from);
-        let edges = match falloff.formula() {
+        let [inner, _, limit] = light.cone().versines().map(f64::from);
+        let edges = match light.cone().falloff().formula() {
             Formula::InvertedPower(p, _) if p < 1.0 => vec![angle(inner), angle(limit)],
             _ => vec![angle(limit)],
         };
         let position = E::Format::exact_point(light.position().map(E::Format::length));
-        let axis = DVec3::new(axis.x.into(), axis.y.into(), axis.z.into()).normalize();
-        Some(Self { compiled: E::compile(&light), light, position, axis, distances, bound, edges })
+        let Vec3 { x, y, z } = light.given_axis();
+        let axis = DVec3::new(x.into(), y.into(), z.into()).normalize();
+        Some(Self { compiled: compile(&light), light, position, axis, distances, bound, edges })
     }
 
     fn surfaces(&self) -> Surfaces {
@@ -212,15 +223,18 @@ impl<E: Evaluation> Beam<E> {
     }
 }
 
+/// A random light, from these tables.
+type Draw<E> = fn(&mut Rng, &[&'static [u16]]) -> Option<Beam<E>>;
+
 /// No light exceeds its bound, the one that comes nearest reaches `least` of it, and half of them reach
 /// `middle`.
-fn assert_bound<E: Evaluation>(least: f64, middle: f64) {
+fn assert_bound<E: Evaluation>(draw: Draw<E>, least: f64, middle: f64) {
     let full = std::env::var_os("LUMINAIRE_FULL").is_some();
     let (mut rng, tables) = (Rng::with_seed(2026), tables());
     let mut found = Vec::new();
     let count = if full { 1_500 } else { 200 };
     while found.len() < count {
-        let Some(beam) = Beam::<E>::random(&mut rng, &tables) else { continue };
+        let Some(beam) = draw(&mut rng, &tables) else { continue };
         // A bound of more than full scale says nothing.
         if beam.bound.light >= 1.0 {
             continue;
@@ -252,22 +266,49 @@ fn assert_bound<E: Evaluation>(least: f64, middle: f64) {
 
 #[test]
 fn f32_keeps_its_bound() {
-    assert_bound::<Standard<f32>>(0.3, 0.08);
+    assert_bound::<Standard<f32>>(Beam::random, 0.3, 0.08);
 }
 
 #[test]
 fn fx32_keeps_its_bound() {
-    assert_bound::<Standard<Fx32>>(0.6, 0.15);
+    assert_bound::<Standard<Fx32>>(Beam::random, 0.6, 0.15);
 }
 
 #[test]
 fn fx16_keeps_its_bound() {
-    assert_bound::<Standard<Fx16>>(0.9, 0.15);
+    assert_bound::<Standard<Fx16>>(Beam::random, 0.9, 0.15);
 }
 
 #[test]
 fn quick_fx16_keeps_its_bound() {
-    assert_bound::<Fast<Fx16>>(0.9, 0.25);
+    assert_bound::<Fast<Fx16>>(Beam::random, 0.9, 0.25);
+}
+
+impl Beam<Fast<Fx16>> {
+    /// A zoom from a light to another cone of its falloff. The bound is that of the cone between.
+    fn zoomed(rng: &mut Rng, tables: &[&'static [u16]]) -> Option<Self> {
+        let Self { light, compiled, distances, .. } = Self::random(rng, tables)?;
+        let is_usual = rng.bool();
+        let other = cone(rng, light.cone().falloff(), is_usual)?;
+        // A cone whose cutoff is within its hotspot zooms as a step.
+        let is_step = |[inner, _, limit]: [f32; 3]| limit <= inner;
+        if is_step(light.cone().versines()) || is_step(other.versines()) {
+            return None;
+        }
+        let to = light.with_cone(other).compile_quick::<Fx16>().ok()?;
+        let part = match rng.u8(..4) {
+            0 => rng.choice([1, 2, (1 << 14) - 2, (1 << 14) - 1])?,
+            _ => rng.i16(0..=1 << 14),
+        };
+        let part = Fx16::from_bits(part);
+        let between = light.with_cone(light.cone().zoomed(&other, part.to_f32()));
+        Self::between(between, distances, |_| compiled.zoomed(&to, part))
+    }
+}
+
+#[test]
+fn a_zoomed_quick_light_keeps_the_bound_of_its_cone() {
+    assert_bound(Beam::zoomed, 0.9, 0.2);
 }
 
 impl Beam<Standard<Fx16>> {

@@ -139,6 +139,9 @@ impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
 
     /// Returns the same light with a cone between its own (`part` 0) and that of another light
     /// (`part` 1), like [`CompiledSpotLight::zoomed`].
+    ///
+    /// [`SpotLight::quick_error_bound`](crate::SpotLight::quick_error_bound) of the cone between bounds the error
+    /// (searched), and may be larger than those of the two lights.
     #[must_use]
     pub fn zoomed(self, other: &Self, part: S) -> Self {
         if part > S::ZERO {
