@@ -66,6 +66,9 @@ pub trait WithAttenuation {
 ///
 /// The trait is sealed by a private bound.
 pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
+    /// Whether the type is the inverse-square law itself.
+    #[doc(hidden)]
+    const IS_INVERSE_SQUARE: bool = false;
     /// The constants of the attenuation in a number format.
     type Constants<S: Scalar>: Copy + PartialEq + core::fmt::Debug + Source;
 

@@ -48,14 +48,14 @@ pub use self::types::{Fx16, Fx32, Length, Light16, Light32, Versine, Weight16, W
 use self::types::{nearest, rounded};
 #[cfg(feature = "arithmetic")]
 pub use self::{
-    arithmetic::{Fraction, Gain, Offset, OffsetAlong, Ray, Rise, Share, Types},
+    arithmetic::{Fraction, Gain, Lamp, Offset, OffsetAlong, Ray, Rise, Share, Types, Vectors},
     real::RealExponent,
     set_up::{Arithmetic, Directions, Errors, Lights, Places, Ramps, Slopes, Word},
     stages::{Rounding, Stages},
 };
 #[cfg(not(feature = "arithmetic"))]
 pub(crate) use self::{
-    arithmetic::{Fraction, Gain, Offset, OffsetAlong, Ray, Rise, Share, Types},
+    arithmetic::{Fraction, Gain, Lamp, Offset, OffsetAlong, Ray, Rise, Share, Types, Vectors},
     real::RealExponent,
     set_up::{Arithmetic, Directions, Errors, Lights, Places, Ramps, Slopes, Word},
     stages::{Rounding, Stages},
@@ -75,6 +75,10 @@ use crate::{
 #[cfg(feature = "fixed")]
 #[cold]
 const fn cold_path() {}
+
+/// Whether the processor has vector instructions, for integers and for floats.
+pub(crate) const HAS_VECTORS: bool =
+    cfg!(any(target_feature = "sse2", target_feature = "simd128", target_feature = "neon"));
 
 /// A number format that the kernel computes in: `f32`, [`Fx32`] or [`Fx16`].
 ///
@@ -192,11 +196,13 @@ pub trait Scalar:
     }
     /// Returns an irradiance as `f32`, for display and for tests.
     fn light_to_f32(light: Self::Irradiance) -> f32;
+    /// Returns the nearest irradiance, ties to even; saturates, and a negative value or NaN becomes zero.
+    fn light_from_f32(value: f32) -> Self::Irradiance;
 }
 
 /// The irradiance of a number format: [`Scalar::Irradiance`].
 pub trait Irradiance:
-    Source + Copy + Default + PartialOrd + core::fmt::Debug + core::ops::Add<Output = Self>
+    Source + Copy + Default + PartialOrd + core::fmt::Debug + core::ops::Add<Output = Self> + core::ops::AddAssign
 {
     /// The format.
     type Scalar: Scalar<Irradiance = Self>;
@@ -234,6 +240,11 @@ macro_rules! fixed_point {
             #[inline]
             fn light_to_f32(light: $light) -> f32 {
                 light.to_f32()
+            }
+
+            #[inline]
+            fn light_from_f32(value: f32) -> $light {
+                $light::from_f32(value)
             }
         }
 
@@ -286,11 +297,26 @@ fixed_point! {
 pub trait Quick: Scalar {
     /// An offset with fewer bits than the standard one.
     #[doc(hidden)]
-    type QuickOffset: OffsetAlong<Self, Facing = <Self::Offset as Offset<Self>>::Facing>;
+    type QuickOffset: OffsetAlong<
+            Self,
+            Ray: Ray<Self, Fraction = Self::Fraction, Share = <Self::Fraction as Fraction<Self>>::Value>,
+            Facing = <Self::Offset as Offset<Self>>::Facing,
+        >;
 
     /// Returns the errors of the stages of the quick evaluation at a distance.
     #[doc(hidden)]
     fn quick_stages(distance: f64) -> Stages;
+
+    /// Evaluates a light at many points in vectors: see `Vectors::in_vectors`.
+    #[doc(hidden)]
+    fn quick_in_vectors<const N: usize>(
+        lamp: &Lamp<Self>,
+        points: Vec3<&[Self::Length; N]>,
+        normals: Vec3<&[Self; N]>,
+        falloff: impl Fn(Self::Fraction) -> <Self::Fraction as Fraction<Self>>::Value,
+        lobe: Option<impl Fn(usize, Vec3<Self::Unit>, Self) -> Self>,
+        arrivals: (&mut [Self::Irradiance; N], &mut [Self::Irradiance; N]),
+    ) -> bool;
 
     /// Converts an axis to the form that rays of the quick evaluation take.
     #[doc(hidden)]

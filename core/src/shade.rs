@@ -87,9 +87,10 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
     /// Evaluates the light at `N` surface points with the specular lobe `H`, each bit-identical to a single
     /// point. A lobe of [`NoSpecular`] leaves `arrivals.specular` unchanged.
     ///
-    /// Fixed point computes the points one by one and returns 0 for unreachable points before the
-    /// square root; the result is bit-identical. `f32` has no such early-out, because a branch
-    /// would prevent vector instructions.
+    /// `f32` has no early-out, because a branch would prevent vector instructions. `Fx16` has none on
+    /// processors with vector instructions, for spotlights with the inverse-square law and a falloff that is a
+    /// polynomial of `t`. Else fixed point computes the points one by one, and returns 0 for unreachable points
+    /// before the square root.
     fn evaluate_each<H: SpecularLobe, const N: usize>(
         &self,
         surfaces: &SurfacePoints<'_, S, N>,
@@ -98,6 +99,18 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
     ) {
         let Incident { diffuse, specular } = arrivals;
         each::<S, H, Self, N>(self, surfaces, highlight, diffuse, specular);
+    }
+    /// Evaluates the light at `N` surface points in vectors. Returns `false`, and writes nothing, where the format,
+    /// the light or the points do not have this.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn in_vectors<H: SpecularLobe, const N: usize>(
+        &self,
+        _surfaces: &SurfacePoints<'_, S, N>,
+        _highlight: &H::Constants<S>,
+        _arrivals: (&mut [S::Irradiance; N], &mut [S::Irradiance; N]),
+    ) -> bool {
+        false
     }
     /// Computes the irradiance at each of many surface points.
     ///
@@ -160,6 +173,9 @@ fn each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
     diffuse: &mut [S::Irradiance; N],
     specular: &mut [S::Irradiance; N],
 ) {
+    if light.in_vectors::<H, N>(surfaces, highlight, (&mut *diffuse, &mut *specular)) {
+        return;
+    }
     let (surfaces, highlight) = (*surfaces, *highlight);
     for i in 0..N {
         let arrival = light.evaluate::<H>(&surfaces.at(i), &highlight, S::SKIPS);

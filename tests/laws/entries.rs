@@ -3,6 +3,7 @@
 use super::format::Format;
 use super::scene;
 use super::words::Words;
+use core::array;
 use luminaire::{
     DirectionalLight, Fx16, PointLight, Vec3,
     dynamic::AnyLight,
@@ -10,8 +11,11 @@ use luminaire::{
     specular::NoSpecular,
 };
 
-/// Number of points that are lit together.
+/// Number of different points.
 const COUNT: usize = 3;
+
+/// Number of points that are lit together: a block of vectors, and a point by itself.
+const MANY: usize = 33;
 
 /// The light of a light of each kind, at one point, at many, without early-outs, and as one of any kind.
 pub fn entries_agree<S: Format>(words: &[u32]) {
@@ -55,28 +59,36 @@ fn quick_entries(words: &mut Words<'_>) -> Option<()> {
 
 fn agree<S: Format, L: LightModel<S>>(light: &L, any: Option<AnyLight>, surfaces: &[SurfacePoint<S>; COUNT]) {
     let bits = |light: S::Irradiance| S::exact_light(light).to_bits();
-    let single = |surface, is_unskipped| light.evaluate::<NoSpecular>(surface, &(), is_unskipped).diffuse;
-    let mut together = [S::Irradiance::default(); COUNT];
-    let points = columns(surfaces.map(|surface| surface.point));
-    let normals = columns(surfaces.map(|surface| surface.normal));
-    light.irradiance_each(slices(&points), slices(&normals), &mut together);
+    let single = |surface: &SurfacePoint<S>, is_unskipped| {
+        light.evaluate::<NoSpecular>(surface, &(), is_unskipped).diffuse
+    };
+    let surface = |i: usize| surfaces[i % COUNT];
+    let points = columns(array::from_fn(|i| surface(i).point));
+    let normals = columns(array::from_fn(|i| surface(i).normal));
     let any = any.and_then(|any| any.compile::<S>().ok());
-    for (surface, together) in surfaces.iter().zip(together) {
-        let one = bits(single(surface, false));
-        assert_eq!(one, bits(single(surface, true)), "without early-outs: {light:?} at {surface:?}");
-        assert_eq!(one, bits(together), "at many points: {light:?} at {surface:?}");
+    let mut together = [[S::Irradiance::default(); MANY]; 2];
+    light.irradiance_each(slices(&points), slices(&normals), &mut together[0]);
+    if let Some(any) = &any {
+        any.irradiance_each(slices(&points), slices(&normals), &mut together[1]);
+    }
+    for i in 0..MANY {
+        let surface = surface(i);
+        let one = bits(single(&surface, false));
+        assert_eq!(one, bits(single(&surface, true)), "without early-outs: {light:?} at {surface:?}");
+        assert_eq!(one, bits(together[0][i]), "at many points: {light:?} at {surface:?}");
         if let Some(any) = &any {
-            let found = any.evaluate::<NoSpecular>(surface, &(), false).diffuse;
+            let found = any.evaluate::<NoSpecular>(&surface, &(), false).diffuse;
             assert_eq!(one, bits(found), "of any kind: {light:?} at {surface:?}");
+            assert_eq!(one, bits(together[1][i]), "of any kind at many points: {light:?} at {surface:?}");
         }
     }
 }
 
 /// Three columns of the components of vectors.
-fn columns<T: Copy>(vectors: [Vec3<T>; COUNT]) -> Vec3<[T; COUNT]> {
+fn columns<T: Copy>(vectors: [Vec3<T>; MANY]) -> Vec3<[T; MANY]> {
     Vec3::new(vectors.map(|v| v.x), vectors.map(|v| v.y), vectors.map(|v| v.z))
 }
 
-fn slices<T>(columns: &Vec3<[T; COUNT]>) -> Vec3<&[T]> {
+fn slices<T>(columns: &Vec3<[T; MANY]>) -> Vec3<&[T]> {
     Vec3::new(&columns.x, &columns.y, &columns.z)
 }

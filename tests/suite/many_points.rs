@@ -179,6 +179,45 @@ fn a_quick_light_lights_many_points_as_it_lights_one() {
     assert_quick::<Fx16>();
 }
 
+/// Points at every bit length of an offset, in cones of every zoom and in light of every shift: with both sides of
+/// each limit of what `Fx16` evaluates in vectors.
+#[test]
+fn many_points_are_lit_as_each_at_every_distance() {
+    let mut rng = Rng::with_seed(62);
+    let (mut lit, mut all) = (0, 0);
+    for shape in AnyShape::all() {
+        for half_degrees in [0.5, 2.0, 7.5, 30.0, 89.0] {
+            let spot = sweep::spot(&mut rng, shape.at(half_degrees));
+            for power in -17..14 {
+                let distance = f64::from(power).exp2() * (1.0 + rng.f64());
+                let intensity = (distance * distance) as f32 * f32::from(rng.u8(..40) + 1) / 8.0;
+                let Ok(spot) = spot.with_intensity(intensity.min(1e9)) else { continue };
+                let stored = Fx16::exact_point(spot.position().map(Fx16::length));
+                let axis = Fx16::exact_direction(sweep::axis::<Fx16, _, _>(&spot)).normalize();
+                let sites: [_; 32] = std::array::from_fn(|_| {
+                    let distance = distance * (0.5 + rng.f64());
+                    sweep::site::<Fx16>(&mut rng, stored, axis, half_degrees.into(), distance)
+                });
+                let sites = Sites::<Fx16> {
+                    points: columns(&sites.each_ref().map(|site| site.point)),
+                    normals: columns(&sites.each_ref().map(|site| site.normal)),
+                };
+                if let Ok(light) = spot.compile::<Fx16>() {
+                    lit += assert_each::<Fx16>(light, &sites, 32, &mut rng);
+                    let any = AnyLight::from(spot).compile::<Fx16>().expect("held");
+                    assert_each::<Fx16>(any, &sites, 32, &mut rng);
+                    all += 32;
+                }
+                if let Ok(light) = spot.compile_quick::<Fx16>() {
+                    lit += assert_each::<Fx16>(light, &sites, 32, &mut rng);
+                    all += 32;
+                }
+            }
+        }
+    }
+    assert!(lit > all / 5, "{lit} of {all} points are lit");
+}
+
 /// Slices of different lengths: the shortest one determines the number of points, whichever
 /// argument it is.
 #[test]

@@ -57,6 +57,8 @@ impl Attenuation for NoAttenuation {
 }
 
 impl Attenuation for InverseSquare {
+    const IS_INVERSE_SQUARE: bool = true;
+
     type Constants<S: Scalar> = ();
 
     fn constants<S: Scalar>(self) {}

@@ -21,7 +21,7 @@ use core::marker::PhantomData;
 
 use super::{
     curve::{Encoding, Srgb, Transfer, linear},
-    srgb::{curve, nearest_integer},
+    srgb::{by_floats, curve, nearest_integer},
 };
 use crate::number::{Scalar, Word, float::clamp};
 
@@ -51,38 +51,38 @@ pub fn encode_srgb_dithered<S: Scalar>(linear: S, x: u32, y: u32) -> u8 {
 /// Returns the dithered sRGB codes of the linear values of neighbouring pixels, of which the first
 /// is at `(x, y)`: for each pixel the code of [`encode_srgb_dithered`].
 ///
-/// In f32 the polynomials of all values come first, then the look-ups, then the comparisons, so that
-/// compilers use vector instructions for all but the look-ups. One value after another, half of the
-/// comparisons would be mispredicted branches, because the result of each depends on its pixel.
+/// The polynomials of all values come first, then the look-ups, then the comparisons, so that compilers
+/// use vector instructions for all but the look-ups. One value after another, half of the comparisons would
+/// be mispredicted branches, because the result of each depends on its pixel. Fixed point takes this way,
+/// too, on processors with vectors of floats.
 #[inline]
-#[cfg_attr(
-    not(feature = "fixed"),
-    allow(irrefutable_let_patterns, reason = "without the feature every word is an f32")
-)]
 pub fn encode_srgb_dithered_each<S: Scalar, const N: usize>(linear: &[S; N], x: u32, y: u32) -> [u8; N] {
     let row: [u8; 8] = core::array::from_fn(|i| threshold(x.wrapping_add(i as u32), y));
+    if !by_floats::<S>() {
+        return core::array::from_fn(|i| dithered::<S, Srgb, 255>(linear[i], row[i % 8]));
+    }
     // One for each value: compilers do not vectorise the remainder of an index.
     let thresholds: [f32; N] = core::array::from_fn(|i| row[i % 8].into());
     let mut lower = [0; N];
     for ((lower, linear), threshold) in lower.iter_mut().zip(linear).zip(&thresholds) {
-        if let Word::Single(linear) = linear.word() {
-            // Within the error of the polynomial, the code is this number or the next.
-            let code = curve(clamp(linear), 255.0) - threshold / 128.0;
-            *lower = nearest_integer(if code > 254.0 { 254.0 } else { code });
-        }
+        // Within the error of the polynomial, the code is this number or the next.
+        let code = curve(clamp(linear.word().single()), 255.0) - threshold / 128.0;
+        *lower = nearest_integer(if code > 254.0 { 254.0 } else { code });
     }
     let steps = lower.map(|code| EIGHT_BIT_STEPS[code as u8 as usize]);
     let mut codes = [0; N];
     for i in 0..N {
-        codes[i] = match linear[i].word() {
-            Word::Single(linear) => {
-                let (here, step) = steps[i];
-                let is_past = (clamp(linear) - here) * 128.0 > step * thresholds[i];
-                (lower[i] + u32::from(is_past)) as u8
-            }
+        let (here, step) = steps[i];
+        let is_past = match linear[i].word() {
+            Word::Single(linear) => (clamp(linear) - here) * 128.0 > step * thresholds[i],
+            // The products of integers do not round.
             #[cfg(feature = "fixed")]
-            _ => dithered::<S, Srgb, 255>(linear[i], row[i % 8]),
+            word => {
+                let [here, step] = [here, step].map(|light| (light * (1 << BITS) as f32) as i32);
+                (word.steps24() as i32 - here) * 128 > step * thresholds[i] as i32
+            }
         };
+        codes[i] = (lower[i] + u32::from(is_past)) as u8;
     }
     codes
 }
@@ -115,11 +115,7 @@ pub(super) fn dithered_word<L: Encoding, const LAST: usize>(linear: Word, thresh
     match linear {
         Word::Single(linear) => dithered_float::<L, LAST>(linear, threshold),
         #[cfg(feature = "fixed")]
-        Word::Steps14(linear) => {
-            dithered_fixed::<L, LAST>(u32::from(linear.clamp(0, 1 << 14) as u16) << 10, threshold)
-        }
-        #[cfg(feature = "fixed")]
-        Word::Steps30(linear) => dithered_fixed::<L, LAST>(linear.clamp(0, 1 << 30) as u32 >> 6, threshold),
+        word => dithered_fixed::<L, LAST>(word.steps24(), threshold),
     }
 }
 

@@ -10,7 +10,7 @@ use super::{
     pwm,
 };
 use crate::{
-    number::{Scalar, Word, float::clamp},
+    number::{HAS_VECTORS, Scalar, Word, float::clamp},
     trig,
 };
 
@@ -55,28 +55,39 @@ pub fn encode_srgb<S: Scalar>(linear: S) -> u8 {
 
 /// Returns the sRGB codes of linear values: for each value the code of [`encode_srgb`].
 ///
-/// In f32 the polynomials of all values come first, then the look-ups in the table of thresholds,
-/// then the comparisons, so that compilers use vector instructions for all but the look-ups.
+/// The polynomials of all values come first, then the look-ups in the table of thresholds, then the
+/// comparisons, so that compilers use vector instructions for all but the look-ups. Fixed point takes this
+/// way, too, on processors with vectors of floats; on others it takes [`encode_srgb`].
 #[inline]
 pub fn encode_srgb_each<S: Scalar, const N: usize>(linear: &[S; N]) -> [u8; N] {
+    if !by_floats::<S>() {
+        return linear.map(encode_srgb);
+    }
     let mut near = [0; N];
     for (near, linear) in near.iter_mut().zip(linear) {
-        *near = match linear.word() {
-            Word::Single(linear) => nearest_integer(curve(clamp(linear), 255.0) - 0.5),
-            #[cfg(feature = "fixed")]
-            _ => 0,
-        };
+        *near = nearest_integer(curve(clamp(linear.word().single()), 255.0) - 0.5);
     }
     let thresholds = near.map(|code| EIGHT_BIT_THRESHOLDS[code as u8 as usize]);
     let mut codes = [0; N];
     for i in 0..N {
-        codes[i] = match linear[i].word() {
-            Word::Single(linear) => (near[i] + u32::from(clamp(linear) >= thresholds[i])) as u8,
+        let reaches = match linear[i].word() {
+            // The f32 of 30 bits is rounded: the integers decide.
             #[cfg(feature = "fixed")]
-            _ => encode_srgb(linear[i]),
+            Word::Steps30(linear) => {
+                let thresholds = &Thresholds::<Srgb, 255>::THIRTY_TWO;
+                thresholds.get(near[i] as usize).is_some_and(|threshold| linear >= *threshold as i32)
+            }
+            word => clamp(word.single()) >= thresholds[i],
         };
+        codes[i] = (near[i] + u32::from(reaches)) as u8;
     }
     codes
+}
+
+/// Returns whether many values of a format are encoded by a polynomial in f32: those of `f32`, and all
+/// formats on processors whose vector instructions have floats.
+pub(super) fn by_floats<S: Scalar>() -> bool {
+    HAS_VECTORS || !S::SKIPS
 }
 
 /// The thresholds of all codes of eight bits. No light reaches the one after the last code.

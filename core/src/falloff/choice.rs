@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{CompiledFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft};
+use super::{CompiledCubic, CompiledFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft};
 use crate::{
     number::{Fraction, Scalar},
     source::Source,
@@ -113,6 +113,13 @@ macro_rules! choice {
                     $(Self::$variant(curve) => curve.intensity(t),)*
                 }
             }
+
+            #[inline]
+            fn as_cubic(self) -> Option<$crate::falloff::CompiledCubic<S>> {
+                match self {
+                    $(Self::$variant(curve) => CompiledFalloff::<S>::as_cubic(curve),)*
+                }
+            }
         }
     };
 }
@@ -182,5 +189,10 @@ impl<S: Scalar> CompiledFalloff<S> for SoftOrHard {
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         edge!(self, falloff => falloff.intensity(t))
+    }
+
+    #[inline]
+    fn as_cubic(self) -> Option<CompiledCubic<S>> {
+        edge!(self, falloff => CompiledFalloff::<S>::as_cubic(falloff))
     }
 }

@@ -163,6 +163,8 @@ impl Falloff for Smooth {
 }
 
 impl<S: Scalar> CompiledFalloff<S> for Smooth {
+    const IN_VECTORS: bool = true;
+
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.smooth()
@@ -229,8 +231,15 @@ impl Falloff for Cubic {
 }
 
 impl<S: Scalar> CompiledFalloff<S> for CompiledCubic<S> {
+    const IN_VECTORS: bool = true;
+
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.cubic(self.g, self.h)
+    }
+
+    #[inline]
+    fn as_cubic(self) -> Option<CompiledCubic<S>> {
+        Some(self)
     }
 }

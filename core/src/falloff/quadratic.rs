@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{CompiledFalloff, Falloff, Formula, polynomial::Polynomial};
+use super::{CompiledCubic, CompiledFalloff, Falloff, Formula, polynomial::Polynomial};
 use crate::{
     error::{Error, Parameter},
     model::{Model as _, Number, model, plain},
@@ -105,9 +105,16 @@ impl Falloff for Soft {
 }
 
 impl<S: Scalar> CompiledFalloff<S> for Soft {
+    const IN_VECTORS: bool = true;
+
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.times_to_value(t)
+    }
+
+    #[inline]
+    fn as_cubic(self) -> Option<CompiledCubic<S>> {
+        Some(CompiledCubic::from_parts(S::weight(-1.0), S::weight(0.0)))
     }
 }
 
@@ -139,10 +146,17 @@ impl Falloff for Hard {
 }
 
 impl<S: Scalar> CompiledFalloff<S> for Hard {
+    const IN_VECTORS: bool = true;
+
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         let u = t.complement();
         u.times_to_value(u).complement()
+    }
+
+    #[inline]
+    fn as_cubic(self) -> Option<CompiledCubic<S>> {
+        Some(CompiledCubic::from_parts(S::weight(1.0), S::weight(0.0)))
     }
 }
 
@@ -174,9 +188,16 @@ impl Falloff for Linear {
 }
 
 impl<S: Scalar> CompiledFalloff<S> for Linear {
+    const IN_VECTORS: bool = true;
+
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.value()
+    }
+
+    #[inline]
+    fn as_cubic(self) -> Option<CompiledCubic<S>> {
+        Some(CompiledCubic::from_parts(S::weight(0.0), S::weight(0.0)))
     }
 }
 
@@ -233,8 +254,15 @@ impl Falloff for Quadratic {
 }
 
 impl<S: Scalar> CompiledFalloff<S> for CompiledQuadratic<S> {
+    const IN_VECTORS: bool = true;
+
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.quadratic(self.g)
+    }
+
+    #[inline]
+    fn as_cubic(self) -> Option<CompiledCubic<S>> {
+        Some(CompiledCubic::from_parts(self.g, S::weight(0.0)))
     }
 }

@@ -121,6 +121,8 @@ impl Falloff for SoftPair {
 }
 
 impl<S: Scalar> CompiledFalloff<S> for CompiledSoftPair<S> {
+    const IN_VECTORS: bool = true;
+
     #[inline]
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value {
         t.soft_pair(self.share, self.ratio)

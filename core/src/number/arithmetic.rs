@@ -145,6 +145,45 @@ pub trait OffsetAlong<S: Types>: Offset<S> {
     fn on_stretch(stretch: &Self::Stretch, x: S::Position) -> Self;
 }
 
+/// What the loops over many points need of a spotlight with the inverse-square law.
+#[derive(Clone, Copy, Debug)]
+pub struct Lamp<S: Types> {
+    /// The position of the light.
+    pub position: Vec3<S::Position>,
+    /// The axis, in the form that the rays of the evaluation take.
+    pub axis: Vec3<S::Direction>,
+    /// The ramp of the cone.
+    pub ramp: S::Ramp,
+    /// The intensity.
+    pub intensity: S::Gain,
+    /// The distance within which points are evaluated finely: see [`Offset::is_near`].
+    pub fine_below: u32,
+}
+
+/// Evaluation of many points by vector instructions, for formats whose evaluation of a single point has
+/// branches.
+pub trait Vectors: Types {
+    /// Whether the format has this, on this processor.
+    const HAS_VECTORS: bool = false;
+
+    /// Computes the light of a lamp at many surface points, bit-identical to that of each point. Returns `false`,
+    /// and writes nothing, if a point is rare: one whose evaluation takes a branch.
+    ///
+    /// `falloff` is that of the cone; `lobe` returns the specular lobe at the point of an index for the
+    /// direction of the light and the cosine of incidence, and is `None` for matte surfaces.
+    #[inline(always)]
+    fn in_vectors<const N: usize>(
+        _lamp: &Lamp<Self>,
+        _points: Vec3<&[Self::Position; N]>,
+        _normals: Vec3<&[Self; N]>,
+        _falloff: impl Fn(Self::Fraction) -> <Self::Fraction as Fraction<Self>>::Value,
+        _lobe: Option<impl Fn(usize, Vec3<Self::Direction>, Self) -> Self>,
+        _arrivals: (&mut [Self::Received; N], &mut [Self::Received; N]),
+    ) -> bool {
+        false
+    }
+}
+
 /// Unit direction from a light to a point, and the distance between them.
 ///
 /// A point at the light itself, or so far away that the squared distance overflows, has no

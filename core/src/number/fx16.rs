@@ -22,7 +22,8 @@
 //! `tests/suite/operations.rs` test. `Errors::coarse_error` adds them to the bound of a cone. A
 //! cone or a light that would magnify them beyond half a linear code has the *fine* evaluation, whose
 //! stages are those of [`Fx32`](super::fx32) with the conversions below. The *quick* evaluation
-//! replaces the stages from the offset to the versine by cheaper ones.
+//! replaces the stages from the offset to the versine by cheaper ones. On processors with vector instructions
+//! `vectors.rs` takes the same stages for many points at once.
 //!
 //! # What may be changed
 //!
@@ -37,10 +38,11 @@ mod frame;
 mod set_up;
 #[cfg(test)]
 mod tests;
+mod vectors;
 
 pub use self::frame::Frame16;
 use super::{
-    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, OffsetAlong, Quick, Ray,
+    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Lamp, Length, Light16, Offset, OffsetAlong, Quick, Ray,
     RealExponent, Share, Stages, Versine, Weight16, cold_path,
     fx32::{Fine, FineRay, Ratio},
     knot::{SLOPE_BITS, neighbours},
@@ -131,6 +133,14 @@ impl Offset16 {
         squared_length(self.coarse())
     }
 
+    /// Returns the ray from the squared length and the reciprocal length.
+    #[inline]
+    fn ray_with(&self, squared: u32, reciprocal: u32) -> Ray16 {
+        let fourteen_bits = ((reciprocal + 2) >> 2) as i32;
+        let direction = self.way().map(|c| c.wrapping_mul(fourteen_bits));
+        Ray16 { direction, bits: self.bits, squared, reciprocal }
+    }
+
     /// Converts a component of the offset to a length; saturates.
     ///
     /// The component `part` has 13 fraction bits more than a component of [`way`](Self::way).
@@ -218,10 +228,7 @@ impl Offset<Fx16> for Offset16 {
     #[inline]
     fn ray(&self) -> Ray16 {
         let squared = self.squared();
-        let reciprocal = root::inverse_sqrt_16(squared);
-        let fourteen_bits = ((reciprocal + 2) >> 2) as i32;
-        let direction = self.way().map(|c| c.wrapping_mul(fourteen_bits));
-        Ray16 { direction, bits: self.bits, squared, reciprocal }
+        self.ray_with(squared, root::inverse_sqrt_16(squared))
     }
 }
 
@@ -643,11 +650,17 @@ fn distance(squared: u32, reciprocal: u32, bits: u32) -> Gain16 {
 /// Returns a share times a gain as light, attenuated by the inverse square of the distance.
 #[inline]
 fn light_at(reciprocal: u32, bits: u32, share: Fx16, gain: Gain16) -> Light16 {
+    Light16::shifted(product_at(reciprocal, share, gain), gain.scale() + 2 * bits as i32 - 32)
+}
+
+/// Returns the product of a share, a gain and the squared reciprocal length, before its shift.
+#[inline]
+fn product_at(reciprocal: u32, share: Fx16, gain: Gain16) -> u32 {
     // `reciprocal`, `squared` and `mantissa` have at most 16, 16 and 18 bits, so every product fits
     // 32 bits.
     let squared = (reciprocal * reciprocal) >> 16;
     let mantissa = (gain.factor() * squared) >> 14;
-    Light16::shifted(factor(share).wrapping_mul(mantissa), gain.scale() + 2 * bits as i32 - 32)
+    factor(share).wrapping_mul(mantissa)
 }
 
 impl Light16 {
@@ -942,6 +955,18 @@ impl Quick for Fx16 {
 
     fn quick_stages(distance: f64) -> Stages {
         errors::quick(errors::bits_at(distance))
+    }
+
+    #[inline(always)]
+    fn quick_in_vectors<const N: usize>(
+        lamp: &Lamp<Self>,
+        points: Vec3<&[Length; N]>,
+        normals: Vec3<&[Self; N]>,
+        falloff: impl Fn(Fraction16) -> Self,
+        lobe: Option<impl Fn(usize, Vec3<Fx32>, Self) -> Self>,
+        arrivals: (&mut [Light16; N], &mut [Light16; N]),
+    ) -> bool {
+        vectors::evaluate::<QuickOffset16, N>(lamp, points, normals, falloff, lobe, arrivals)
     }
 
     /// Applies to the axis, once per light, all rounding constants of the difference between

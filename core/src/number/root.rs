@@ -199,7 +199,13 @@ const fn looked_up_bit_length(mut n: u32) -> u32 {
 const fn guess(n: u32) -> u32 {
     let place = (n >> 25) as usize;
     let (here, next) = (NODES[place] as u32, NODES[place + 1] as u32);
-    here.wrapping_sub((here.wrapping_sub(next).wrapping_mul((n << 7) >> 16)) >> 16)
+    interpolated(here, here.wrapping_sub(next), n)
+}
+
+/// Returns the result of [`guess`] from the node below `n` and its difference to the next node.
+#[inline]
+pub(crate) const fn interpolated(node: u32, difference: u32, n: u32) -> u32 {
+    node.wrapping_sub(difference.wrapping_mul((n << 7) >> 16) >> 16)
 }
 
 /// Returns `2^30 / sqrt(n)` for `n >= 2^28`: 65,533 at `n = 2^28`, 16,384 at the largest `n`. For
@@ -215,7 +221,7 @@ pub(crate) const fn inverse_sqrt_16(n: u32) -> u32 {
 ///
 /// Each value is lowered like those of [`NODES`]. The upper bits of a squared length are the index,
 /// without a case for the parity of the exponent. The first and the last values are not used.
-const QUICK_NODES: [u16; 257] = {
+pub(crate) const QUICK_NODES: [u16; 257] = {
     let mut nodes = [0; 257];
     let mut node = 16;
     while node < nodes.len() {
@@ -237,7 +243,13 @@ const QUICK_NODES: [u16; 257] = {
 pub(crate) const fn quick_inverse_sqrt_16(n: u32) -> u32 {
     let place = (n >> 24) as usize;
     let (here, next) = (QUICK_NODES[place] as u32, QUICK_NODES[place + 1] as u32);
-    here.wrapping_sub(here.wrapping_sub(next).wrapping_mul((n << 8) >> 16) >> 16)
+    interpolated_quickly(here, here.wrapping_sub(next), n)
+}
+
+/// Returns the result of [`quick_inverse_sqrt_16`] from the node below `n` and its difference to the next node.
+#[inline]
+pub(crate) const fn interpolated_quickly(node: u32, difference: u32, n: u32) -> u32 {
+    node.wrapping_sub(difference.wrapping_mul((n << 8) >> 16) >> 16)
 }
 
 /// Returns `2^63 / sqrt(n)` for `n >= 2^62`: 2^32 at `n = 2^62`, 2^31 at the largest `n`.

@@ -2,12 +2,12 @@
 //! [stages of a point](super::arithmetic): set-up and its error bounds, projections, colours, and the directions of
 //! specular lobes.
 
-use super::{Rise, Stages, Types};
+use super::{Rise, Stages, Types, Vectors};
 use crate::vec3::Vec3;
 
 /// What the kernel asks of a number format beside the stages of a point: here of its numbers, and in the supertraits
 /// of all else.
-pub trait Arithmetic: Directions + Places + Ramps + Errors + Lights {
+pub trait Arithmetic: Directions + Places + Ramps + Errors + Lights + Vectors {
     /// Whether a loop over many points rejects those without light before the root. `f32` does not: without
     /// branches, compilers vectorise the loop.
     const SKIPS: bool = true;
@@ -213,6 +213,15 @@ pub trait Errors: Types {
 pub trait Lights: Types {
     /// Multiplies a channel of light by the same channel of a colour.
     fn filter(light: Self::Received, color: Self) -> Self::Received;
+    /// Multiplies many lights by the same channel of a colour, each as [`filter`](Self::filter) does.
+    #[inline(always)]
+    fn filter_each<const N: usize>(lights: &[Self::Received; N], color: Self) -> [Self::Received; N] {
+        let mut filtered = *lights;
+        filtered.iter_mut().for_each(|light| *light = Self::filter(*light, color));
+        filtered
+    }
+    /// Converts many values to the nearest lights, as [`Scalar::light_from_f32`](super::Scalar::light_from_f32) does.
+    fn lights_from_f32<const N: usize>(values: &[f32; N]) -> [Self::Received; N];
     /// Returns the mean of two lights, in fixed point rounded down.
     fn mean_light(a: Self::Received, b: Self::Received) -> Self::Received;
     /// Converts a light to a gain.
@@ -236,6 +245,31 @@ pub enum Word {
     /// An integer in units of 2^-30.
     #[cfg(feature = "fixed")]
     Steps30(i32),
+}
+
+impl Word {
+    /// Returns the value as f32: exact but for integers in units of 2^-30, which are rounded.
+    #[inline(always)]
+    pub(crate) fn single(self) -> f32 {
+        match self {
+            Self::Single(value) => value,
+            #[cfg(feature = "fixed")]
+            Self::Steps14(steps) => f32::from(steps) / (1 << 14) as f32,
+            #[cfg(feature = "fixed")]
+            Self::Steps30(steps) => steps as f32 / (1 << 30) as f32,
+        }
+    }
+
+    /// Returns the value, clamped to `[0, 1]` and rounded down, in units of 2^-24.
+    #[cfg(feature = "fixed")]
+    #[inline(always)]
+    pub(crate) fn steps24(self) -> u32 {
+        match self {
+            Self::Single(value) => (super::float::clamp(value) * (1 << 24) as f32) as u32,
+            Self::Steps14(steps) => u32::from(steps.clamp(0, 1 << 14) as u16) << 10,
+            Self::Steps30(steps) => steps.clamp(0, 1 << 30) as u32 >> 6,
+        }
+    }
 }
 
 /// Number of coordinate steps per side of a projected square.

@@ -123,6 +123,13 @@ macro_rules! summed {
                 self.saturating_add(other)
             }
         }
+
+        impl core::ops::AddAssign for $name {
+            #[inline]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
     )*};
 }
 
@@ -183,6 +190,22 @@ impl Length {
     #[inline]
     pub const fn from_f32(value: f32) -> Self {
         Self(nearest(value * 65_536.0))
+    }
+}
+
+impl Light16 {
+    /// Returns the nearest irradiance, ties to even; saturates, and a negative value or NaN becomes zero.
+    #[inline]
+    pub const fn from_f32(value: f32) -> Self {
+        Self(rounded(value * 16_384.0) as u32)
+    }
+}
+
+impl Light32 {
+    /// Returns the nearest irradiance, ties to even; saturates, and a negative value or NaN becomes zero.
+    #[inline]
+    pub const fn from_f32(value: f32) -> Self {
+        Self(rounded(value * 1_073_741_824.0) as u64)
     }
 }
 

@@ -5,11 +5,11 @@ use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
-    falloff::{Falloff, Soft},
-    number::{Fraction, Offset, Ray, Scalar, Share},
-    points::SurfacePoint,
+    falloff::{CompiledFalloff, Falloff, Soft},
+    number::{Fraction, Lamp, Offset, Ray, Scalar, Share},
+    points::{SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
-    vec3::Vec3,
+    vec3::{Vec3, nth},
 };
 
 /// A spotlight compiled for the format `S`. Made by
@@ -233,6 +233,37 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
         }
         let lobe = lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.value().scalar());
         Incident { diffuse, specular: light(falloff.times(Share::of_scalar(lobe))) }
+    }
+
+    #[inline(always)]
+    fn in_vectors<H: SpecularLobe, const N: usize>(
+        &self,
+        surfaces: &SurfacePoints<'_, S, N>,
+        highlight: &H::Constants<S>,
+        arrivals: (&mut [S::Irradiance; N], &mut [S::Irradiance; N]),
+    ) -> bool {
+        if !(S::HAS_VECTORS && A::IS_INVERSE_SQUARE) {
+            return false;
+        }
+        let lamp = Lamp {
+            position: self.position,
+            axis: self.axis,
+            ramp: self.cone.ramp,
+            intensity: self.intensity,
+            fine_below: self.fine_below,
+        };
+        let curve = self.cone.curve;
+        let SurfacePoints { point, normal, view } = *surfaces;
+        let lobe = |i: usize, incoming, cosine| {
+            let (normal, view) = (normal.map(|c| nth(c, i)), view.map(|c| nth(c, i)));
+            lobe::<S, H>(highlight, (normal, view), incoming, cosine)
+        };
+        let lobe = H::SHINES.then_some(lobe);
+        if P::Compiled::<S>::IN_VECTORS {
+            return S::in_vectors(&lamp, point, normal, |t| curve.intensity(t), lobe, arrivals);
+        }
+        let Some(cubic) = curve.as_cubic() else { return false };
+        S::in_vectors(&lamp, point, normal, |t| cubic.intensity(t), lobe, arrivals)
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

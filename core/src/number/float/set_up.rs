@@ -5,7 +5,7 @@ use super::{FloatFrame, FloatOffset, FloatRamp, FloatRay, clamp, errors, positiv
 use crate::{
     number::{
         Arithmetic, Directions, Errors, Irradiance, Lights, Offset, Places, Ramps, Ray, Rise, Scalar, Share,
-        Slopes, Stages, Types, Word, outside_bound, raised,
+        Slopes, Stages, Types, Vectors, Word, outside_bound, raised,
     },
     trig,
     vec3::Vec3,
@@ -37,6 +37,11 @@ impl Scalar for f32 {
     #[inline]
     fn light_to_f32(light: f32) -> f32 {
         light
+    }
+
+    #[inline]
+    fn light_from_f32(value: f32) -> f32 {
+        if value > 0.0 { value } else { 0.0 }
     }
 }
 
@@ -234,10 +239,17 @@ impl Errors for f32 {
     }
 }
 
+impl Vectors for f32 {}
+
 impl Lights for f32 {
     #[inline]
     fn filter(light: f32, color: f32) -> f32 {
         light * color
+    }
+
+    #[inline(always)]
+    fn lights_from_f32<const N: usize>(values: &[f32; N]) -> [f32; N] {
+        values.map(Self::light_from_f32)
     }
 
     #[inline]

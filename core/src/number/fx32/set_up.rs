@@ -5,7 +5,7 @@ use super::{Fine, FineRay, Frame32, Gain32, Offset32, errors, versine};
 use crate::{
     number::{
         Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Ramps, Rise, Slopes,
-        Stages, Types, Versine, Weight32, Word, nearest, raised,
+        Stages, Types, Vectors, Versine, Weight32, Word, nearest, raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
         root::{self, high_half, wide},
         rounded, sphere,
@@ -258,6 +258,8 @@ impl Errors for Fx32 {
     }
 }
 
+impl Vectors for Fx32 {}
+
 impl Lights for Fx32 {
     #[inline]
     fn filter(light: Light32, color: Self) -> Light32 {
@@ -266,6 +268,11 @@ impl Lights for Fx32 {
         let high = high * color;
         let high = if high >> 62 == 0 { high << 2 } else { u64::MAX };
         Light32::from_bits(high.saturating_add((low * color + (1 << 29)) >> 30))
+    }
+
+    #[inline(always)]
+    fn lights_from_f32<const N: usize>(values: &[f32; N]) -> [Light32; N] {
+        values.map(Light32::from_f32)
     }
 
     #[inline]
