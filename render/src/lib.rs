@@ -31,8 +31,10 @@
 //! picture is bit-identical. The [`Account`] counts the skipped work.
 //!
 //! The number format is the renderer's type parameter: `f32`, [`Fx32`](luminaire::Fx32) or
-//! [`Fx16`](luminaire::Fx16); [`stated_error`] returns how much the pictures in these formats
-//! differ.
+//! [`Fx16`](luminaire::Fx16). Irradiance, gobos, shadows, highlights, colours, the sums of lights, hue, dither
+//! and codes are computed in the format, by the kernel's operations. The camera, the triangles, the set-up of
+//! lights, haze and [`Edges`] are in `f32` in every format. [`stated_error`] returns how much the pictures in
+//! these formats differ.
 //!
 //! The feature `std` takes the square root from the standard library instead of `libm`. The results
 //! are bit-identical. On most targets rendering with `std` is several times faster, because

@@ -25,10 +25,12 @@ use luminaire::{
     specular::{NoSpecular, SpecularLobe},
 };
 
-/// A material, and its highlight compiled for a number format.
+/// A material, and its colours and its highlight compiled for a number format.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Finish<S: Scalar> {
     material: Material,
+    albedo: Rgb<S>,
+    specular: Rgb<S>,
     pub(crate) highlight: <Highlight as SpecularLobe>::Constants<S>,
     /// Radius of the specular lobe, as a chord. A light causes a highlight only if the chord
     /// between the mirrored view direction and the direction to the light is at most this radius.
@@ -91,7 +93,8 @@ impl<S: Scalar> Finish<S> {
         let shininess = material.shininess();
         let end = Angle::from_versine(Highlight::end(shininess)).to_radians() / 2.0;
         let lobe = 2.0 * Vec2::from_angle(end / 2.0).y;
-        Self { material, highlight: Highlight::constants::<S>(shininess), lobe }
+        let [albedo, specular] = [material.albedo(), material.specular()].map(|color| color.map(S::from_f32));
+        Self { material, albedo, specular, highlight: Highlight::constants::<S>(shininess), lobe }
     }
 
     pub(crate) fn material(&self) -> &Material {
@@ -108,7 +111,7 @@ impl<S: Scalar> Setting<'_, S> {
         block: &Block<S>,
         fixtures: &[&Prepared<S>],
         work: &mut Workspace<S>,
-        radiance: &mut Radiance,
+        radiance: &mut Radiance<S>,
     ) -> usize {
         fill::<S>(&mut work.sums.diffuse, self.ambient.map(|channel| S::ONE.light(S::gain(channel))));
         let glints = match self.shining(block, &mut work.shining) {
@@ -116,9 +119,9 @@ impl<S: Scalar> Setting<'_, S> {
             kinds => self.light_shining(block, kinds, fixtures, work),
         };
         let Incident { diffuse, specular } = &work.sums;
-        self.reflect(block, diffuse, |of| of.albedo(), radiance, |sum, light| *sum = light);
+        self.reflect(block, diffuse, |of| of.albedo, radiance, |_, light| light);
         if glints > 0 {
-            self.reflect(block, specular, |of| of.specular(), radiance, |sum, light| *sum += light);
+            self.reflect(block, specular, |of| of.specular, radiance, |sum, light| sum + light);
         }
         glints
     }
@@ -226,29 +229,38 @@ impl<S: Scalar> Setting<'_, S> {
         self.plan.skips() && mirrored.are_apart(&to_light, finish.lobe)
     }
 
-    /// Computes the light that the surfaces of a block reflect, and passes this light to `put`.
-    /// `color` selects the reflectance of the material.
+    /// Computes the light that the surfaces of a block reflect, and sets the radiance to `sum` of it and
+    /// this light. `color` selects the reflectance of the material.
     #[inline(always)]
     fn reflect(
         &self,
         block: &Block<S>,
         light: &Rgb<Lights<S>>,
-        color: impl Fn(&Material) -> Rgb<f32>,
-        radiance: &mut Radiance,
-        put: impl Fn(&mut f32, f32),
+        color: impl Fn(&Finish<S>) -> Rgb<S>,
+        radiance: &mut Radiance<S>,
+        sum: impl Fn(S::Irradiance, S::Irradiance) -> S::Irradiance,
     ) {
-        let color = |number: u32| color(&self.finishes[number as usize].material);
-        let mut reflect = |lane: usize, color: Rgb<f32>| {
-            put(&mut radiance.red[lane], S::light_to_f32(light.red[lane]) * color.red);
-            put(&mut radiance.green[lane], S::light_to_f32(light.green[lane]) * color.green);
-            put(&mut radiance.blue[lane], S::light_to_f32(light.blue[lane]) * color.blue);
-        };
-        match block.only_material() {
-            Some(number) => {
-                let color = color(number);
-                (0..LANES).for_each(|lane| reflect(lane, color));
+        let color = |number: u32| color(&self.finishes[number as usize]);
+        let Rgb { red, green, blue } = radiance;
+        if let Some(number) = block.only_material() {
+            let color = color(number);
+            for (to, light, color) in [
+                (red, &light.red, color.red),
+                (green, &light.green, color.green),
+                (blue, &light.blue, color.blue),
+            ] {
+                let light = S::filter_each(light, color);
+                for lane in 0..LANES {
+                    to[lane] = sum(to[lane], light[lane]);
+                }
             }
-            None => (0..LANES).for_each(|lane| reflect(lane, color(block.material[lane]))),
+            return;
+        }
+        for lane in 0..LANES {
+            let color = color(block.material[lane]);
+            red[lane] = sum(red[lane], S::filter(light.red[lane], color.red));
+            green[lane] = sum(green[lane], S::filter(light.green[lane], color.green));
+            blue[lane] = sum(blue[lane], S::filter(light.blue[lane], color.blue));
         }
     }
 
@@ -345,11 +357,10 @@ fn fill<S: Scalar>(lights: &mut Rgb<Lights<S>>, light: Rgb<S::Irradiance>) {
 #[inline(never)]
 fn add<S: Scalar>(sum: &mut Rgb<Lights<S>>, light: &Lights<S>, color: Rgb<S>) {
     let Rgb { red, green, blue } = sum;
-    // One loop adds all channels of a pixel: compilers would unroll a shorter loop per channel
-    // instead of vectorising it.
-    for lane in 0..LANES {
-        red[lane] = red[lane] + S::filter(light[lane], color.red);
-        green[lane] = green[lane] + S::filter(light[lane], color.green);
-        blue[lane] = blue[lane] + S::filter(light[lane], color.blue);
+    for (sum, color) in [(red, color.red), (green, color.green), (blue, color.blue)] {
+        let light = S::filter_each(light, color);
+        for lane in 0..LANES {
+            sum[lane] += light[lane];
+        }
     }
 }

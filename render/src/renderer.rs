@@ -12,7 +12,7 @@ mod tile;
 use crate::{
     buffer::{LANES, Radiance, filled},
     error::DrawError,
-    light::{Finish, Workspace},
+    light::{Finish, Workspace, air::Scattered},
     raster::{
         Fragments,
         clip::{Sighting, clip_mesh},
@@ -55,7 +55,7 @@ pub struct Renderer<S: Format> {
     view: Option<View>,
     haze: Option<Haze>,
     ambient: Rgb<f32>,
-    radiance: Vec<Radiance>,
+    radiance: Vec<Radiance<S>>,
     /// The index of the first LED's material and the strip, and the duties that the LEDs show.
     strip: Option<(usize, Strip)>,
     leds: Vec<Rgb<u8>>,
@@ -78,6 +78,8 @@ pub struct Renderer<S: Format> {
     account: Account,
     clock: Option<fn() -> f64>,
     workspace: Workspace<S>,
+    /// Scratch memory: the light from the air in front of a tile.
+    scattered: Scattered,
     sightings: Vec<Sighting>,
     /// The edges of the view and of the picture; `None` without anti-aliasing.
     silhouettes: Option<Silhouettes>,
@@ -113,7 +115,7 @@ impl<S: Format> Renderer<S> {
     fn with_memory(width: usize, height: usize, stripes: Stripes) -> Result<Self, TryReserveError> {
         let rows = stripes.height(height);
         let geometry = GBuffer::new(width, rows)?;
-        let dark = Rgb::default().map(|()| [0.0; LANES]);
+        let dark = Rgb::default().map(|()| [S::Irradiance::default(); LANES]);
         let mut renderer = Self {
             width,
             height,
@@ -142,6 +144,7 @@ impl<S: Format> Renderer<S> {
             account: Account::default(),
             clock: None,
             workspace: Workspace::default(),
+            scattered: Scattered::none(),
             sightings: Vec::new(),
             silhouettes: None,
             edges: Edges::new(),
@@ -343,7 +346,7 @@ impl<S: Format> Renderer<S> {
                 let last = (first + LANES).min(self.width);
                 let pixels = (row * self.width + first) * CHANNELS..(row * self.width + last) * CHANNELS;
                 let place = (first as u32, self.stripes.row(row) as u32);
-                self.encoder.encode(&self.radiance[block], place, &mut self.pixels[pixels]);
+                S::encode(&self.encoder, &self.radiance[block], place, &mut self.pixels[pixels]);
             }
         }
         self.edges.mix_by(&self.encoder, self.width, &mut self.pixels);
@@ -394,7 +397,7 @@ impl<S: Format> Renderer<S> {
     /// Returns the linear light from a pixel to the eye, 1 being full scale; `None` outside the
     /// drawn rows.
     pub fn linear(&self, x: usize, y: usize) -> Option<Rgb<f32>> {
-        self.block(x, y).map(|block| self.radiance[block].map(|channel| channel[x % LANES]))
+        self.block(x, y).map(|block| self.radiance[block].map(|channel| S::light_to_f32(channel[x % LANES])))
     }
 
     /// Returns the surface point, the unit normal and the material at a pixel, as used for

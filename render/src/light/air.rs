@@ -14,5 +14,19 @@ pub(crate) use self::{
     beam::Beam,
     hazy::{Hazy, Way},
     rays::bundle,
-    tile::TileAir,
+    tile::{Scattered, TileAir},
 };
+
+use crate::buffer::{LANES, Radiance};
+use luminaire::{Rgb, Scalar};
+
+/// Adds light from the air in front of the pixels of a block, rounded to the format.
+#[inline(always)]
+pub(crate) fn add<S: Scalar>(radiance: &mut Radiance<S>, light: &Rgb<[f32; LANES]>) {
+    let Rgb { red, green, blue } = radiance;
+    for (sums, light) in [(red, &light.red), (green, &light.green), (blue, &light.blue)] {
+        for (sum, light) in sums.iter_mut().zip(S::lights_from_f32(light)) {
+            *sum += light;
+        }
+    }
+}

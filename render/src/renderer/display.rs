@@ -2,7 +2,7 @@
 
 use crate::buffer::{LANES, Radiance};
 use luminaire::{
-    Rgb,
+    Rgb, Scalar,
     display::{
         Gray1, Gray2, Gray4, Gray8, Palette, Pixel, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888,
         compress_keep_hue, encode_srgb, encode_srgb_dithered_each, encode_srgb_each,
@@ -65,13 +65,13 @@ macro_rules! outputs {
 
         impl Encoder {
             /// Writes the codes of a block with the pixels of any output.
-            fn encode_pixels(&self, radiance: &Radiance, place: (u32, u32), pixels: &mut [u8]) {
+            fn encode_pixels<S: Scalar>(&self, linear: &Linear<S>, place: (u32, u32), pixels: &mut [u8]) {
                 match self.display.output {
-                    $(Output::$pixel => self.encode_each::<$pixel>(radiance, place, pixels),)*
+                    $(Output::$pixel => self.encode_each::<S, $pixel>(linear, place, pixels),)*
                     Output::Acep => {
                         let place = |lane| (place.0 + lane as u32, place.1);
                         let dither = |lane| self.display.is_dithered.then(|| place(lane));
-                        write(pixels, |lane| self.acep(linear(radiance, lane), dither(lane)));
+                        write(pixels, |lane| self.acep(at(linear, lane), dither(lane)));
                     }
                 }
             }
@@ -143,7 +143,7 @@ impl Output {
 
 /// A display with the table of its palette.
 #[derive(Clone, Debug)]
-pub(crate) struct Encoder {
+pub struct Encoder {
     pub(crate) display: Display,
     /// The palette; `None` for the pixels of an output without one.
     palette: Option<Palette<'static>>,
@@ -162,36 +162,39 @@ impl Encoder {
     }
 
     /// Writes the codes of a block whose first pixel is at `(x, y)`, until `pixels` is full.
-    pub(crate) fn encode(&self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
+    #[inline(always)]
+    pub(crate) fn encode<S: Scalar>(&self, radiance: &Radiance<S>, (x, y): (u32, u32), pixels: &mut [u8]) {
         let Display { output, is_dithered, keeps_hue } = self.display;
-        let kept = (keeps_hue && is_overexposed(radiance)).then(|| keep_hue(radiance));
-        let radiance = kept.as_ref().unwrap_or(radiance);
+        let linear = if keeps_hue && is_overexposed::<S>(radiance) {
+            keep_hue::<S>(radiance)
+        } else {
+            radiance.map(|channel| channel.map(S::clip))
+        };
         if output != Output::Rgb888 {
-            return self.encode_pixels(radiance, (x, y), pixels);
+            return self.encode_pixels(&linear, (x, y), pixels);
         }
         // Encodes one channel of the whole block at a time, so that compilers use vector
         // instructions.
-        if is_dithered {
-            let codes = radiance.map(|channel| encode_srgb_dithered_each(&channel, x, y));
-            write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
+        let codes = if is_dithered {
+            linear.map(|channel| encode_srgb_dithered_each(&channel, x, y))
         } else {
-            let codes = radiance.map(|channel| encode_srgb_each(&channel));
-            write(pixels, |lane| Rgb::new(codes.red[lane], codes.green[lane], codes.blue[lane]));
-        }
+            linear.map(|channel| encode_srgb_each(&channel))
+        };
+        write(pixels, |lane| at(&codes, lane));
     }
 
     // Two loops without a branch per pixel: with one for both, RGB565 with dither took 1.3 times as long.
     #[inline(never)]
-    fn encode_each<P: Pixel>(&self, radiance: &Radiance, (x, y): (u32, u32), pixels: &mut [u8]) {
+    fn encode_each<S: Scalar, P: Pixel>(&self, linear: &Linear<S>, (x, y): (u32, u32), pixels: &mut [u8]) {
         if self.display.is_dithered {
-            write(pixels, |lane| P::dithered(linear(radiance, lane), x + lane as u32, y).to_codes());
+            write(pixels, |lane| P::dithered(at(linear, lane), x + lane as u32, y).to_codes());
         } else {
-            write(pixels, |lane| P::nearest(linear(radiance, lane)).to_codes());
+            write(pixels, |lane| P::nearest(at(linear, lane)).to_codes());
         }
     }
 
     /// Returns the colour of the palette for a linear colour, with dither if it gets a place.
-    fn acep(&self, color: Rgb<f32>, place: Option<(u32, u32)>) -> Rgb<u8> {
+    fn acep<S: Scalar>(&self, color: Rgb<S>, place: Option<(u32, u32)>) -> Rgb<u8> {
         let Some(palette) = &self.palette else { return color.map(encode_srgb) };
         palette.color(match place {
             Some((x, y)) => palette.dithered(color, x, y),
@@ -200,22 +203,27 @@ impl Encoder {
     }
 }
 
-fn linear(radiance: &Radiance, lane: usize) -> Rgb<f32> {
-    Rgb::new(radiance.red[lane], radiance.green[lane], radiance.blue[lane])
+/// Light within full scale at the pixels of a block.
+type Linear<S> = Rgb<[S; LANES]>;
+
+fn at<T: Copy>(channels: &Rgb<[T; LANES]>, lane: usize) -> Rgb<T> {
+    Rgb::new(channels.red[lane], channels.green[lane], channels.blue[lane])
 }
 
 /// Returns whether any channel exceeds full scale. In most blocks none does.
-fn is_overexposed(Rgb { red, green, blue }: &Radiance) -> bool {
+fn is_overexposed<S: Scalar>(Rgb { red, green, blue }: &Radiance<S>) -> bool {
+    let full = S::ONE.light(S::gain(1.0));
     // The fold has no early exit, so that compilers vectorise it.
     let channels = red.iter().zip(green).zip(blue);
-    channels
-        .fold(false, |is_over, ((red, green), blue)| is_over | (*red > 1.0) | (*green > 1.0) | (*blue > 1.0))
+    channels.fold(false, |is_over, ((red, green), blue)| {
+        is_over | (*red > full) | (*green > full) | (*blue > full)
+    })
 }
 
-fn keep_hue(radiance: &Radiance) -> Radiance {
-    let mut kept = *radiance;
+fn keep_hue<S: Scalar>(radiance: &Radiance<S>) -> Linear<S> {
+    let mut kept = Rgb::default().map(|()| [S::ZERO; LANES]);
     for lane in 0..LANES {
-        let Rgb { red, green, blue } = compress_keep_hue(linear(radiance, lane));
+        let Rgb { red, green, blue } = compress_keep_hue(at(radiance, lane));
         (kept.red[lane], kept.green[lane], kept.blue[lane]) = (red, green, blue);
     }
     kept

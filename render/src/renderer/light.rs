@@ -18,7 +18,7 @@ use crate::{
     scene::strip::Strip,
 };
 use alloc::vec::Vec;
-use luminaire::{Error, Rgb, dynamic::RenderPlan, projector::Fixture};
+use luminaire::{Error, Rgb, Scalar, dynamic::RenderPlan, projector::Fixture};
 
 impl<S: Format> Renderer<S> {
     /// Lights the changed tiles, or all tiles if the plan skips nothing. Returns false if nothing
@@ -177,7 +177,7 @@ impl<S: Format> Renderer<S> {
             let radiance = &mut self.radiance[block];
             let shining = Loops::light(&setting, geometry, &reaching, &mut self.workspace, radiance);
             if let Some((first, _)) = &self.strip {
-                emit(*first + 1, &self.leds, &geometry.material, radiance);
+                emit::<S>(*first + 1, &self.leds, &geometry.material, radiance);
             }
             self.evaluated[block] = reaching.len().try_into().unwrap_or(u16::MAX);
             let column = block % self.geometry.columns;
@@ -193,9 +193,8 @@ impl<S: Format> Renderer<S> {
     fn add_air(&mut self, tile: usize, plan: RenderPlan, seen: &[&Prepared<S>]) {
         let Some(view) = &self.view else { return };
         let (rows, column) = self.tiles.place(tile);
-        let (columns, stride) = (LANES.min(self.width - column * LANES), self.geometry.columns);
-        let radiance = &mut self.radiance[rows.start * stride + column..];
-        let mut air = TileAir::new(view, &self.fragments, (rows, column), columns, radiance, stride);
+        let columns = LANES.min(self.width - column * LANES);
+        let mut air = TileAir::new(view, &self.fragments, (rows, column), columns, &mut self.scattered);
         let (is_all_seen, sight) = (plan.skips(), self.tiles.tiles[tile].sight.as_ref());
         for fixture in seen {
             let Some((hazy, way, beam)) = fixture.in_air(&self.shadows, view.eye()) else { continue };
@@ -206,14 +205,21 @@ impl<S: Format> Renderer<S> {
             }
         }
         self.account.evaluated_in_air += air.finish() as u64;
+        for (block, light) in self.tiles.blocks(tile).zip(self.scattered.rows()) {
+            if let Some(light) = light {
+                S::add_air(&mut self.radiance[block], light);
+            }
+        }
     }
 }
 
 /// Adds what the LEDs show to the pixels of a block. `first` is the number of the first LED's material.
-fn emit(first: usize, leds: &[Rgb<u8>], material: &[u32; LANES], radiance: &mut Radiance) {
+fn emit<S: Scalar>(first: usize, leds: &[Rgb<u8>], material: &[u32; LANES], radiance: &mut Radiance<S>) {
     for (lane, &number) in material.iter().enumerate() {
         let led = (number as usize).checked_sub(first).and_then(|led| leds.get(led));
-        let Some(light) = led.map(|led| led.map(|duty| f32::from(duty) / 255.0)) else { continue };
+        let Some(light) = led.map(|led| led.map(|duty| S::light_from_f32(f32::from(duty) / 255.0))) else {
+            continue;
+        };
         radiance.red[lane] += light.red;
         radiance.green[lane] += light.green;
         radiance.blue[lane] += light.blue;

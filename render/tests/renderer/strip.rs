@@ -52,7 +52,7 @@ fn assert_leds_show_their_bytes<S: Format>() -> Result<(), Box<dyn std::error::E
             let met = setup.camera.eye().zip(toward, |eye, toward| eye + depth * toward);
             let off = met.zip(*place, |met, place| met - place);
             if off.dot(off) < 0.02 * 0.02 {
-                let expected = led.map(|duty| f32::from(duty) / 255.0);
+                let expected = led.map(|duty| S::light_to_f32(S::light_from_f32(f32::from(duty) / 255.0)));
                 assert_eq!(renderer.linear(x, y), Some(expected), "{} at {place:?}", S::NAME);
                 seen += 1;
             }

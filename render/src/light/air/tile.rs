@@ -7,11 +7,41 @@ use super::{
     rays::{Fan, Sides},
 };
 use crate::{
-    buffer::Radiance,
+    buffer::LANES,
     raster::{Fragments, view::View},
+    stripes::Stripes,
 };
 use core::ops::Range;
 use luminaire::{Rgb, Scalar};
+
+/// The in-scattered light at the pixels of a tile, row by row, in `f32` for every number format.
+#[derive(Clone, Debug)]
+pub(crate) struct Scattered {
+    /// Scratch memory, of which only the lit rows are cleared.
+    rows: [Rgb<[f32; LANES]>; Stripes::ROWS],
+    is_lit: [bool; Stripes::ROWS],
+}
+
+impl Scattered {
+    pub(crate) fn none() -> Self {
+        let rows = core::array::from_fn(|_| Rgb::default().map(|()| [0.0; LANES]));
+        Self { rows, is_lit: [false; Stripes::ROWS] }
+    }
+
+    /// Returns the light of a row, to add to it.
+    fn row(&mut self, y: usize) -> &mut Rgb<[f32; LANES]> {
+        let row = &mut self.rows[y];
+        if !core::mem::replace(&mut self.is_lit[y], true) {
+            *row = Rgb::default().map(|()| [0.0; LANES]);
+        }
+        row
+    }
+
+    /// Returns the light of each row; `None` where there is none.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = Option<&Rgb<[f32; LANES]>>> {
+        self.rows.iter().zip(&self.is_lit).map(|(row, is_lit)| is_lit.then_some(row))
+    }
+}
 
 /// The air in front of a tile.
 pub(crate) struct TileAir<'a> {
@@ -21,27 +51,24 @@ pub(crate) struct TileAir<'a> {
     place: (Range<usize>, usize),
     /// The columns of the tile that are in the picture.
     columns: usize,
-    /// The light of the tile's rows, whose blocks are `stride` apart.
-    radiance: &'a mut [Radiance],
-    stride: usize,
+    light: &'a mut Scattered,
     /// Number of evaluated rays.
     rays: usize,
 }
 
 impl<'a> TileAir<'a> {
     /// Returns the air in front of the rows `place.0` of a column of blocks, of which `columns` pixels
-    /// are in the picture. `radiance` begins with the block of the first row; the blocks of the next
-    /// rows are `stride` apart.
+    /// are in the picture. The light is written to `light`.
     pub(crate) fn new(
         view: &View,
         fragments: &'a Fragments,
         place: (Range<usize>, usize),
         columns: usize,
-        radiance: &'a mut [Radiance],
-        stride: usize,
+        light: &'a mut Scattered,
     ) -> Self {
         let fan = Fan::new(view, place.0.start, place.1);
-        Self { fan, fragments, place, columns, radiance, stride, rays: 0 }
+        light.is_lit = [false; Stripes::ROWS];
+        Self { fan, fragments, place, columns, light, rays: 0 }
     }
 
     /// Adds the in-scattered light of a beam between its sides: by its formula, by its shafts, or with rays
@@ -89,7 +116,10 @@ impl<'a> TileAir<'a> {
         for (y, row) in rows.enumerate() {
             let block = self.fragments.block(row, column);
             let lit = sides.columns(y, self.columns);
-            let Rgb { red, green, blue } = &mut self.radiance[y * self.stride];
+            if lit.is_empty() {
+                continue;
+            }
+            let Rgb { red, green, blue } = self.light.row(y);
             for x in (lit.start / N * N..lit.end).step_by(N) {
                 let Some(nearness) = block[x..].first_chunk() else { continue };
                 let lights = light(&self.fan, (x, y), nearness);

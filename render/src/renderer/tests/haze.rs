@@ -7,7 +7,7 @@
 use super::*;
 use crate::{
     light::{
-        air::{Seen, TileAir},
+        air::{Scattered, Seen, TileAir},
         rig::Rig,
     },
     scenes::Example,
@@ -43,7 +43,7 @@ const NODES: [(f64, f64); 4] = [
 ];
 
 /// The light of a pass over all tiles, and the number of its rays.
-type Air = (Vec<Radiance>, usize);
+type Air = (Vec<Radiance<f32>>, usize);
 
 /// Returns the light of the beams that are seen by their formula, or of those with a ray of the kernel
 /// through every pixel: as the renderer computes it, and by rays that no beam's sides cull.
@@ -51,6 +51,7 @@ fn air(renderer: &mut Renderer<f32>, fixtures: &[Fixture], is_open: bool) -> [Ai
     let rig = Rig::<f32>::new(RenderPlan::new(), fixtures, renderer.haze).unwrap();
     let stride = renderer.geometry.columns;
     let dark = Rgb::default().map(|()| [0.0; LANES]);
+    let mut scattered = Scattered::none();
     let mut found = [(); 2].map(|()| (vec![dark; renderer.radiance.len()], 0));
     for tile in 0..renderer.tiles.tiles.len() {
         renderer.sight(tile);
@@ -59,9 +60,8 @@ fn air(renderer: &mut Renderer<f32>, fixtures: &[Fixture], is_open: bool) -> [Ai
         let (rows, column) = renderer.tiles.place(tile);
         let columns = LANES.min(renderer.width - column * LANES);
         for (is_each, (radiance, rays)) in found.iter_mut().enumerate() {
-            let radiance = &mut radiance[rows.start * stride + column..];
             let place = (rows.clone(), column);
-            let mut air = TileAir::new(view, &renderer.fragments, place, columns, radiance, stride);
+            let mut air = TileAir::new(view, &renderer.fragments, place, columns, &mut scattered);
             for light in (0..fixtures.len()).filter(|&light| rig.is_seen_in_air(light, sight)) {
                 let (hazy, way, beam) =
                     rig.fixture(light).unwrap().in_air(&renderer.shadows, view.eye()).unwrap();
@@ -74,6 +74,9 @@ fn air(renderer: &mut Renderer<f32>, fixtures: &[Fixture], is_open: bool) -> [Ai
                 }
             }
             *rays += air.finish();
+            for (row, light) in rows.clone().zip(scattered.rows()) {
+                radiance[row * stride + column] = light.copied().unwrap_or(dark);
+            }
         }
     }
     found

@@ -6,7 +6,7 @@
 use super::*;
 use crate::{
     light::{
-        air::{Seen, TileAir},
+        air::{Scattered, Seen, TileAir},
         rig::Rig,
     },
     scenes::{Example, gobos},
@@ -20,7 +20,7 @@ use luminaire::{
     haze::Haze,
     projector::{Gobo, ProjectedPoint},
 };
-use std::{println, vec};
+use std::{println, vec::Vec};
 
 const BREAKUP: [u8; 64 * 64] = gobos::breakup();
 
@@ -143,7 +143,8 @@ impl Errors {
 fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Errors {
     let haze = renderer.haze.expect("haze");
     let rig = Rig::<f32>::new(RenderPlan::new(), core::slice::from_ref(fixture), Some(haze)).unwrap();
-    let (exact, stride) = (Exact::new(fixture, &haze), renderer.geometry.columns);
+    let exact = Exact::new(fixture, &haze);
+    let (dark, mut scattered) = (Rgb::default().map(|()| [0.0; LANES]), Scattered::none());
     let mut errors = NONE;
     let mut number = 0;
     for tile in 0..renderer.tiles.tiles.len() {
@@ -160,16 +161,15 @@ fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Erro
         let (rows, column) = renderer.tiles.place(tile);
         let columns = LANES.min(renderer.width - column * LANES);
         let found = [false, true].map(|is_each| {
-            let mut radiance = vec![Rgb::default().map(|()| [0.0; LANES]); stride * rows.len()];
             let place = (rows.clone(), column);
-            let mut air = TileAir::new(view, &renderer.fragments, place, columns, &mut radiance, stride);
+            let mut air = TileAir::new(view, &renderer.fragments, place, columns, &mut scattered);
             if is_each {
                 air.add_each(hazy, &way);
             } else {
                 air.add(hazy, &way, beam);
             }
             air.finish();
-            radiance
+            scattered.rows().map(|row| row.copied().unwrap_or(dark)).collect::<Vec<_>>()
         });
         let (first, across, down) = view.rays(rows.start, column * LANES);
         for (y, x) in (0..rows.len()).flat_map(|y| (0..columns).map(move |x| (y, x))) {
@@ -184,7 +184,7 @@ fn errors(renderer: &mut Renderer<f32>, fixture: &Fixture, every: usize) -> Erro
                 continue;
             };
             let [shafts, samples] = [0, 1].map(|i| {
-                let light = f64::from(found[i][y * stride].red[x]);
+                let light = f64::from(found[i][y].red[x]);
                 assert!(light >= 0.0, "{light}");
                 255.0 * (light.min(1.0) - truth.min(1.0)).abs() as f32
             });
