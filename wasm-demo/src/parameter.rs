@@ -21,7 +21,7 @@ pub(crate) const PARAMETERS: [Parameter; 18] = [
     Parameter { name: "scene", kind: Kind::Opening },
     choice(
         "format",
-        &[["fx16", "16-bit lights, as on a chip"], ["fx32", "32-bit fixed point"], ["f32", "32-bit float"]],
+        &[["fx16", "16 bits, as on a chip"], ["fx32", "32-bit fixed point"], ["f32", "32-bit float"]],
         |state| state.format.name(),
         |state, name| Format::named(name.unwrap_or("")).map(|format| state.format = format),
     ),

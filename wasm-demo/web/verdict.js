@@ -15,6 +15,8 @@ const PATIENCE = 5000;
 /** The formats in fixed point, in words. */
 const NAMES = /** @type {const} */ ({ fx16: "16 bits", fx32: "32 bits" });
 
+/** @typedef {Record<"light" | "highlight", number>} Work */
+
 export class Verdict {
   #stage;
   #module;
@@ -24,10 +26,10 @@ export class Verdict {
   /** The jobs of the last measurement. */
   #measured = "";
   /**
-   * By which factor each format takes fewer instructions than floats, once it is known.
-   * @type {Promise<Record<string, number>> | undefined}
+   * The instructions for each light and pixel, by the format, once they are known.
+   * @type {Promise<Record<string, Work>> | undefined}
    */
-  #cheaper;
+  #work;
 
   /** Called with the format that the picture is to be compared with, to show where they differ. */
   onwhere = /** @type {(format: string) => void} */ (() => {});
@@ -80,18 +82,25 @@ export class Verdict {
       pool = new Pool(Promise.resolve(this.#module), 1);
       const shown = jobs.map((job) => this.#shown(job));
       const pictures = [];
-      for (const [i, job] of jobs.entries()) pictures.push(bytes(shown[i] ?? (await pool.draw(job)).parts[0].pixels));
+      /** @type {import("./pool.js").Account | undefined} */
+      let account;
+      for (const [i, job] of jobs.entries()) {
+        // Every format has the same account. That of a picture that is shown may be of the tiles that changed.
+        const drawn = shown[i] && (account || i === 0) ? undefined : await pool.draw(job);
+        account ??= drawn?.account;
+        pictures.push(bytes(drawn ? drawn.parts[0].pixels : shown[i]));
+      }
       const divided = new Divided(pictures[0], pictures[1]);
       const { differing, beyond, largest: most } = divided;
       divided.free();
       const difference = apart({ pixels: pictures[0].length / 4, differing, beyond, most }, "32-bit floats");
-      const price = await this.#price(format);
+      const price = await this.#price(format, account);
       // A later picture may have been measured in the meantime.
       if (asked === this.#measured) this.#tell(`${NAMES[format]}: ${difference}; ${price}.`, most > 0);
     } catch (refusal) {
       if (asked !== this.#measured) return;
       this.#measured = "";
-      this.#cheaper = undefined;
+      this.#work = undefined;
       const drawn = isBuilt("wide") ? "" : " The picture is drawn in 16 bits.";
       this.#tell(`${NAMES[format]}: not measured: ${words(refusal)}${drawn}`, false);
     } finally {
@@ -122,11 +131,23 @@ export class Verdict {
     element("verdict-where").hidden = !differs;
   }
 
-  /** @param {string} format */
-  async #price(format) {
-    this.#cheaper ??= fetchText("chips.json").then((text) => JSON.parse(text).cheaper);
-    const factor = (await this.#cheaper)[format];
-    return `${Number(factor.toPrecision(2))} times fewer instructions than the best floats on a Cortex-M0`;
+  /**
+   * By which factor the lights of this picture take fewer instructions than in floats.
+   * @param {string} format
+   * @param {import("./pool.js").Account | undefined} account
+   */
+  async #price(format, account) {
+    this.#work ??= fetchText("chips.json").then((text) => JSON.parse(text).work);
+    const work = await this.#work;
+    if (!account) throw new Error("the picture has no account");
+    const { evaluated, evaluatedShining, evaluatedInAir } = account;
+    const [own, floats] = [format, "f32"].map(
+      (name) => evaluated * work[name].light + evaluatedShining * work[name].highlight,
+    );
+    const haze = evaluatedInAir > 0 ? "; haze is in floats" : "";
+    if (own === 0) return `no light is evaluated${haze}`;
+    const factor = Number((floats / own).toPrecision(2));
+    return `its lights take ${factor} times fewer instructions than in the best floats on a Cortex-M0${haze}`;
   }
 }
 

@@ -52,8 +52,8 @@ fn read(docs: &Path, name: &str) -> Result<Value> {
     serde_json::from_str(&text).with_context(|| format!("{name} is no JSON"))
 }
 
-/// The chips, each with the instructions and cycles of the recorded picture but for its lit points, and by
-/// which factor each evaluation of a lit point takes fewer instructions on a Cortex-M0 than [`FLOATS`].
+/// The chips, each with the instructions and cycles of the recorded picture but for its lit points, and the
+/// [`work`] of the lights of any picture.
 /// `reached` is the number of lit points: what a shadow covers is lit before the shadow is known.
 fn list(record: &Value) -> Result<Value> {
     let pixels = |name: &str| {
@@ -72,17 +72,28 @@ fn list(record: &Value) -> Result<Value> {
             "rest": all.collect::<Result<BTreeMap<_, _>>>()?,
         }))
     });
-    let cheaper = EVALUATIONS.iter().map(|evaluation| {
-        let point =
-            price(&record[CHIPS[0].name]["figures"], "lit-inverse-square", evaluation, "instructions")?;
-        Ok((*evaluation, FLOATS / point))
-    });
     Ok(json!({
-        "cheaper": cheaper.collect::<Result<BTreeMap<_, _>>>()?,
+        "work": work(&record[CHIPS[0].name]["figures"])?,
         "pixels": pixels("width")? * pixels("height")?,
         "reached": pixels("in-shadow")? + pixels("lit")?,
         "chips": chips.collect::<Result<Vec<_>>>()?,
     }))
+}
+
+/// Instructions on a Cortex-M0 for each light and pixel of a picture, in each format and in the best floats: of a
+/// lit point, and of its highlight.
+///
+/// Of the best floats a lit point was counted; their highlight is that of Rust's floats by the same factor.
+fn work(figures: &Value) -> Result<Value> {
+    let counted = |kernel: &str, format: &str| price(figures, kernel, format, "instructions");
+    let best = FLOATS / counted("lit-inverse-square", "f32")?;
+    let mut work = BTreeMap::new();
+    for (format, factor) in [("fx16", 1.0), ("fx32", 1.0), ("f32", best)] {
+        let light = factor * counted("lit-inverse-square", format)?;
+        let highlight = factor * (counted("lit-specular", format)? - counted("lit", format)?);
+        work.insert(format, json!({ "light": light, "highlight": highlight }));
+    }
+    Ok(json!(work))
 }
 
 /// Instructions or cycles of the recorded picture but for its lit points; `None` if they were not counted.
