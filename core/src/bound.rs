@@ -453,23 +453,42 @@ impl<A: Attenuation> PointLight<A> {
     /// # Errors
     /// The errors of [`compile`](Self::compile); distances that are not in (0, 1e18], or not in order.
     pub fn error_bound<S: Scalar>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        self.error_bound_by::<S>(distances, &linear)
+    }
+
+    /// Returns the bound of [`error_bound`](Self::error_bound) in another measure: see
+    /// [`SpotLight::error_bound_by`].
+    ///
+    /// # Errors
+    /// The errors of [`error_bound`](Self::error_bound).
+    pub fn error_bound_by<S: Scalar>(
+        &self,
+        distances: RangeInclusive<f32>,
+        measure: &dyn Fn(Lit) -> f64,
+    ) -> Result<ErrorBound, Error> {
         let distances = checked::<S>(distances)?;
         check_reach::<S>(self.position())?;
         let (attenuation, intensity) = (self.attenuation(), self.intensity());
         let fine_within = S::fine_within(0.0, intensity, attenuation.growth());
         let followed = evaluations::<S>(distances, fine_within, 1.0);
-        Ok(derived::<Soft, A>(None, attenuation, intensity, followed, &linear))
+        Ok(derived::<Soft, A>(None, attenuation, intensity, followed, measure))
     }
 }
 
 impl DirectionalLight {
     /// Returns an upper bound of the error of the light compiled for the format `S`.
     pub fn error_bound<S: Scalar>(&self) -> ErrorBound {
+        self.error_bound_by::<S>(&linear)
+    }
+
+    /// Returns the bound of [`error_bound`](Self::error_bound) in another measure: see
+    /// [`SpotLight::error_bound_by`].
+    pub fn error_bound_by<S: Scalar>(&self, measure: &dyn Fn(Lit) -> f64) -> ErrorBound {
         let stages = S::stages(1.0);
         let stages = Stages { cosine: stages.incidence, ..stages };
         let followed = Followed { stages, zoom: 1.0, is_kept: false, distances: [1.0; 2] };
         let followed = core::iter::once(followed);
-        derived::<Soft, NoAttenuation>(None, NoAttenuation, self.intensity(), followed, &linear)
+        derived::<Soft, NoAttenuation>(None, NoAttenuation, self.intensity(), followed, measure)
     }
 }
 
@@ -480,10 +499,23 @@ impl AnyLight {
     /// # Errors
     /// The errors of [`SpotLight::error_bound`].
     pub fn error_bound<S: Scalar>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        self.error_bound_by::<S>(distances, &linear)
+    }
+
+    /// Returns the bound of [`error_bound`](Self::error_bound) in another measure: see
+    /// [`SpotLight::error_bound_by`].
+    ///
+    /// # Errors
+    /// The errors of [`SpotLight::error_bound`].
+    pub fn error_bound_by<S: Scalar>(
+        &self,
+        distances: RangeInclusive<f32>,
+        measure: &dyn Fn(Lit) -> f64,
+    ) -> Result<ErrorBound, Error> {
         match self {
-            Self::Directional(light) => Ok(light.error_bound::<S>()),
-            Self::Point(light) => light.error_bound::<S>(distances),
-            Self::Spot(light) => light.error_bound::<S>(distances),
+            Self::Directional(light) => Ok(light.error_bound_by::<S>(measure)),
+            Self::Point(light) => light.error_bound_by::<S>(distances, measure),
+            Self::Spot(light) => light.error_bound_by::<S>(distances, measure),
         }
     }
 }
@@ -517,6 +549,24 @@ mod tests {
             [f32::NAN..=1.0, -1.0..=1.0, f32::INFINITY..=f32::INFINITY, 2.0..=1.0, 1.0..=f32::NAN]
         {
             assert_eq!(refusal(distances).parameter, Parameter::Distance);
+        }
+    }
+
+    /// A measure of an error scales the bound of a light of every kind.
+    #[test]
+    fn a_measure_is_that_of_every_kind_of_light() {
+        let cone = Cone::from_outer(AnyFalloff::from(Hard), Angle::degrees(30.0));
+        let lights: [AnyLight; 3] = [
+            spot(cone).with_attenuation(AnyAttenuation::from(InverseSquare)).into(),
+            PointLight::new([0.0; 3]).unwrap().into(),
+            DirectionalLight::new([0.0, -1.0, 0.0]).unwrap().into(),
+        ];
+        for light in lights {
+            let linear = light.error_bound::<f32>(1.0..=4.0).unwrap().light;
+            let by =
+                |measure: &dyn Fn(Lit) -> f64| light.error_bound_by::<f32>(1.0..=4.0, measure).unwrap().light;
+            let codes = by(&|lit| 255.0 * lit.error);
+            assert!(linear > 0.0 && (codes / linear - 255.0).abs() < 1e-3, "{light:?}: {codes}");
         }
     }
 

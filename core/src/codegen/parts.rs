@@ -6,8 +6,8 @@ use crate::display::{Encoding, Gamma22, Gamma28, Srgb, code_lights, code_thresho
 use crate::{
     attenuation::Attenuation,
     falloff::Falloff,
-    number::Scalar,
-    shade::{CompiledPointLight, CompiledSpotLight},
+    number::{Quick, Scalar},
+    shade::{CompiledPointLight, CompiledSpotLight, QuickSpotLight},
     vec3::Vec3,
 };
 
@@ -51,6 +51,16 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     pub fn parts(&self) -> Parts<S, A> {
         let Self { position, attenuation, intensity, fine_below, .. } = *self;
         Parts { position, attenuation, intensity, fine_below, cone: None }
+    }
+}
+
+impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
+    /// Returns the constants of the light, except those of its falloff and its colours. No point has a fine
+    /// evaluation.
+    pub fn parts(&self) -> Parts<S, A> {
+        let Self { position, axis, attenuation, intensity, outside, .. } = *self;
+        let cone = Some(ConeParts { axis, ramp: self.cone.ramp, outside });
+        Parts { position, attenuation, intensity, fine_below: 0, cone }
     }
 }
 

@@ -42,6 +42,13 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
+    /// Returns whether the evaluation at a point is fine: see
+    /// [`CompiledSpotLight::is_fine`](crate::light::CompiledSpotLight::is_fine).
+    #[cfg(feature = "arithmetic")]
+    pub fn is_fine(&self, point: Vec3<S::Length>) -> bool {
+        S::Offset::between(self.position, point).is_near(self.fine_below)
+    }
+
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
     /// `fine_below` is the result of `Errors::fine_below`; the colours are the diffuse and the
