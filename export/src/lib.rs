@@ -88,7 +88,7 @@ pub mod json;
 mod language;
 mod name;
 mod program;
-mod rust;
+pub mod rust;
 mod script;
 mod shader;
 mod trace;

@@ -3,71 +3,104 @@
 use std::fmt;
 use std::marker::PhantomData;
 
-use luminaire::Scalar;
 use luminaire::attenuation::{AnyAttenuation, Attenuation, WithAttenuation};
 use luminaire::codegen::{Parts, Source, as_source, name};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, WithFalloff, with_falloff};
+use luminaire::number::Quick;
+use luminaire::{Scalar, SpotLight};
 
 use crate::error::ExportError;
 use crate::head::head;
 
+/// A compiled light as a constant of Rust.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Constant {
+    /// The type, whose names are those of the modules `attenuation`, `falloff` and `light` of the kernel and of its
+    /// root.
+    pub type_name: String,
+    /// The value: a block that imports the names it uses.
+    pub value: String,
+}
+
+/// Returns the light compiled for the format `S`, of concrete types.
+///
+/// # Errors
+/// A light that the format cannot hold.
+pub fn constant<S: Scalar>(light: &AnyLight) -> Result<Constant, ExportError> {
+    Ok(match light {
+        AnyLight::Spot(spot) => {
+            let (attenuation, falloff) = (spot.attenuation(), spot.cone().falloff());
+            placed("CompiledSpotLight", light, &spot.compile::<S>()?.parts(), attenuation, Some(falloff))
+        }
+        AnyLight::Point(point) => {
+            placed("CompiledPointLight", light, &point.compile::<S>()?.parts(), point.attenuation(), None)
+        }
+        AnyLight::Directional(directional) => Constant {
+            type_name: format!("CompiledDirectionalLight<{}>", name::<S>()),
+            value: as_source(&directional.compile::<S>()).to_string(),
+        },
+    })
+}
+
+/// Returns the spotlight compiled for the quick evaluation of the format `S`, of concrete types.
+///
+/// # Errors
+/// A light that the evaluation cannot hold.
+pub fn quick_constant<S: Quick>(
+    spot: &SpotLight<AnyFalloff, AnyAttenuation>,
+) -> Result<Constant, ExportError> {
+    let parts = spot.compile_quick::<S>()?.parts();
+    let falloff = Some(spot.cone().falloff());
+    Ok(placed("QuickSpotLight", &AnyLight::Spot(*spot), &parts, spot.attenuation(), falloff))
+}
+
 /// Returns a module with the constant `LIGHT` in the format `S`.
 pub(crate) fn export<S: Scalar>(light: &AnyLight, light_name: &str) -> Result<String, ExportError> {
-    let (kind, value) = match light {
-        AnyLight::Spot(spot) => {
-            placed(light, &spot.compile::<S>()?.parts(), spot.attenuation(), Some(spot.cone().falloff()))
-        }
-        AnyLight::Point(point) => placed(light, &point.compile::<S>()?.parts(), point.attenuation(), None),
-        AnyLight::Directional(directional) => {
-            (format!("CompiledDirectionalLight<{}>", name::<S>()), expression(&directional.compile::<S>()))
-        }
-    };
+    let Constant { type_name, value } = constant::<S>(light)?;
     let head: String = head(light, light_name).iter().map(|line| format!("// {line}\n")).collect();
     let imports = "#[allow(unused_imports, reason = \"not every light names a type of each module\")]\n    \
                    use luminaire::{attenuation::*, falloff::*, light::*, *};";
-    let value = as_source(&Text(value)).to_string();
     let value = value.trim_end();
     Ok(format!(
         "{head}\npub mod {light_name} {{\n    {imports}\n\n    /// The compiled light.\n    \
-         pub const LIGHT: {kind} = {value};\n}}\n"
+         pub const LIGHT: {type_name} = {value};\n}}\n"
     ))
 }
 
-/// Returns the type and the value of a spotlight or a point light.
+/// Returns a spotlight or a point light of a kind.
 ///
 /// Each part becomes text on its own. To write the light as one value of a concrete type needs code
 /// for each pair of attenuation and falloff in each format (measured: 1.9 times the WebAssembly of
 /// the demo's module `code`).
 fn placed<S: Scalar>(
+    kind: &str,
     light: &AnyLight,
     parts: &Parts<S, AnyAttenuation>,
     attenuation: AnyAttenuation,
     falloff: Option<AnyFalloff>,
-) -> (String, String) {
+) -> Constant {
     let format = name::<S>();
     let [law, constants] = attenuation.with(AttenuationSource(PhantomData::<S>));
     let mut arguments = vec![expression(&parts.position)];
-    let (kind, function) = match parts.cone.zip(falloff) {
+    let (type_name, function) = match parts.cone.zip(falloff) {
         Some((cone, falloff)) => {
             let [shape, falloff, curve] = falloff_source::<S>(falloff);
             let function = format!("CompiledCone::<{format}, _>::from_parts");
             let compiled = call(&function, &[expression(&cone.ramp), falloff, curve]);
             arguments.extend([expression(&cone.axis), compiled, expression(&cone.outside)]);
-            (
-                format!("CompiledSpotLight<{format}, {shape}, {law}>"),
-                format!("CompiledSpotLight::<{format}, _, {law}>::from_parts"),
-            )
+            (format!("{kind}<{format}, {shape}, {law}>"), format!("{kind}::<{format}, _, {law}>::from_parts"))
         }
-        None => (
-            format!("CompiledPointLight<{format}, {law}>"),
-            format!("CompiledPointLight::<{format}, {law}>::from_parts"),
-        ),
+        None => (format!("{kind}<{format}, {law}>"), format!("{kind}::<{format}, {law}>::from_parts")),
     };
+    arguments.extend([constants, expression(&parts.intensity)]);
+    // The quick evaluation has no points that are fine.
+    if kind != "QuickSpotLight" {
+        arguments.push(expression(&parts.fine_below));
+    }
     let colors = [light.color(), light.specular_color()].map(|color| color.map(S::from_f32));
-    let [intensity, fine_below] = [expression(&parts.intensity), expression(&parts.fine_below)];
-    arguments.extend([constants, intensity, fine_below, expression(&colors)]);
-    (kind, call(&function, &arguments))
+    arguments.push(expression(&colors));
+    Constant { type_name, value: as_source(&Text(call(&function, &arguments))).to_string() }
 }
 
 /// Returns a call of a function, with one argument per line.
@@ -112,7 +145,19 @@ impl<S: Scalar> WithFalloff<S> for FalloffSource {
 }
 
 /// Returns the name of the type of a falloff, its value, and its coefficients in the format `S`.
+///
+/// An integer power is of the type that has its exponent, for which the compiler unrolls the loop over its digits.
 pub(crate) fn falloff_source<S: Scalar>(falloff: AnyFalloff) -> [String; 3] {
+    let unrolled = |kind: &str, exponent: u32| {
+        let value = format!("{kind}::<{exponent}>");
+        [format!("{kind}<{exponent}>"), value.clone(), value]
+    };
+    if let AnyFalloff::Power(power) = falloff {
+        return unrolled("Power", power.exponent());
+    }
+    if let AnyFalloff::InvertedPower(power) = falloff {
+        return unrolled("InvertedPower", power.exponent());
+    }
     // The types of the list have spaces around their brackets.
     let kind = falloff.type_name().replace(" <", "<").replace("< ", "<").replace(" >", ">");
     let [value, curve] = with_falloff(falloff, falloff.compile::<S>(), FalloffSource);

@@ -6,8 +6,9 @@ use fastrand::Rng;
 use luminaire::attenuation::{FilamentRange, InverseSquare, SmoothRange};
 use luminaire::codegen::as_source;
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{Cubic, Falloff, Formula, Hard, Smooth, Table};
+use luminaire::falloff::{Cubic, Falloff, Formula, Hard, Power, Smooth, Table};
 use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3};
+use luminaire_export::rust::{constant, quick_constant};
 use luminaire_export::{C_HEADERS, Language, check_text, export};
 use luminaire_oracle::{DVec3, versine_between};
 use serde_json::Value;
@@ -192,6 +193,23 @@ fn rust_is_the_compiled_light_of_a_concrete_type() {
     for (text, checks) in &written {
         assert_eq!(checks, &[true; 2], "{text}");
     }
+}
+
+/// A constant of the quick evaluation is the compiled light, and an integer power is a type with its exponent.
+#[test]
+fn constants_are_those_of_concrete_types() -> Result<(), Box<dyn std::error::Error>> {
+    let cone = Cone::from_outer(Power::<5>, Angle::degrees(40.0))?;
+    let spot = SpotLight::new([1.0, 2.0, 3.0], [0.0, -1.0, 0.5], cone)?
+        .with_attenuation(FilamentRange::new(InverseSquare, Some(9.0))?);
+    let AnyLight::Spot(any) = spot.into() else { unreachable!("a spotlight") };
+    let law = "Windowed<InverseSquare>";
+    let quick = quick_constant::<Fx16>(&any)?;
+    assert_eq!(quick.type_name, format!("QuickSpotLight<Fx16, Power<5>, {law}>"));
+    assert_eq!(quick.value, as_source(&spot.compile_quick::<Fx16>()?).to_string());
+    let fine = constant::<Fx32>(&any.into())?;
+    assert_eq!(fine.type_name, format!("CompiledSpotLight<Fx32, Power<5>, {law}>"));
+    assert_eq!(fine.value, as_source(&spot.compile::<Fx32>()?).to_string());
+    Ok(())
 }
 
 #[allow(unreachable_pub, dead_code, reason = "the functions are those of build scripts")]
