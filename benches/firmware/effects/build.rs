@@ -11,14 +11,19 @@ use std::{env, fs};
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, Scalar,
     SpotLight, Vec3,
-    attenuation::{Attenuation, AttenuationVisitor, InverseSquare, NoAttenuation, attenuations},
-    codegen::{Named, Source, as_source},
+    attenuation::{
+        Attenuation, AttenuationVisitor, Decay, FilamentRange, InverseSquare, NoAttenuation, Windowed,
+        attenuations,
+    },
+    codegen::{ConeParts, Named, Parts, Source, as_source},
     display::{Exposure, Palette, Rgb565Ramp},
     dynamic::{Effect, Effects},
     falloff::{
-        AnyFalloff, Cubic, Falloff, FalloffVisitor, Hard, ListedFalloff, Quadratic, Soft, constant_falloffs,
+        AnyFalloff, Cubic, Falloff, FalloffVisitor, Hard, InvertedRealPower, ListedFalloff, Power, Quadratic,
+        Soft, Table, constant_falloffs,
     },
     haze::Haze,
+    light::{CompiledPointLight, CompiledSpotLight, LightModel},
     models::Listed,
     projector::{Gobo, Projection, Shadow},
     specular::{LobeVisitor, Phong, SpecularLobe, lobes},
@@ -45,13 +50,16 @@ fn main() -> Outcome {
     memory::place(None)?;
     if env::var_os("CARGO_FEATURE_F32").is_some() {
         write("quick", &soft()?.compile::<f32>()?)?;
+        choices(Choices::of_format::<f32>()?)?;
         constants::<f32>()
     } else if env::var_os("CARGO_FEATURE_FX32").is_some() {
         write("quick", &soft()?.compile::<Fx32>()?)?;
+        choices(Choices::of_format::<Fx32>()?)?;
         constants::<Fx32>()
     } else {
         quick()?;
         fine()?;
+        choices(Choices::of_fx16()?)?;
         constants::<Fx16>()
     }
 }
@@ -101,6 +109,154 @@ fn fine() -> Outcome {
     }
     edges!(row);
     Ok(())
+}
+
+/// The lit points that have one model each of the library's lists, by the evaluations whose price no other program
+/// counts; and those of two pairs of models, which files of other tools have most.
+#[derive(Default)]
+struct Choices {
+    rows: String,
+    failed: Option<Box<dyn std::error::Error>>,
+}
+
+/// The models whose lit points another program counts by every evaluation.
+const EVALUATED: [&str; 5] = ["soft", "hard", "quadratic", "cubic", "inverse-square"];
+
+/// The pairs: a measured light, and a spotlight of Godot.
+const PAIRS: [&str; 2] = ["lit-table-inverse-square", "lit-inverted-real-power-decay-square"];
+
+/// Writes the function that visits the rows.
+fn choices(Choices { rows, failed }: Choices) -> Outcome {
+    failed.map_or(Ok(()), Err)?;
+    let file = Path::new(&env::var("OUT_DIR")?).join("choices.rs");
+    Ok(fs::write(
+        file,
+        format!("/// Visits the rows.\npub fn each_choice(visit: &mut impl Visit) {{\n{rows}}}\n"),
+    )?)
+}
+
+impl Choices {
+    /// The rows of a format with one evaluation.
+    fn of_format<S: Scalar>() -> Result<Self, Box<dyn std::error::Error>> {
+        let mut choices = Self::default();
+        choices.power::<S>()?;
+        let [table, godot] = PAIRS;
+        choices.row(
+            "surface",
+            table,
+            &key(field(sample::<Table<'_>>()?)?, InverseSquare)?.compile::<S>()?,
+        )?;
+        let cone = field(sample::<InvertedRealPower>()?)?;
+        choices.row("surface", godot, &key(cone, fading()?)?.compile::<S>()?)?;
+        Ok(choices)
+    }
+
+    /// The rows by the quick, the coarse and the fine evaluation.
+    fn of_fx16() -> Result<Self, Box<dyn std::error::Error>> {
+        let mut choices = Self::default();
+        choices.power::<Fx16>()?;
+        choices.falloff::<Power<16>>();
+        constant_falloffs(&mut choices);
+        attenuations(&mut choices);
+        let [table, godot] = PAIRS;
+        choices.by_each(table, sample::<Table<'_>>()?, InverseSquare)?;
+        choices.by_each(godot, sample::<InvertedRealPower>()?, fading()?)?;
+        let point = PointLight::new(POSITION)?.with_color(AMBER)?.compile::<Fx16>()?;
+        choices.row("surface", "point-coarse", &point)?;
+        let Parts { position, attenuation, intensity, .. } = point.parts();
+        // Not of all bits: every point light has points that keep the coarse light, so that it computes both.
+        let below = u32::MAX - 1;
+        let near: CompiledPointLight<Fx16> =
+            CompiledPointLight::from_parts(position, attenuation, intensity, below, point.colors());
+        choices.row("surface", "point-fine", &near)?;
+        Ok(choices)
+    }
+
+    /// Adds the row of a power that costs more than the one of the list: their difference is that of products.
+    fn power<S: Scalar>(&mut self) -> Outcome {
+        self.row("surface", "lit-power-16", &key(field(Power::<16>)?, NoAttenuation)?.compile::<S>()?)
+    }
+
+    /// Adds the rows of a falloff and an attenuation by the quick, the coarse and the fine evaluation.
+    fn by_each<P: Falloff, A: Attenuation>(&mut self, name: &str, falloff: P, attenuation: A) -> Outcome {
+        let cone = field(falloff)?;
+        self.row("surface", &format!("{name}-quick"), &key(cone, attenuation)?.compile_quick::<Fx16>()?)?;
+        let dim = |cone| key(cone, attenuation)?.with_intensity(1.0);
+        self.row("surface", &format!("{name}-coarse"), &dim(cone)?.compile::<Fx16>()?)?;
+        self.row("narrow", &format!("{name}-fine"), &finely(&dim(narrow(falloff)?)?)?)
+    }
+
+    /// Adds a row whose points are of a kind of inputs, and writes its light.
+    fn row(&mut self, inputs: &str, name: &str, light: &impl Source) -> Outcome {
+        self.rows += &format!("    lit! {{ visit, {inputs}: {name:?}; }}\n");
+        write(name, light)
+    }
+
+    /// Keeps the first failure: the visitors of the lists return none.
+    fn keep(&mut self, outcome: Outcome) {
+        if let Err(error) = outcome {
+            self.failed.get_or_insert(error);
+        }
+    }
+}
+
+impl FalloffVisitor for Choices {
+    fn falloff<P: ListedFalloff>(&mut self) {
+        if EVALUATED.contains(&P::NAME) {
+            return;
+        }
+        let rows = |choices: &mut Self| {
+            let (name, falloff) = (format!("lit-{}", P::NAME), P::sample()?);
+            let quick = key(field(falloff)?, NoAttenuation)?.compile_quick::<Fx16>()?;
+            choices.row("surface", &format!("{name}-quick"), &quick)?;
+            choices.row("narrow", &format!("{name}-fine"), &finely(&key(narrow(falloff)?, NoAttenuation)?)?)
+        };
+        let outcome = rows(self);
+        self.keep(outcome);
+    }
+}
+
+impl AttenuationVisitor for Choices {
+    fn attenuation<A: Listed + Attenuation>(&mut self) {
+        if EVALUATED.contains(&A::NAME) {
+            return;
+        }
+        let rows = |choices: &mut Self| choices.by_each(&format!("lit-{}", A::NAME), Soft, A::sample()?);
+        let outcome = rows(self);
+        self.keep(outcome);
+    }
+}
+
+fn sample<M: Listed>() -> Result<M, Error> {
+    M::sample()
+}
+
+/// The attenuation of Godot.
+fn fading() -> Result<Windowed<Decay>, Error> {
+    Windowed::new(Decay::sample()?, FilamentRange::sample()?.range())
+}
+
+/// A cone with the field angle of the spotlights.
+fn field<P: Falloff>(falloff: P) -> Result<Cone<P>, Error> {
+    Cone::from_field(falloff, FIELD)
+}
+
+/// A cone that is nearly too narrow, but not narrower than that of the soft edge, in which the points are.
+fn narrow<P: Falloff>(falloff: P) -> Result<Cone<P>, Error> {
+    let soft = Cone::narrowest::<Fx16>(Soft).to_degrees();
+    Cone::from_outer(falloff, Angle::degrees(1.02 * Cone::narrowest::<Fx16>(falloff).to_degrees().max(soft)))
+}
+
+/// The light compiled so that all points take the fine evaluation, as those of a steep cone do.
+fn finely<P: Falloff, A: Attenuation>(
+    spot: &SpotLight<P, A>,
+) -> Result<CompiledSpotLight<Fx16, P, A>, Error> {
+    let (light, cone) = (spot.compile::<Fx16>()?, spot.cone().compile::<Fx16>()?);
+    let Parts { position, attenuation, intensity, cone: parts, .. } = light.parts();
+    let ConeParts { axis, outside, .. } = parts.expect("a spotlight has a cone");
+    let colors = light.colors();
+    let below = u32::MAX;
+    Ok(CompiledSpotLight::from_parts(position, axis, cone, outside, attenuation, intensity, below, colors))
 }
 
 fn constants<S: Scalar>() -> Outcome {

@@ -11,4 +11,4 @@ mod price;
 
 pub use measure::{COUNT, begin_lines, measure, pass, report};
 #[cfg(feature = "effects")]
-pub use price::{evaluations, price};
+pub use price::{choices, evaluations, price};

@@ -14,6 +14,7 @@ use tools::project;
 
 use crate::plot;
 use crate::record::{FILE, Record};
+pub(crate) use picker::kernels;
 
 /// The command that writes the record and the documents.
 const COMMAND: &str = "cargo xtask measure --bless";

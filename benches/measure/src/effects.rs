@@ -8,6 +8,7 @@ use anyhow::{Context, Result, ensure};
 use luminaire_effects::{Entry, Input, Inputs, Output, Visit, each};
 
 use crate::counted::{self, Cost, FIRMWARE, Firmware, SIZE, thousandths};
+use crate::documents::kernels;
 use crate::program::Program;
 use crate::record::Group;
 use crate::target::Board;
@@ -89,11 +90,10 @@ pub(crate) fn has_price(entry: &Entry, format: Format) -> bool {
     format == FX16 || entry.name != "lit_quick"
 }
 
-/// Whether a kernel is on the price list of every processor: a lit point by an evaluation, or an early-out.
+/// Whether a kernel is on record of every processor: a lit point by an evaluation, or an early-out.
 fn is_priced(name: &str) -> bool {
     let kernel = name.split('.').next().unwrap_or_default();
-    let kernel = kernel.trim_end_matches("-inverse-square");
-    ["away", "outside", "lit", "lit-hard", "lit-quadratic", "lit-cubic", "lit-specular"].contains(&kernel)
+    ["away", "outside", "lit-specular"].contains(&kernel) || kernels().any(|own| own == kernel)
 }
 
 /// The costs of every kernel on a board.
@@ -108,7 +108,9 @@ pub(crate) fn costs(board: &'static Board, progress: &Progress) -> Result<Vec<Co
 /// The costs of the effects, and of lit points by other evaluations, in a format on a board.
 fn of_format(format: Format, board: &'static Board, progress: &Progress) -> Result<Vec<Cost>> {
     let (mut costs, _) = Firmware::new(EFFECTS, &format.effects).costs(board, progress)?;
-    costs.extend(Firmware::new("evaluations", &format.effects).costs(board, progress)?.0);
+    for program in ["evaluations", "choices"] {
+        costs.extend(Firmware::new(program, &format.effects).costs(board, progress)?.0);
+    }
     for cost in &mut costs {
         let (program, format) = cost.name.split_once('.').context("a name has no format")?;
         cost.name = figure(program, format);

@@ -15,7 +15,7 @@ mod no_panic;
 mod output;
 
 pub use catalogue::{Entry, Visit};
-pub use effects::{each, each_evaluation};
+pub use effects::{each, each_choice, each_evaluation};
 pub use format::{Color, Format, Irradiance, Light, Surface};
 pub use input::{Input, Inputs, Place, run};
 pub use listed::Listed;

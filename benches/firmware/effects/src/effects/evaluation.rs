@@ -4,14 +4,12 @@
 use core::hint::black_box;
 
 use luminaire::dynamic::Effects;
-#[cfg(not(any(feature = "f32", feature = "fx32")))]
-use luminaire::light::QuickSpotLight;
-use luminaire::light::{CompiledSpotLight, LightModel, SurfacePoint};
+use luminaire::light::{LightModel, SurfacePoint};
 use luminaire::number::{Arithmetic, Lights};
 use luminaire::{
     Angle, Cone, Scalar, SpotLight,
     attenuation::{InverseSquare, NoAttenuation},
-    falloff::{Cubic, Hard, Quadratic, Soft},
+    falloff::Soft,
     specular::Phong,
 };
 
@@ -22,6 +20,15 @@ use crate::constants::{
 use crate::format::{Format, Irradiance, Surface};
 use crate::input::Inputs;
 use crate::listed::Listed;
+
+/// Visits lit points, each with the light that the build script has written under its name.
+macro_rules! lit {
+    ($visit:ident, $inputs:ident: $($name:expr;)*) => {$(
+        $visit.effect(unlisted($name), Inputs::$inputs, |Surface { point, normal, .. }: Surface| {
+            const { include!(concat!(env!("OUT_DIR"), "/", $name, ".rs")) }.irradiance(point, normal)
+        });
+    )*};
+}
 
 effects! { each;
     /// The quick evaluation of `fx16`, with a larger error: for a display of few bits.
@@ -100,41 +107,34 @@ pub fn each_evaluation(visit: &mut impl Visit) {
     #[cfg(not(any(feature = "f32", feature = "fx32")))]
     visit.effect(unlisted("outside-quick"), Inputs::outside, lit_quick);
     visit.effect(unlisted("lit-specular"), Inputs::surface, highlit);
-    macro_rules! lit {
-        ($inputs:ident: $($name:expr, $light:ty;)*) => {$(
-            visit.effect(unlisted($name), Inputs::$inputs, |Surface { point, normal, .. }: Surface| {
-                const LIGHT: $light = include!(concat!(env!("OUT_DIR"), "/", $name, ".rs"));
-                LIGHT.irradiance(point, normal)
-            });
-        )*};
-    }
     macro_rules! edges {
-        ($($edge:ident $name:literal;)*) => {$(
+        ($($name:literal;)*) => {$(
             #[cfg(not(any(feature = "f32", feature = "fx32")))]
-            lit! { surface:
-                concat!("lit", $name, "-inverse-square-quick"), QuickSpotLight<Format, $edge, InverseSquare>;
+            lit! { visit, surface: concat!("lit", $name, "-inverse-square-quick"); }
+            #[cfg(not(any(feature = "f32", feature = "fx32")))]
+            lit! { visit, narrow:
+                concat!("lit", $name, "-fine");
+                concat!("lit", $name, "-inverse-square-fine");
             }
             #[cfg(not(any(feature = "f32", feature = "fx32")))]
-            lit! { narrow:
-                concat!("lit", $name, "-fine"), CompiledSpotLight<Format, $edge, NoAttenuation>;
-                concat!("lit", $name, "-inverse-square-fine"), CompiledSpotLight<Format, $edge, InverseSquare>;
-            }
-            #[cfg(not(any(feature = "f32", feature = "fx32")))]
-            lit! { surface:
-                concat!("lit", $name, "-inverse-square-coarse"), CompiledSpotLight<Format, $edge, InverseSquare>;
-            }
+            lit! { visit, surface: concat!("lit", $name, "-inverse-square-coarse"); }
         )*};
     }
-    edges! { Soft ""; Hard "-hard"; Quadratic "-quadratic"; Cubic "-cubic"; }
+    edges! { ""; "-hard"; "-quadratic"; "-cubic"; }
     macro_rules! other_edges {
-        ($($edge:ident $name:literal;)*) => {$(
+        ($($name:literal;)*) => {$(
             #[cfg(not(any(feature = "f32", feature = "fx32")))]
-            lit! { surface: concat!("lit", $name, "-quick"), QuickSpotLight<Format, $edge, NoAttenuation>; }
-            lit! { surface: concat!("lit", $name, "-inverse-square"), CompiledSpotLight<Format, $edge, InverseSquare>; }
+            lit! { visit, surface: concat!("lit", $name, "-quick"); }
+            lit! { visit, surface: concat!("lit", $name, "-inverse-square"); }
         )*};
     }
-    other_edges! { Hard "-hard"; Quadratic "-quadratic"; Cubic "-cubic"; }
+    other_edges! { "-hard"; "-quadratic"; "-cubic"; }
 }
+
+// The build script writes the function `each_choice`, which visits lit points with one model each of the
+// library's lists, by the evaluations that are no row above. They have a program of their own, so that those above
+// keep their counts.
+include!(concat!(env!("OUT_DIR"), "/choices.rs"));
 
 fn unlisted(name: &'static str) -> Entry {
     Entry { title: "", name, listed: None, effects: Effects::NONE, over: &[], what: "" }
