@@ -31,7 +31,7 @@ pub(crate) enum Command {
     Import(Box<Import>),
     /// Draw a white wall that a light shines on, as a PNG
     Still(Box<Still>),
-    /// Pick the cheapest evaluation of a spotlight whose error is small enough for a display
+    /// Pick the cheapest evaluation of a light whose error is small enough for a display
     Pick(Box<Pick>),
     /// Write lights as source of another language, or as the parameters of another tool
     Export(Box<Export>),

@@ -1,4 +1,4 @@
-//! `luminaire pick`: the cheapest evaluation of a spotlight whose error is small enough for a
+//! `luminaire pick`: the cheapest evaluation of a light whose error is small enough for a
 //! display. `luminaire export`: lights as source of another language, or as the parameters of another
 //! tool. `luminaire import`: the lights of files. `luminaire still`: a wall lit by a light.
 #![forbid(unsafe_code)]
@@ -129,7 +129,7 @@ fn lights(source: &source::Source, pick: &Pick) -> Result<(Scene, bool), Refusal
     };
     let light = |(lamp, usage): &(luminaire_exchange::Lamp, luminaire_exchange::Use)| {
         let named = lamp.named(*usage).map_err(told)?;
-        let light = Light::of(&named.name, &named.light)?;
+        let light = Light::of(&named.name, &named.light);
         let [near, far] = named.surfaces.unwrap_or([light.near, light.far]);
         Ok(Light { near: pick.near.unwrap_or(near), far: pick.far.unwrap_or(far), ..light })
     };

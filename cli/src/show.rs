@@ -19,11 +19,10 @@ pub(crate) fn lights() -> Result<Scene, Refusal> {
     let fixtures = setup.fixtures_at(0.0)?;
     let names = setup.fixtures.iter().map(|fixture| fixture.name);
     let lights = fixtures.iter().zip(names).map(|(fixture, name)| light(name, fixture.light()));
-    Ok(Scene { lights: lights.collect::<Result<_, _>>()? })
+    Ok(Scene { lights: lights.collect() })
 }
 
-fn light(name: &str, light: &AnyLight) -> Result<Light, Refusal> {
-    let light = Light::of(name, light)?;
-    let near = if light.position[2] < 0.0 { FROM_TRUSS } else { FROM_FRONT };
-    Ok(Light { near, far: FARTHEST, ..light })
+fn light(name: &str, light: &AnyLight) -> Light {
+    let is_on_truss = matches!(light, AnyLight::Spot(spot) if spot.position().z < 0.0);
+    Light { near: if is_on_truss { FROM_TRUSS } else { FROM_FRONT }, far: FARTHEST, ..Light::of(name, light) }
 }

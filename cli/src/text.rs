@@ -3,8 +3,10 @@
 use std::fmt::{Display, Write};
 use std::io::Write as _;
 
+use luminaire::attenuation::AnyAttenuation;
+use luminaire::dynamic::AnyLight;
 use luminaire_export::printable;
-use luminaire_pick::{Answer, SceneAnswer, Tolerance};
+use luminaire_pick::{Answer, Counted, Light, SceneAnswer, Tolerance};
 
 /// Writes a line to the standard error. Nothing can be done if that fails.
 pub(crate) fn say(word: &str, text: impl Display) {
@@ -13,9 +15,8 @@ pub(crate) fn say(word: &str, text: impl Display) {
 
 /// Returns an answer as text, with all parameters of its request, including defaults.
 pub(crate) fn answer(answer: &Answer) -> String {
-    let Answer { light, outer, chip, display, evaluation, price, bound, .. } = answer;
+    let Answer { light, chip, display, evaluation, price, bound, .. } = answer;
     let at = bound.at;
-    let falloff = if light.beam.is_some() && light.field.is_some() { "fitted" } else { light.edge.name() };
     let unit = unit(answer);
     let fine = match price.fine_share {
         0.0 => String::new(),
@@ -25,25 +26,33 @@ pub(crate) fn answer(answer: &Answer) -> String {
         Some(cycles) => format!("{cycles} on an RP2040 without wait states"),
         None => "not counted for this processor".to_owned(),
     };
+    let counted = match price.counted {
+        Counted::Whole => "counted as a whole",
+        Counted::Parts => "the sum of counted parts",
+    };
+    let mut excepted = String::new();
+    if bound.edge_degrees > 0.0 {
+        let _ = write!(excepted, "; but within {} degrees of its edge", digits(bound.edge_degrees.into()));
+    }
+    if bound.range > 0.0 {
+        let _ = write!(excepted, "; but within {} of its range", digits(bound.range.into()));
+    }
     let cheaper = answer.cheaper.map_or_else(String::new, |cheaper| {
         let (evaluation, bound) = (cheaper.evaluation, digits(cheaper.bound));
         format!("cheaper      {evaluation}: {} instructions, at most {bound} {unit}\n", cheaper.instructions)
     });
     format!(
-        "light        {falloff} edge, ends at {outer:.2} degrees; attenuation {}, intensity {}, distances {} to {}\n\
+        "light        {}\n\
          target       {chip}, {display}, at most {} {unit}\n\
          evaluation   {evaluation}\n\
-         instructions {} a lit point{fine}\n\
+         instructions {} a lit point, {counted}{fine}\n\
          cycles       {cycles}\n\
          code         {} bytes\n\
-         error        at most {} {unit} ({}; largest found {})\n\
+         error        at most {} {unit} ({}; largest found {}){excepted}\n\
          \x20            largest {:.3} degrees off axis, distance {:.3}, cosine of incidence {:.3}\n\
          {cheaper}\n\
          {}",
-        light.attenuation,
-        light.intensity,
-        light.near,
-        light.far,
+        described(light, answer.outer),
         answer.tolerance.amount(),
         price.instructions,
         price.bytes,
@@ -55,6 +64,50 @@ pub(crate) fn answer(answer: &Answer) -> String {
         at.cosine,
         answer.code,
     )
+}
+
+/// Returns what a light is and where its surfaces are.
+fn described(light: &Light, outer: Option<f32>) -> String {
+    let distances = format!("distances {} to {}", light.near, light.far);
+    match light.any() {
+        Ok(AnyLight::Spot(spot)) => format!(
+            "{} edge, ends at {:.2} degrees; attenuation {}, intensity {}, {distances}",
+            falloff(light),
+            outer.unwrap_or_default(),
+            attenuation(light, &spot.attenuation()),
+            spot.intensity()
+        ),
+        Ok(AnyLight::Point(point)) => format!(
+            "point light; attenuation {}, intensity {}, {distances}",
+            attenuation(light, &point.attenuation()),
+            point.intensity()
+        ),
+        Ok(AnyLight::Directional(sun)) => format!("directional light; intensity {}", sun.intensity()),
+        Err(refusal) => refusal.to_string(),
+    }
+}
+
+/// Returns the name of the falloff of a light, or of its kind if it has none.
+fn falloff(light: &Light) -> &'static str {
+    match light.any() {
+        _ if light.light.is_none() && light.beam.is_some() && light.field.is_some() => "fitted",
+        Ok(AnyLight::Spot(spot)) => spot.cone().falloff().row().name,
+        Ok(AnyLight::Point(_)) => "point",
+        Ok(AnyLight::Directional(_)) => "directional",
+        Err(_) => light.edge.name(),
+    }
+}
+
+/// Returns the name of an attenuation, and how it ends.
+fn attenuation(light: &Light, law: &AnyAttenuation) -> String {
+    let row = law.row();
+    // By its own name in the options.
+    let name = if light.light.is_none() { light.attenuation.name() } else { row.law };
+    match (law.range(), row.window) {
+        (Some(range), Some(window)) => format!("{name} to {range} ({window})"),
+        (Some(range), None) => format!("{name} to {range}"),
+        (None, _) => name.to_owned(),
+    }
 }
 
 /// Returns a number with three decimals, or below 0.001 with two significant digits and an
@@ -75,10 +128,11 @@ pub(crate) fn lights(answers: &[Answer]) -> String {
     let mut text = String::new();
     for answer in answers {
         let Answer { light, outer, evaluation, price, bound, .. } = answer;
-        let (edge, instructions) = (light.edge.name(), price.instructions);
+        let (edge, instructions) = (falloff(light), price.instructions);
+        let outer = outer.map_or_else(String::new, |outer| format!("{outer:.2} degrees"));
         let _ = writeln!(
             text,
-            "{:24} {edge:4} {outer:6.2} degrees  {evaluation:10} {instructions:8.1} instructions, at most {} {}",
+            "{:24} {edge:12} {outer:14}  {evaluation:10} {instructions:8.1} instructions, at most {} {}",
             light.name,
             digits(bound.value),
             unit(answer)

@@ -86,6 +86,54 @@ fn pick_scene_of_a_file_steers_no_terminal() {
     std::fs::remove_file(file).unwrap();
 }
 
+/// The lights of files of every kind that is read, and the light that the numbers of each tool are without a word.
+#[test]
+fn pick_answers_for_lights_of_files_and_for_the_default_light_of_each_tool() {
+    let tests = concat!(env!("CARGO_MANIFEST_DIR"), "/../exchange/tests");
+    for folder in ["files", "real"] {
+        let folder = format!("{tests}/{folder}");
+        let words = ["--steps", "1e9", "--each", "--json", "--scene", &folder];
+        let answers = json(&words);
+        let answers = answers.as_array().unwrap_or_else(|| panic!("{folder}: {answers}"));
+        let import = Command::new(env!("CARGO_BIN_EXE_luminaire"))
+            .args(["import", "--json", &folder])
+            .output()
+            .expect("the program runs");
+        let lights: serde_json::Value = serde_json::from_slice(&import.stdout).expect("JSON");
+        assert_eq!(answers.len(), lights["lights"].as_array().expect("lights").len(), "{folder}");
+        assert!(answers.len() > 20, "{folder}: {}", answers.len());
+    }
+    let mut tools = 0;
+    for &system in luminaire_exchange::System::ALL {
+        let Ok(lamps) = luminaire_exchange::numbers(system, []) else { continue };
+        let usage = lamps.usage(4.0);
+        for lamp in &lamps.lamps {
+            let named = lamp.named(usage).unwrap();
+            let request =
+                luminaire_pick::Request::new(luminaire_pick::Chip::CortexM0, luminaire_pick::Display::Rgb565);
+            let light = luminaire_pick::Light::of("light", &named.light);
+            let answer = request.steps(1e9).pick(&light);
+            assert!(answer.is_ok(), "{}: {answer:?}", system.name());
+        }
+        tools += 1;
+    }
+    // Direct3D and USD have no default that their own readers take.
+    assert!(tools >= 11, "{tools} tools have a default light");
+}
+
+/// The text says what a light of a file is, how its price was counted and where its bound does not hold.
+#[test]
+fn pick_says_what_a_light_of_a_file_is() {
+    let text = |words: &[&str]| String::from_utf8(pick(words).stdout).unwrap();
+    let spot = concat!(env!("CARGO_MANIFEST_DIR"), "/../exchange/tests/files/spot.ies");
+    let told = text(&["--steps", "1e9", "--fit", "0.001", "--from", spot]);
+    assert!(told.contains("table edge, ends at") && told.contains("counted as a whole"), "{told}");
+    let told = text(&["--steps", "1e9", "--from", "godot", "spot_angle=25", "spot_attenuation=1.4"]);
+    assert!(told.contains("the sum of counted parts") && told.contains("attenuation decay to"), "{told}");
+    let told = text(&["--steps", "1e9", "--from", "godot", "kind=directional"]);
+    assert!(told.contains("directional light; intensity"), "{told}");
+}
+
 #[test]
 fn pick_show_is_answered_light_by_light() {
     let answers = json(&["--scene", "show", "--each", "--json"]);

@@ -1,75 +1,34 @@
-//! The evaluations of a spotlight, and a light compiled for one evaluation.
+//! The evaluations of a light, and a light compiled for one evaluation.
 
 use std::marker::PhantomData;
 
-use luminaire::attenuation::{Attenuation as Law, NoAttenuation};
-use luminaire::bound::Lit;
-use luminaire::codegen::{Source, as_source};
-use luminaire::falloff::Falloff;
-use luminaire::light::{CompiledSpotLight, QuickSpotLight};
+use luminaire::attenuation::AnyAttenuation;
+use luminaire::bound::{ErrorBound, Lit};
+use luminaire::dynamic::{AnyLight, CompiledAnyLight};
+use luminaire::falloff::AnyFalloff;
+use luminaire::light::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight};
 use luminaire::number::Quick;
 use luminaire::{Error, Fx16, Fx32, Scalar, Vec3};
+use luminaire_export::ExportError;
+use luminaire_export::rust::{Constant, constant, quick_constant};
 use luminaire_oracle::DVec3;
 use luminaire_oracle::sweep::SurfacePoint;
 
-use crate::light::{Attenuation, Light, Shaped, shaped};
 use crate::target::named;
 
-/// Calls a macro with the given arguments, followed by the list of evaluations. A row is
-/// `doc variant = name, type, format, constructor, bound;`.
-macro_rules! evaluations {
-    ($consumer:ident $(; $($arguments:tt)*)?) => {
-        $consumer! {
-            $($($arguments)*)?
-            /// The quick evaluation of `Fx16`.
-            Fx16Quick = "fx16-quick", QuickSpotLight, Fx16, compile_quick, quick_error_bound_by;
-            /// 16-bit fixed point.
-            Fx16 = "fx16", CompiledSpotLight, Fx16, compile, error_bound_by;
-            /// 32-bit fixed point.
-            Fx32 = "fx32", CompiledSpotLight, Fx32, compile, error_bound_by;
-            /// Floating point.
-            F32 = "f32", CompiledSpotLight, f32, compile, error_bound_by;
-        }
-    };
+named! {
+    /// An evaluation of a light: a number format, and how much of its precision is used.
+    Evaluation {
+        /// The quick evaluation of `Fx16`, which spotlights have.
+        Fx16Quick = "fx16-quick",
+        /// 16-bit fixed point.
+        Fx16 = "fx16",
+        /// 32-bit fixed point.
+        Fx32 = "fx32",
+        /// Floating point.
+        F32 = "f32",
+    }
 }
-
-macro_rules! declare {
-    ($($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident, $bound:ident;)*) => {
-        named! {
-            /// An evaluation of a spotlight: a number format, and how much of its precision is used.
-            Evaluation {
-                $($(#[$doc])* $variant = $name,)*
-            }
-        }
-
-        impl Evaluation {
-            /// Returns the type of the compiled light, for the generated code.
-            pub(crate) fn type_of(self, light: &Light, cone: &Shaped) -> String {
-                let (kind, format) = match self {
-                    $(Self::$variant => (stringify!($type), stringify!($format)),)*
-                };
-                let format = if format == "f32" { format.to_owned() } else { format!("luminaire::{format}") };
-                let falloff = cone.type_name();
-                let attenuation = match light.attenuation {
-                    Attenuation::None => "NoAttenuation",
-                    Attenuation::InverseSquare => "InverseSquare",
-                };
-                format!(
-                    "luminaire::light::{kind}<{format}, luminaire::falloff::{falloff}, \
-                     luminaire::attenuation::{attenuation}>"
-                )
-            }
-
-            /// Returns the largest coordinate of a light in the format of the evaluation.
-            pub(crate) fn farthest(self) -> f32 {
-                match self {
-                    $(Self::$variant => <$format as Scalar>::FARTHEST,)*
-                }
-            }
-        }
-    };
-}
-evaluations!(declare);
 
 /// A light compiled for an evaluation.
 pub(crate) trait Kernel {
@@ -79,20 +38,46 @@ pub(crate) trait Kernel {
     fn normal(&self, normal: [f32; 3]) -> DVec3;
     /// Returns whether the evaluation at the point is the fine evaluation.
     fn is_fine(&self, point: [f32; 3]) -> bool;
-    /// Returns the light as a constant expression of Rust.
-    fn source(&self) -> String;
 }
 
-/// A compiled light: a [`CompiledSpotLight`] or a [`QuickSpotLight`].
-trait Evaluated<S: Scalar> {
-    fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
+/// A number format whose numbers are converted without a rounding, which `f32` would have of those of `Fx32`.
+trait Exact: Scalar + 'static {
+    fn exact(self) -> f64;
+    fn exact_light(light: Self::Irradiance) -> f64;
+}
 
-    fn is_fine_at(&self, _point: Vec3<S::Length>) -> bool {
-        false
+impl Exact for f32 {
+    fn exact(self) -> f64 {
+        self.into()
+    }
+
+    fn exact_light(light: f32) -> f64 {
+        light.into()
     }
 }
 
-impl<S: Scalar, P: Falloff, A: Law> Evaluated<S> for CompiledSpotLight<S, P, A> {
+macro_rules! exact {
+    ($($format:ty)*) => {$(
+        impl Exact for $format {
+            fn exact(self) -> f64 {
+                self.to_f64()
+            }
+
+            fn exact_light(light: Self::Irradiance) -> f64 {
+                light.to_f64()
+            }
+        }
+    )*};
+}
+exact! { Fx16 Fx32 }
+
+/// A compiled light of one kind. Its falloff and its attenuation are chosen at run time, which changes no bit.
+trait Evaluated<S: Scalar> {
+    fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
+    fn is_fine_at(&self, point: Vec3<S::Length>) -> bool;
+}
+
+impl<S: Scalar> Evaluated<S> for CompiledSpotLight<S, AnyFalloff, AnyAttenuation> {
     fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.irradiance(point, normal)
     }
@@ -102,87 +87,118 @@ impl<S: Scalar, P: Falloff, A: Law> Evaluated<S> for CompiledSpotLight<S, P, A> 
     }
 }
 
-impl<S: Quick, P: Falloff, A: Law> Evaluated<S> for QuickSpotLight<S, P, A> {
+impl<S: Quick> Evaluated<S> for QuickSpotLight<S, AnyFalloff, AnyAttenuation> {
     fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.irradiance(point, normal)
+    }
+
+    fn is_fine_at(&self, _: Vec3<S::Length>) -> bool {
+        false
+    }
+}
+
+impl<S: Scalar> Evaluated<S> for CompiledPointLight<S, AnyAttenuation> {
+    fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        self.irradiance(point, normal)
+    }
+
+    fn is_fine_at(&self, point: Vec3<S::Length>) -> bool {
+        self.is_fine(point)
+    }
+}
+
+impl<S: Scalar> Evaluated<S> for CompiledDirectionalLight<S> {
+    fn irradiance_at(&self, _: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+        self.irradiance(normal)
+    }
+
+    fn is_fine_at(&self, _: Vec3<S::Length>) -> bool {
+        false
     }
 }
 
 struct Compiled<S, L>(L, PhantomData<S>);
 
-impl<S: Scalar, L: Evaluated<S> + Source> Kernel for Compiled<S, L> {
+impl<S: Exact, L: Evaluated<S>> Kernel for Compiled<S, L> {
     fn light(&self, &SurfacePoint { point, normal }: &SurfacePoint) -> f64 {
-        S::light_to_f32(self.0.irradiance_at(S::point(point), S::normal(normal))).into()
+        S::exact_light(self.0.irradiance_at(S::point(point), S::normal(normal)))
     }
 
     fn normal(&self, normal: [f32; 3]) -> DVec3 {
-        DVec3::from_array(<[S; 3]>::from(S::normal(normal)).map(|c| c.to_f32().into()))
+        DVec3::from_array(<[S; 3]>::from(S::normal(normal)).map(S::exact))
     }
 
     fn is_fine(&self, point: [f32; 3]) -> bool {
         self.0.is_fine_at(S::point(point))
     }
-
-    fn source(&self) -> String {
-        as_source(&self.0).to_string()
-    }
-}
-
-/// Compiles a light for the evaluation of a variant.
-macro_rules! compiled {
-    ($evaluation:expr, $spot:ident;
-     $($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident, $bound:ident;)*) => {
-        match $evaluation {
-            $(Evaluation::$variant => boxed::<$format, _>($spot.$compile::<$format>()?),)*
-        }
-    };
-}
-
-/// Derives the bound of a light for the evaluation of a variant.
-macro_rules! bounded {
-    ($evaluation:expr, $spot:ident, $distances:expr, $measure:expr;
-     $($(#[$doc:meta])* $variant:ident = $name:literal, $type:ident, $format:ident, $compile:ident, $bound:ident;)*) => {
-        match $evaluation {
-            $(Evaluation::$variant => $spot.$bound::<$format>($distances, $measure)?,)*
-        }
-    };
-}
-
-/// Evaluates an expression with the spotlight of a light, by its cone and its attenuation.
-macro_rules! spotlight {
-    ($light:expr, $cone:expr, $spot:ident => $answer:expr) => {
-        shaped!($cone, cone => {
-            let $spot = $light.spot(*cone)?;
-            match $light.attenuation {
-                Attenuation::None => {
-                    let $spot = $spot.with_attenuation(NoAttenuation);
-                    $answer
-                }
-                Attenuation::InverseSquare => $answer,
-            }
-        })
-    };
 }
 
 impl Evaluation {
-    /// Compiles a light.
-    pub(crate) fn compile(self, light: &Light, cone: &Shaped) -> Result<Box<dyn Kernel>, Error> {
-        Ok(spotlight!(light, cone, spot => evaluations!(compiled; self, spot;)))
+    /// Returns the largest coordinate of a light in the format of the evaluation.
+    pub(crate) fn farthest(self) -> f32 {
+        match self {
+            Self::Fx16Quick | Self::Fx16 => Fx16::FARTHEST,
+            Self::Fx32 => Fx32::FARTHEST,
+            Self::F32 => f32::FARTHEST,
+        }
     }
 
-    /// Returns the bound of the error of a light between its distances, by a measure of an error.
+    /// Compiles a light; `None` for a kind of light that the evaluation does not have.
+    pub(crate) fn compile(self, light: &AnyLight) -> Result<Option<Box<dyn Kernel>>, Error> {
+        Ok(Some(match self {
+            Self::Fx16Quick => match light {
+                AnyLight::Spot(spot) => boxed::<Fx16, _>(spot.compile_quick::<Fx16>()?),
+                AnyLight::Point(_) | AnyLight::Directional(_) => return Ok(None),
+            },
+            Self::Fx16 => compiled::<Fx16>(light)?,
+            Self::Fx32 => compiled::<Fx32>(light)?,
+            Self::F32 => compiled::<f32>(light)?,
+        }))
+    }
+
+    /// Returns the bound of the error of a light at surfaces within two distances, by a measure of an error.
     pub(crate) fn bound(
         self,
-        light: &Light,
-        cone: &Shaped,
+        light: &AnyLight,
+        [near, far]: [f32; 2],
         measure: &dyn Fn(Lit) -> f64,
-    ) -> Result<f64, Error> {
-        let distances = light.near..=light.far;
-        let bound = spotlight!(light, cone, spot => evaluations!(bounded; self, spot, distances, measure;));
-        Ok(bound.light.into())
+    ) -> Result<ErrorBound, Error> {
+        let distances = near..=far;
+        match self {
+            Self::Fx16Quick => match light {
+                AnyLight::Spot(spot) => spot.quick_error_bound_by::<Fx16>(distances, measure),
+                AnyLight::Point(_) | AnyLight::Directional(_) => {
+                    light.error_bound_by::<Fx16>(distances, measure)
+                }
+            },
+            Self::Fx16 => light.error_bound_by::<Fx16>(distances, measure),
+            Self::Fx32 => light.error_bound_by::<Fx32>(distances, measure),
+            Self::F32 => light.error_bound_by::<f32>(distances, measure),
+        }
+    }
+
+    /// Returns the light compiled for the evaluation as a constant of Rust.
+    pub(crate) fn constant(self, light: &AnyLight) -> Result<Constant, ExportError> {
+        match self {
+            Self::Fx16Quick => match light {
+                AnyLight::Spot(spot) => quick_constant::<Fx16>(spot),
+                AnyLight::Point(_) | AnyLight::Directional(_) => constant::<Fx16>(light),
+            },
+            Self::Fx16 => constant::<Fx16>(light),
+            Self::Fx32 => constant::<Fx32>(light),
+            Self::F32 => constant::<f32>(light),
+        }
     }
 }
 
-fn boxed<S: Scalar + 'static, L: Evaluated<S> + Source + 'static>(light: L) -> Box<dyn Kernel> {
+fn compiled<S: Exact>(light: &AnyLight) -> Result<Box<dyn Kernel>, Error> {
+    Ok(match light.compile::<S>()? {
+        CompiledAnyLight::Spot(light) => boxed::<S, _>(light),
+        CompiledAnyLight::Point(light) => boxed::<S, _>(light),
+        CompiledAnyLight::Directional(light) => boxed::<S, _>(light),
+    })
+}
+
+fn boxed<S: Exact, L: Evaluated<S> + 'static>(light: L) -> Box<dyn Kernel> {
     Box::new(Compiled(light, PhantomData))
 }

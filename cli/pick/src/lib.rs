@@ -1,4 +1,4 @@
-//! Picks the cheapest evaluation of a spotlight whose error is small enough for a display.
+//! Picks the cheapest evaluation of a light whose error is small enough for a display.
 //!
 //! A build script describes the chip, the display and the light. The answer contains the
 //! evaluation, the price and an error bound of the evaluation, and the constant to compile into the
@@ -13,10 +13,11 @@
 //! # Ok::<(), luminaire_pick::Refusal>(())
 //! ```
 //!
-//! The error bound is derived when `pick` is called: see [`Bound`]. The prices are counted under
+//! A light is a spotlight by its angles, or any light that the kernel compiles: [`Light::of`]. The error bound is
+//! derived when `pick` is called: see [`Bound`]. The prices are counted under
 //! an emulator: see [`Price`]. Several lights can share a tolerance: see [`Scene`].
 //!
-//! Files, in the order in which they build on one another: `target`, `refusal`, `light`,
+//! Files, in the order in which they build on one another: `target`, `refusal`, `light`, `truth`,
 //! `evaluation`, `search`, `price`, `request`, `survey`, `scene`, `measure`.
 #![forbid(unsafe_code)]
 
@@ -31,10 +32,11 @@ mod scene;
 mod search;
 mod survey;
 mod target;
+mod truth;
 
 pub use evaluation::Evaluation;
 pub use light::{Attenuation, Edge, Light};
-pub use price::Price;
+pub use price::{Counted, Price};
 pub use refusal::Refusal;
 pub use request::{Answer, Cheaper, Request};
 pub use scene::{Budget, Scene, SceneAnswer};

@@ -1,12 +1,16 @@
-//! The description of a spotlight: its cone, and the distances of the surfaces that it lights.
+//! The description of a light, and the distances of the surfaces that it lights.
 
-use luminaire::attenuation::AnyAttenuation;
+use luminaire::attenuation::{InverseSquare, NoAttenuation};
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft};
-use luminaire::{Angle, Cone, Error, Rgb, SpotLight};
-use luminaire_export::{check_text, json};
+use luminaire::falloff::{AnyFalloff, Cubic, Hard, Quadratic, Soft};
+use luminaire::{Angle, Cone, PointLight, Rgb, SpotLight, Vec3};
+use luminaire_export::check_text;
+use luminaire_export::json::{self, NamedLight};
 use luminaire_oracle as oracle;
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::ser::{Error as _, SerializeMap};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
 use crate::target::named;
@@ -31,12 +35,13 @@ named! {
     }
 }
 
-/// A spotlight, and the distances at which surfaces receive its light.
+/// A light, and the distances at which surfaces receive its light: a spotlight by its angles, or with
+/// [`light`](Self::light) any.
 ///
 /// Angles are full angles in degrees. One of beam, field and outer angle determines the cone. If
 /// both beam and field angle are given, the falloff is fitted to both angles, and `edge` has no
 /// effect. Without any of these angles, the field angle is 36 degrees.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Light {
     /// The name in texts and in the comment of the code: what [`check_text`] accepts.
@@ -69,6 +74,10 @@ pub struct Light {
     pub near: f32,
     /// The distance of the farthest surface.
     pub far: f32,
+    /// The light itself, in place of all fields above but the name and the distances: a light of any kind, with any
+    /// falloff and any attenuation. In JSON it is a light as [`luminaire_export`] describes it.
+    #[serde(deserialize_with = "from_document")]
+    pub light: Option<AnyLight>,
 }
 
 impl Default for Light {
@@ -91,126 +100,101 @@ impl Default for Light {
             intensity: 16.0,
             near: 1.0,
             far: 7.0,
+            light: None,
         }
     }
 }
 
-/// A cone, with one variant per falloff type.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Shaped {
-    Soft(Cone<Soft>),
-    Hard(Cone<Hard>),
-    Quadratic(Cone<Quadratic>),
-    Cubic(Cone<Cubic>),
+/// Writes the fields that have an effect.
+impl Serialize for Light {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        // All fields by name: one that is added does not compile until it is written.
+        let Self { name, position, axis, color, edge, slopes, beam, field, outer, inner, .. } = self;
+        let Self { attenuation, intensity, near, far, light, .. } = self;
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("name", name)?;
+        match light {
+            Some(light) => {
+                map.serialize_entry("light", &document(light).map_err(S::Error::custom)?)?;
+            }
+            None => {
+                map.serialize_entry("position", position)?;
+                map.serialize_entry("axis", axis)?;
+                map.serialize_entry("color", color)?;
+                map.serialize_entry("edge", edge)?;
+                map.serialize_entry("slopes", slopes)?;
+                map.serialize_entry("beam", beam)?;
+                map.serialize_entry("field", field)?;
+                map.serialize_entry("outer", outer)?;
+                map.serialize_entry("inner", inner)?;
+                map.serialize_entry("attenuation", attenuation)?;
+                map.serialize_entry("intensity", intensity)?;
+            }
+        }
+        map.serialize_entry("near", near)?;
+        map.serialize_entry("far", far)?;
+        map.end()
+    }
 }
 
-/// Evaluates an expression with the cone of the variant.
-macro_rules! shaped {
-    ($shaped:expr, $cone:ident => $answer:expr) => {
-        match $shaped {
-            $crate::light::Shaped::Soft($cone) => $answer,
-            $crate::light::Shaped::Hard($cone) => $answer,
-            $crate::light::Shaped::Quadratic($cone) => $answer,
-            $crate::light::Shaped::Cubic($cone) => $answer,
-        }
-    };
+/// Returns a light as a document has it, without a name.
+fn document(light: &AnyLight) -> Result<Value, String> {
+    let named = NamedLight { name: String::new(), light: *light, surfaces: None, about: None };
+    let text = json::write(&[named]).map_err(|error| error.to_string())?;
+    let mut document: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
+    let mut light = document["lights"][0].take();
+    if let Some(members) = light.as_object_mut() {
+        members.remove("name");
+    }
+    Ok(light)
 }
-pub(crate) use shaped;
 
-impl Shaped {
-    /// Returns the name of the falloff's type.
-    pub(crate) fn type_name(&self) -> &'static str {
-        match self {
-            Self::Soft(_) => "Soft",
-            Self::Hard(_) => "Hard",
-            Self::Quadratic(_) => "Quadratic",
-            Self::Cubic(_) => "Cubic",
-        }
-    }
-
-    /// Returns the full outer angle in degrees.
-    pub(crate) fn outer(&self) -> f32 {
-        shaped!(self, cone => cone.outer().to_degrees())
-    }
+/// Reads a light of a document.
+fn from_document<'de, D: Deserializer<'de>>(from: D) -> Result<Option<AnyLight>, D::Error> {
+    let Some(light) = Option::<Value>::deserialize(from)? else { return Ok(None) };
+    let document = json!({ "format": "luminaire-lights-1", "lights": [light] });
+    let read = json::read(&document.to_string()).map_err(D::Error::custom)?;
+    Ok(read.first().map(|named| named.light))
 }
 
 impl Light {
     /// Returns a light of any kind, with surfaces at distances from 1 to 7.
-    ///
-    /// Smoothstep is a cubic, and a line a quadratic.
-    ///
-    /// # Errors
-    /// A light whose instructions are not on record: another kind than a spotlight, a falloff that is no
-    /// polynomial up to the third degree, a cutoff, another attenuation than the inverse square, or a range.
-    pub fn of(name: &str, light: &AnyLight) -> Result<Self, Refusal> {
-        let refused = |parameter: &str, value: &str, priced: &str| {
-            let expected =
-                format!("{priced}, of which instructions are on record; `luminaire export` takes any light");
-            Refusal::parameter(&format!("{name}: {parameter}"), value.to_owned(), expected)
-        };
-        let AnyLight::Spot(spot) = light else {
-            return Err(refused("kind", "no spotlight", "a spotlight"));
-        };
-        let cone = spot.cone();
-        let (edge, slopes) = match cone.falloff() {
-            AnyFalloff::Soft(_) => (Edge::Soft, None),
-            AnyFalloff::Hard(_) => (Edge::Hard, None),
-            AnyFalloff::Linear(_) => (Edge::Soft, Some([1.0, 1.0])),
-            AnyFalloff::Smooth(_) => (Edge::Soft, Some([0.0, 0.0])),
-            AnyFalloff::Quadratic(own) => (Edge::Soft, Some([own.edge_slope(), 2.0 - own.edge_slope()])),
-            AnyFalloff::Cubic(own) => (Edge::Soft, Some([own.edge_slope(), own.middle_slope()])),
-            other => {
-                return Err(refused(
-                    "falloff",
-                    other.effect().name(),
-                    "a polynomial up to the third degree (of a measured light by a larger --fit)",
-                ));
-            }
-        };
-        if cone.has_cutoff() {
-            return Err(refused("cutoff", &cone.outer().to_degrees().to_string(), "no cutoff"));
-        }
-        let attenuation = match spot.attenuation() {
-            // Without a range, a window is none.
-            law if law.range().is_none()
-                && matches!(law, AnyAttenuation::Constant(_) | AnyAttenuation::WindowedConstant(_)) =>
-            {
-                Attenuation::None
-            }
-            law if law.range().is_none()
-                && matches!(
-                    law,
-                    AnyAttenuation::InverseSquare(_)
-                        | AnyAttenuation::GltfRange(_)
-                        | AnyAttenuation::FilamentRange(_)
-                ) =>
-            {
-                Attenuation::InverseSquare
-            }
-            law => {
-                let range = law.range().map_or_else(|| "none".to_owned(), |range| range.to_string());
-                let value = format!("{}, range {range}", luminaire::attenuation::Attenuation::effects(&law));
-                return Err(refused("attenuation", &value, "the inverse square or none, without a range"));
-            }
-        };
-        let color = spot.color();
-        Ok(Self {
-            name: name.to_owned(),
-            position: spot.position().into(),
-            axis: spot.axis().into(),
-            color: [color.red, color.green, color.blue],
-            edge,
-            slopes,
-            outer: Some(cone.outer().to_degrees()),
-            inner: cone.has_hotspot().then(|| cone.inner().to_degrees()),
-            attenuation,
-            intensity: spot.intensity(),
-            ..Self::default()
-        })
+    pub fn of(name: &str, light: &AnyLight) -> Self {
+        Self { name: name.to_owned(), light: Some(*light), ..Self::default() }
     }
 
-    /// Returns the cone.
-    pub(crate) fn cone(&self) -> Result<Shaped, Refusal> {
+    /// Returns the light that this describes. Its position is rounded to multiples of 2^-16, which every format can
+    /// represent.
+    ///
+    /// # Errors
+    /// A parameter of the light that is invalid.
+    pub fn any(&self) -> Result<AnyLight, Refusal> {
+        let Some(light) = self.light else {
+            let [red, green, blue] = self.color;
+            let spot = SpotLight::new(on_grid(self.position), self.axis, self.cone()?)?
+                .with_color(Rgb::new(red, green, blue))?
+                .with_intensity(self.intensity)?;
+            return Ok(match self.attenuation {
+                Attenuation::None => spot.with_attenuation(NoAttenuation).into(),
+                Attenuation::InverseSquare => spot.with_attenuation(InverseSquare).into(),
+            });
+        };
+        let placed = |position: Vec3<f32>| on_grid(position.into());
+        let moved: AnyLight = match light {
+            AnyLight::Spot(spot) => SpotLight::new(placed(spot.position()), spot.given_axis(), spot.cone())?
+                .with_attenuation(spot.attenuation())
+                .into(),
+            AnyLight::Point(point) => {
+                PointLight::new(placed(point.position()))?.with_attenuation(point.attenuation()).into()
+            }
+            AnyLight::Directional(_) => light,
+        };
+        let moved = moved.with_color(light.color())?.with_specular_color(light.specular_color())?;
+        Ok(moved.with_intensity(light.intensity())?)
+    }
+
+    /// Returns the cone of the angles.
+    fn cone(&self) -> Result<Cone<AnyFalloff>, Refusal> {
         let falloff: AnyFalloff = match (self.slopes, self.edge) {
             (Some([edge, full]), _) if edge + full == 2.0 => Quadratic::new(edge)?.into(),
             (Some([edge, full]), _) => Cubic::with_slopes(edge, full)?.into(),
@@ -224,65 +208,19 @@ impl Light {
         // Beam and field angle together determine the falloff.
         let falloff = (self.beam.is_none() || self.field.is_none()).then_some(falloff);
         let cone = json::from_angles(falloff, angles, self.inner, None)?;
-        let cone = match cone.falloff() {
-            AnyFalloff::Hard(own) => Shaped::Hard(cone.with_falloff(own)),
-            AnyFalloff::Quadratic(own) => Shaped::Quadratic(cone.with_falloff(own)),
-            AnyFalloff::Cubic(own) => Shaped::Cubic(cone.with_falloff(own)),
-            AnyFalloff::Soft(own) => Shaped::Soft(cone.with_falloff(own)),
-            other => {
-                let expected = "soft, hard, a quadratic or a cubic".to_owned();
-                return Err(Refusal::parameter("falloff", other.effect().name().to_owned(), expected));
-            }
-        };
-        let (inner, hotspot) = shaped!(cone, cone => {
-            (cone.inner().to_degrees(), cone.inner().versine() / cone.outer_versine())
-        });
         // The inner angle is converted to degrees and back. The conversion may change the last bits
         // of the angle.
-        if hotspot > 1.0 - 1e-6 {
+        if cone.inner().versine() / cone.outer_versine() > 1.0 - 1e-6 {
             return Err(Refusal::parameter(
                 "inner angle",
-                inner.to_string(),
-                format!("less than {} degrees: a step has an error of its position", cone.outer()),
+                cone.inner().to_degrees().to_string(),
+                format!(
+                    "less than {} degrees: a step has an error of its position",
+                    cone.outer().to_degrees()
+                ),
             ));
         }
         Ok(cone)
-    }
-
-    /// Returns the position, rounded to multiples of 2^-16, which every format can represent.
-    fn place(&self) -> [f32; 3] {
-        oracle::on_grid(oracle::DVec3::from_array(self.position.map(f64::from))).as_vec3().to_array()
-    }
-
-    /// Returns the spotlight with this cone.
-    pub(crate) fn spot<P: Falloff>(&self, cone: Cone<P>) -> Result<SpotLight<P>, Error> {
-        let [red, green, blue] = self.color;
-        SpotLight::new(self.place(), self.axis, cone)?
-            .with_color(Rgb::new(red, green, blue))?
-            .with_intensity(self.intensity)
-    }
-
-    /// Returns the exact light with this cone.
-    pub(crate) fn truth(&self, cone: &Shaped) -> oracle::SpotLight {
-        let (formula, inner, outer) = shaped!(cone, cone => {
-            let Formula::Polynomial(coefficients) = cone.falloff().formula() else {
-                unreachable!("the falloffs of `Shaped` are polynomials");
-            };
-            (coefficients, cone.inner().versine(), cone.outer_versine())
-        });
-        let outer = f64::from(outer);
-        let falloff = oracle::Curve::Polynomial(formula.map(f64::from));
-        let cone = oracle::Cone { falloff, inner: inner.into(), outer, limit: outer };
-        oracle::SpotLight {
-            position: oracle::DVec3::from_array(self.place().map(f64::from)),
-            axis: oracle::DVec3::from_array(self.axis.map(f64::from)),
-            cone,
-            intensity: self.intensity.into(),
-            attenuation: match self.attenuation {
-                Attenuation::None => oracle::Attenuation::None,
-                Attenuation::InverseSquare => oracle::Attenuation::InverseSquare,
-            },
-        }
     }
 
     /// Returns an error if a parameter of the light is invalid.
@@ -296,15 +234,25 @@ impl Light {
                 "more than 0, the near one first".to_owned(),
             ));
         }
-        self.check_grid()?;
-        let cone = self.cone()?;
-        shaped!(cone, cone => self.spot(cone).map(|_| ()))?;
-        Ok(())
+        if let Some(light) = &self.light {
+            let alone = Self { near: self.near, far: self.far, ..Self::of(&self.name, light) };
+            if *self != alone {
+                let expected =
+                    "the name, near and far alone beside it: it has its own angles, place and intensity";
+                return Err(Refusal::parameter("light", json::kind(light).to_owned(), expected.to_owned()));
+            }
+        }
+        match self.light {
+            Some(AnyLight::Spot(spot)) => self.check_grid(spot.position().into()),
+            Some(AnyLight::Point(point)) => self.check_grid(point.position().into()),
+            Some(AnyLight::Directional(_)) => Ok(()),
+            None => self.check_grid(self.position),
+        }
     }
 
     /// Returns an error if the coordinates of the nearest points have steps of more than a 16th of
     /// their distance. Their steps are 2^-16, or those of `f32` where these are larger.
-    fn check_grid(&self) -> Result<(), Refusal> {
+    fn check_grid(&self, position: [f32; 3]) -> Result<(), Refusal> {
         const LEAST: f32 = 16.0 / 65_536.0;
         if self.near < LEAST {
             let expected = format!("at least {LEAST}: points have steps of 2^-16; use a smaller unit");
@@ -312,7 +260,7 @@ impl Light {
         }
         // The power of two at or below `near`: a 16th of it times the 24 bits of `f32`.
         let limit = f32::from_bits(self.near.to_bits() & 0x7f80_0000) * 1_048_576.0 - self.near;
-        match self.position.into_iter().find(|c| c.abs() > limit) {
+        match position.into_iter().find(|c| c.abs() > limit) {
             None => Ok(()),
             Some(c) => Err(Refusal::parameter(
                 "position",
@@ -321,4 +269,9 @@ impl Light {
             )),
         }
     }
+}
+
+/// Returns a position, rounded to multiples of 2^-16.
+fn on_grid(position: [f32; 3]) -> [f32; 3] {
+    oracle::on_grid(oracle::DVec3::from_array(position.map(f64::from))).as_vec3().to_array()
 }

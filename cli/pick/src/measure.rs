@@ -1,12 +1,14 @@
-//! Functions for tests: random lights, the exact light of an answer, and longer searches for its
-//! error.
+//! Functions for tests: random lights, and longer searches for the error of an answer.
 
+use luminaire::attenuation::AnyAttenuation;
+use luminaire::dynamic::AnyLight;
+use luminaire::falloff::{AnyFalloff, Table};
+use luminaire::{Cone, DirectionalLight, HalfAngle, PointLight, SpotLight};
 use luminaire_oracle::SplitMix64;
 
 use crate::light::{Attenuation, Edge, Light};
 use crate::refusal::Refusal;
-use crate::request::Answer;
-use crate::search::Search;
+use crate::request::{Answer, Request, largest};
 
 /// Returns a random light, with a cone from 1 to 140 degrees and distances from 0.1 to 100.
 pub fn random_light(random: &mut SplitMix64) -> Light {
@@ -33,7 +35,62 @@ pub fn random_light(random: &mut SplitMix64) -> Light {
     }
 }
 
-/// Returns a random light of all that the fields of [`Light`] take, their ends with weight. Many are refused.
+/// Returns a random light of any kind with any models, as [`Light::light`] takes it, by the ends of what is accepted or
+/// by usual numbers; `None` if the numbers make none.
+pub fn any_light_anywhere(random: &mut SplitMix64) -> Option<Light> {
+    let is_usual = random.below(2) == 0;
+    let near = if is_usual { ratio(random, 0.1, 20.0) } else { anywhere(random, 16.0 / 65_536.0, 32_767.0) };
+    let far =
+        if is_usual { near * ratio(random, 1.0, 10.0) } else { anywhere(random, near.into(), 65_535.0) };
+    let reach = if is_usual { 10.0 } else { anywhere(random, 1e-4, 32_767.0) };
+    let [axis, position] =
+        [1.0, f64::from(reach)].map(|most| random.vector(-most, most).as_vec3().to_array());
+    let intensity = if is_usual { ratio(random, 0.1, 100.0) } else { anywhere(random, 1e-9, 1e9) };
+    let index = random.below(1 << 32) as usize;
+    let law = if is_usual { AnyAttenuation::drawn } else { AnyAttenuation::anywhere };
+    let attenuation = law(index, || random.between(0.0, 1.0) as f32).ok()?;
+    // An end between the distances: a range that ends the light, or its jump.
+    let [near, far] = match attenuation.range() {
+        Some(range) if random.below(2) == 0 && (0.001..32_000.0).contains(&range) => {
+            [range / 2.0, 1.01 * range]
+        }
+        _ => [near, far],
+    };
+    let light: AnyLight = match random.below(8) {
+        0 => DirectionalLight::new(axis).ok()?.into(),
+        1 => PointLight::new(position).ok()?.with_attenuation(attenuation).into(),
+        _ => SpotLight::new(position, axis, cone_anywhere(random, is_usual)?)
+            .ok()?
+            .with_attenuation(attenuation)
+            .into(),
+    };
+    let light = light.with_intensity(intensity).ok()?;
+    Some(Light { near, far, ..Light::of("light", &light) })
+}
+
+/// Returns a random cone of any falloff, often with a hotspot or a cutoff.
+fn cone_anywhere(random: &mut SplitMix64, is_usual: bool) -> Option<Cone<AnyFalloff>> {
+    /// Tables as photometric files have them: one with a dark ring, and one of few samples.
+    const TABLES: [&[u16]; 2] = [&[65_535, 65_535, 40_000, 3_000, 9_000, 700, 0], &[65_535, 32_768, 0]];
+    let index = random.below(1 << 32) as usize;
+    let falloff = if is_usual { AnyFalloff::drawn } else { AnyFalloff::anywhere };
+    let mut falloff = falloff(index, || random.between(0.0, 1.0) as f32).ok()?;
+    if let AnyFalloff::Table(_) = falloff {
+        falloff = Table::new(TABLES[random.below(2) as usize]).ok()?.into();
+    }
+    let outer = if is_usual { ratio(random, 1.0, 80.0) } else { anywhere(random, 1e-4, 90.0) };
+    let part = |random: &mut SplitMix64| HalfAngle::degrees(outer * random.between(0.0, 1.0) as f32);
+    let mut cone = Cone::from_outer(falloff, HalfAngle::degrees(outer)).ok()?;
+    if random.below(4) == 0 {
+        cone = cone.with_inner(part(random)).ok()?;
+    }
+    if random.below(6) == 0 {
+        cone = cone.with_cutoff(part(random)).ok()?;
+    }
+    Some(cone)
+}
+
+/// Returns a random light of all that the other fields of [`Light`] take, their ends with weight. Many are refused.
 pub fn light_anywhere(random: &mut SplitMix64) -> Light {
     let one_of = |random: &mut SplitMix64, count| random.below(count) == 0;
     let one = |random: &mut SplitMix64| random.between(0.0, 1.0) as f32;
@@ -80,22 +137,13 @@ fn ratio(random: &mut SplitMix64, least: f64, most: f64) -> f32 {
     (least * (most / least).powf(random.between(0.0, 1.0))) as f32
 }
 
-/// Returns the exact light of an answer.
-pub fn truth(answer: &Answer) -> Result<luminaire_oracle::SpotLight, Refusal> {
-    Ok(answer.light.truth(&answer.light.cone()?))
-}
-
-/// Returns the error of a light in the unit of the answer's tolerance.
-pub fn error(answer: &Answer, found: f64, exact: f64) -> f64 {
-    answer.tolerance.error(answer.display, found, exact)
-}
-
 /// Returns the largest error of an answer that another search finds.
 ///
 /// This search uses `effort` times as many points, and the random numbers of `seed`.
 pub fn found(answer: &Answer, seed: u64, effort: usize) -> Result<f64, Refusal> {
-    let cone = answer.light.cone()?;
-    let kernel = answer.evaluation.compile(&answer.light, &cone)?;
-    let search = Search::new(&answer.light, &cone, seed, effort);
-    Ok(search.largest(&*kernel, answer.tolerance, answer.display).0)
+    let request = Request { chip: answer.chip, display: answer.display, tolerance: answer.tolerance };
+    let offers = request.offers(&answer.light)?;
+    let offer = offers.iter().find(|offer| offer.evaluation == answer.evaluation);
+    let offer = offer.expect("the evaluation of the answer");
+    Ok(largest(&request, offer, &answer.light, seed, effort)?.0)
 }

@@ -1,13 +1,17 @@
 //! A request and its answer.
 
+use luminaire::bound::ErrorBound;
+use luminaire::dynamic::AnyLight;
+use luminaire_export::rust::Constant;
 use serde::Serialize;
 
 use crate::evaluation::Evaluation;
-use crate::light::{Light, Shaped};
+use crate::light::Light;
 use crate::price::Price;
 use crate::refusal::Refusal;
-use crate::search::{Bound, Search};
+use crate::search::{Bound, Place, Search};
 use crate::target::{Chip, Display, Tolerance};
+use crate::truth::Truth;
 
 /// A request: the chip, the display and the tolerance. The default tolerance is one step of the
 /// display.
@@ -23,8 +27,8 @@ pub struct Request {
 pub struct Answer {
     /// The light.
     pub light: Light,
-    /// The full angle in degrees at which the light ends.
-    pub outer: f32,
+    /// The full angle in degrees at which the light ends; `None`, in JSON `null`, for a light without a cone.
+    pub outer: Option<f32>,
     /// The chip.
     pub chip: Chip,
     /// The display.
@@ -90,14 +94,16 @@ impl Request {
             return Err(Refusal::parameter("tolerance", amount.to_string(), "more than 0".to_owned()));
         }
         let offers = self.offers(light)?;
-        if let Some(number) = offers.iter().position(|offer| offer.bound <= amount) {
-            let cheaper = offers[..number].iter().min_by(|a, b| a.bound.total_cmp(&b.bound));
-            let cheaper = cheaper.map(|&Offer { evaluation, price: Price { instructions, .. }, bound }| {
-                Cheaper { evaluation, instructions, bound }
+        if let Some(number) = offers.iter().position(|offer| offer.bound() <= amount) {
+            let cheaper = offers[..number].iter().min_by(|a, b| a.bound().total_cmp(&b.bound()));
+            let cheaper = cheaper.map(|offer| Cheaper {
+                evaluation: offer.evaluation,
+                instructions: offer.price.instructions,
+                bound: offer.bound(),
             });
             return Ok(Answer { cheaper, ..self.answer(&offers[number], light)? });
         }
-        let Some(nearest) = offers.iter().min_by(|a, b| a.bound.total_cmp(&b.bound)) else {
+        let Some(nearest) = offers.iter().min_by(|a, b| a.bound().total_cmp(&b.bound())) else {
             return Err(none_holds(light));
         };
         Err(Refusal::parameter(
@@ -105,7 +111,7 @@ impl Request {
             self.tolerance.to_string(),
             format!(
                 "at least {} {}, the bound of {}",
-                rounded_up(nearest.bound),
+                rounded_up(nearest.bound()),
                 self.tolerance.unit(self.display),
                 nearest.evaluation
             ),
@@ -115,23 +121,20 @@ impl Request {
     /// Returns an offer for every evaluation that can hold the light, the cheapest first.
     pub(crate) fn offers(&self, light: &Light) -> Result<Vec<Offer>, Refusal> {
         light.check()?;
-        let cone = light.cone()?;
-        let search = Search::new(light, &cone, SEED, 1);
-        let farthest = light.position.iter().fold(light.far, |most, c| most.max(c.abs() + light.far));
+        let any = light.any()?;
+        let search = search(light, &any, SEED, 1);
+        let farthest = farthest(light, &any);
         let measure = |lit| self.tolerance.measure(self.display, lit);
         let (mut offers, mut refused) = (Vec::new(), None);
         for &evaluation in Evaluation::ALL {
-            match evaluation.compile(light, &cone) {
-                Ok(_) if farthest > evaluation.farthest() => {}
-                Ok(kernel) => {
+            match evaluation.compile(&any) {
+                Ok(Some(kernel)) if farthest <= evaluation.farthest() => {
                     let share = search.fine_share(&*kernel);
-                    let price = Price::of(self.chip, light, &cone, evaluation, share);
-                    offers.push(Offer {
-                        evaluation,
-                        price,
-                        bound: evaluation.bound(light, &cone, &measure)?,
-                    });
+                    let price = Price::of(self.chip, &any, evaluation, share)?;
+                    let bound = evaluation.bound(&any, [light.near, light.far], &measure)?;
+                    offers.push(Offer { evaluation, price, bound });
                 }
+                Ok(_) => {}
                 Err(error) => refused = Some(error),
             }
         }
@@ -144,23 +147,61 @@ impl Request {
 
     /// Returns the answer of an offer, with the largest error that a search finds.
     pub(crate) fn answer(&self, offer: &Offer, light: &Light) -> Result<Answer, Refusal> {
-        let &Offer { evaluation, price, bound } = offer;
-        let cone = light.cone()?;
-        let kernel = evaluation.compile(light, &cone)?;
-        let (found, at) = Search::new(light, &cone, SEED, 1).largest(&*kernel, self.tolerance, self.display);
+        let &Offer { evaluation, price, ref bound } = offer;
+        let any = light.any()?;
+        let (found, at) = largest(self, offer, light, SEED, 1)?;
         Ok(Answer {
             light: light.clone(),
-            outer: cone.outer(),
+            outer: match &any {
+                AnyLight::Spot(spot) => Some(spot.cone().outer().to_degrees()),
+                AnyLight::Point(_) | AnyLight::Directional(_) => None,
+            },
             chip: self.chip,
             display: self.display,
             tolerance: self.tolerance,
             evaluation,
             price,
-            bound: Bound { value: bound, found, label: "derived", at },
+            bound: Bound {
+                value: offer.bound(),
+                found,
+                label: "derived",
+                edge_degrees: bound.edge.to_degrees(),
+                range: bound.range,
+                at,
+            },
             cheaper: None,
-            code: code(light, &cone, evaluation, &kernel.source()),
+            code: code(&light.name, evaluation, &evaluation.constant(&any)?),
         })
     }
+}
+
+fn search(light: &Light, any: &AnyLight, seed: u64, effort: usize) -> Search {
+    Search::new(Truth::of(*any), [light.near, light.far], seed, effort)
+}
+
+/// Returns the largest error of an offer that a search finds, and where.
+pub(crate) fn largest(
+    request: &Request,
+    offer: &Offer,
+    light: &Light,
+    seed: u64,
+    effort: usize,
+) -> Result<(f64, Place), Refusal> {
+    let any = light.any()?;
+    let Some(kernel) = offer.evaluation.compile(&any)? else { return Ok(Default::default()) };
+    let search = search(light, &any, seed, effort);
+    Ok(search.largest(&*kernel, &offer.bound, request.tolerance, request.display))
+}
+
+/// Returns the largest coordinate of the points.
+fn farthest(light: &Light, any: &AnyLight) -> f32 {
+    let position = match any {
+        AnyLight::Spot(spot) => spot.position(),
+        AnyLight::Point(point) => point.position(),
+        // Its points may be anywhere.
+        AnyLight::Directional(_) => return 0.0,
+    };
+    <[f32; 3]>::from(position).iter().fold(light.far, |most, c| most.max(c.abs() + light.far))
 }
 
 /// The seed of the searches of answers.
@@ -172,7 +213,14 @@ pub(crate) struct Offer {
     pub(crate) evaluation: Evaluation,
     pub(crate) price: Price,
     /// The bound of the error, in the unit of the tolerance.
-    pub(crate) bound: f64,
+    pub(crate) bound: ErrorBound,
+}
+
+impl Offer {
+    /// Returns the bound of the error, in the unit of the tolerance.
+    pub(crate) fn bound(&self) -> f64 {
+        self.bound.light.into()
+    }
 }
 
 /// Returns the refusal of a light whose coordinates no evaluation can hold.
@@ -181,13 +229,45 @@ fn none_holds(light: &Light) -> Refusal {
     Refusal::parameter("far", light.far.to_string(), format!("coordinates of at most {farthest}"))
 }
 
-fn code(light: &Light, cone: &Shaped, evaluation: Evaluation, source: &str) -> String {
+fn code(name: &str, evaluation: Evaluation, Constant { type_name, value }: &Constant) -> String {
     format!(
-        "/// `{}`, evaluated by {evaluation}.\npub const LIGHT: {} = {};\n",
-        light.name,
-        evaluation.type_of(light, cone),
-        source.trim_end()
+        "/// `{name}`, evaluated by {evaluation}.\npub const LIGHT: {} = {};\n",
+        qualified(type_name),
+        value.trim_end()
     )
+}
+
+/// Returns the type of a compiled light with the modules of its names.
+fn qualified(type_name: &str) -> String {
+    let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+    let (mut text, mut rest, mut depth, mut place) = (String::new(), type_name, 0, 0);
+    while let Some(first) = rest.chars().next() {
+        let (name, others) = rest.split_at(rest.find(|c| !is_of_name(c)).unwrap_or(rest.len()));
+        if name.is_empty() {
+            // The parameters of the light's type: the format, the falloff of a spotlight, and the attenuation.
+            match first {
+                '<' => depth += 1,
+                '>' => depth -= 1,
+                ',' if depth == 1 => place += 1,
+                _ => {}
+            }
+            text.push(first);
+            rest = &rest[first.len_utf8()..];
+            continue;
+        }
+        let has_falloff = !type_name.starts_with("CompiledPointLight");
+        let module = match (depth, place) {
+            _ if !name.starts_with(char::is_uppercase) => "",
+            (0, _) => "luminaire::light::",
+            (_, 0) => "luminaire::",
+            (_, 1) if has_falloff => "luminaire::falloff::",
+            _ => "luminaire::attenuation::",
+        };
+        text += module;
+        text += name;
+        rest = others;
+    }
+    text
 }
 
 /// Returns a positive number with three digits, rounded up so that a tolerance of this number is

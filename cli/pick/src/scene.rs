@@ -133,9 +133,9 @@ impl Request {
         let is_16 = matches!(offer.evaluation, Evaluation::Fx16 | Evaluation::Fx16Quick);
         // Two products, each with a rounding error of at most a step of 2^-14.
         let rounding = if is_16 { 2.0 / 16_384.0 } else { 0.0 };
-        offer.bound
+        offer.bound()
             + match self.tolerance {
-                Tolerance::Steps(_) => COLORS * offer.bound + rounding * self.display.slope(),
+                Tolerance::Steps(_) => COLORS * offer.bound() + rounding * self.display.slope(),
                 Tolerance::Codes(_) => rounding * 255.0,
             }
     }

@@ -1,14 +1,15 @@
 //! The two ends of the error of a light: the derived bound, and the largest error that a search finds.
 
 use fastrand::Rng;
+use luminaire::bound::ErrorBound;
+use luminaire_oracle::DVec3;
 use luminaire_oracle::climb::{self, Worst};
 use luminaire_oracle::sweep::{SurfacePoint, Surfaces, direction_off};
-use luminaire_oracle::{DVec3, SpotLight, half_degrees};
 use serde::Serialize;
 
 use crate::evaluation::Kernel;
-use crate::light::{Light, Shaped};
 use crate::target::{Display, Tolerance};
+use crate::truth::Truth;
 
 /// A bound of an error, and the largest error that a search finds.
 ///
@@ -24,6 +25,12 @@ pub struct Bound {
     pub found: f64,
     /// How the bound was found: `derived`.
     pub label: &'static str,
+    /// The angle in degrees by which the edge of a cone may move where the light jumps or has an infinite derivative:
+    /// the bound holds for directions farther from it. 0 if it holds for all.
+    pub edge_degrees: f32,
+    /// The distance by which the range may move where the light is cut off: the bound holds for distances farther
+    /// from it. 0 if it holds for all.
+    pub range: f32,
     /// The position and the orientation of the surface at which the largest error was found.
     pub at: Place,
 }
@@ -31,9 +38,9 @@ pub struct Bound {
 /// The position and the orientation of a surface, relative to the light.
 #[derive(Clone, Copy, PartialEq, Default, Debug, Serialize)]
 pub struct Place {
-    /// The angle off axis in degrees.
+    /// The angle off axis in degrees; 0 for a light without a cone.
     pub degrees_off_axis: f64,
-    /// The distance from the light.
+    /// The distance from the light; 0 for a directional light.
     pub distance: f64,
     /// The cosine of the angle of incidence.
     pub cosine: f64,
@@ -48,7 +55,7 @@ const STEPS: usize = 400;
 
 /// A search for the largest error of a light.
 pub(crate) struct Search {
-    truth: SpotLight,
+    truth: Truth,
     surfaces: Surfaces,
     seed: u64,
     effort: usize,
@@ -56,21 +63,21 @@ pub(crate) struct Search {
 
 impl Search {
     /// Prepares a search. `effort` multiplies the number of points and of climbs.
-    pub(crate) fn new(light: &Light, cone: &Shaped, seed: u64, effort: usize) -> Self {
-        let truth = light.truth(cone);
+    pub(crate) fn new(truth: Truth, distances: [f32; 2], seed: u64, effort: usize) -> Self {
         let surfaces = Surfaces {
             position: truth.position,
-            axis: truth.axis.normalize(),
-            half_angle: half_degrees(truth.cone.limit).to_radians(),
-            distances: [light.near, light.far].map(f64::from),
+            axis: truth.axis,
+            half_angle: truth.half_angle(),
+            distances: distances.map(f64::from),
         };
         Self { truth, surfaces, seed, effort }
     }
 
-    /// Returns the largest error of an evaluation that is found, and where.
+    /// Returns the largest error of an evaluation that is found where its bound holds, and where.
     pub(crate) fn largest(
         &self,
         kernel: &dyn Kernel,
+        bound: &ErrorBound,
         tolerance: Tolerance,
         display: Display,
     ) -> (f64, Place) {
@@ -78,7 +85,8 @@ impl Search {
         let [near, far] = self.surfaces.distances;
         let error = |at: SurfacePoint| {
             let (point, normal) = (exact(at.point), kernel.normal(at.normal));
-            if !(near..=far).contains(&point.distance(self.truth.position)) {
+            let is_within = || (near..=far).contains(&point.distance(self.truth.position));
+            if (self.truth.is_placed() && !is_within()) || self.truth.jumps_near(point, bound) {
                 return 0.0;
             }
             tolerance.error(display, kernel.light(&at), self.truth.irradiance(point, normal))
@@ -94,13 +102,9 @@ impl Search {
     }
 
     fn place(&self, kernel: &dyn Kernel, at: SurfacePoint) -> Place {
-        let to_light = self.truth.position - exact(at.point);
-        let distance = to_light.length();
-        Place {
-            degrees_off_axis: half_degrees(self.truth.versine(exact(at.point))),
-            distance,
-            cosine: (to_light.dot(kernel.normal(at.normal)) / distance).max(0.0),
-        }
+        let point = exact(at.point);
+        let (distance, cosine) = self.truth.incidence(point, kernel.normal(at.normal));
+        Place { degrees_off_axis: self.truth.degrees_off_axis(point), distance, cosine }
     }
 
     /// Returns the share of the points that take the fine evaluation and keep its result. The points

@@ -8,7 +8,7 @@ use crate::evaluation::Evaluation;
 use crate::light::Light;
 use crate::price::Price;
 use crate::refusal::Refusal;
-use crate::request::Request;
+use crate::request::{Answer, Request};
 use crate::search::Bound;
 use crate::target::Chip;
 
@@ -41,22 +41,18 @@ impl Request {
     /// # Errors
     /// A parameter of the light that is invalid. A light that no evaluation can hold.
     pub fn survey(&self, light: &Light) -> Result<Survey, Refusal> {
-        let cone = light.cone()?;
         let offers = self.offers(light)?;
+        let any = light.any()?;
         let amount = self.tolerance.amount();
-        let picked = offers.iter().find(|offer| offer.bound <= amount).map(|offer| offer.evaluation);
-        let answers: Result<Vec<_>, _> = offers.iter().map(|offer| self.answer(offer, light)).collect();
-        let surveyed = answers?.into_iter().map(|offer| Surveyed {
-            prices: Chip::ALL
-                .iter()
-                .map(|&chip| {
-                    (chip.name(), Price::of(chip, light, &cone, offer.evaluation, offer.price.fine_share))
-                })
-                .collect(),
-            evaluation: offer.evaluation,
-            bound: offer.bound,
-            code: offer.code,
+        let picked = offers.iter().find(|offer| offer.bound() <= amount).map(|offer| offer.evaluation);
+        let surveyed = offers.iter().map(|offer| {
+            let Answer { evaluation, price, bound, code, .. } = self.answer(offer, light)?;
+            let price = |&chip: &Chip| {
+                Price::of(chip, &any, evaluation, price.fine_share).map(|price| (chip.name(), price))
+            };
+            let prices = Chip::ALL.iter().map(price).collect::<Result<_, _>>()?;
+            Ok(Surveyed { evaluation, bound, prices, code })
         });
-        Ok(Survey { evaluations: surveyed.collect(), picked })
+        Ok(Survey { evaluations: surveyed.collect::<Result<_, Refusal>>()?, picked })
     }
 }

@@ -1,7 +1,7 @@
 //! The parts of an answer, refusals and scenes.
 
 use luminaire::attenuation::{AnyAttenuation, FilamentRange, InverseSquare};
-use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Linear, Quadratic, Smooth};
+use luminaire::falloff::{AnyFalloff, Smooth};
 use luminaire::{Angle, Cone, SpotLight};
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Evaluation, Light, Request, Scene};
 
@@ -102,6 +102,7 @@ fn json_has_the_figures_by_name() {
     assert_eq!(json["bound"]["label"], "derived");
     assert!(json["cycles"].is_f64() && json["bytes"].is_u64() && json["instructions"].is_f64());
     assert!(json["bound"]["at"]["degrees_off_axis"].is_f64());
+    assert_eq!((&json["counted"], &json["bound"]["range"]), (&"whole".into(), &0.0.into()));
 }
 
 #[test]
@@ -142,33 +143,30 @@ fn survey_picks_the_evaluation_of_the_answer_and_prices_every_chip() {
     assert!(told.starts_with("field angle = 170"), "{told}");
 }
 
-/// A light of any kind becomes the request for the same light: its falloff is the cubic of its slopes.
+/// A request has the fields of a light that have an effect, and reads them again.
 #[test]
-fn light_of_another_tool_keeps_its_falloff() {
-    let falloffs: [AnyFalloff; 4] = [
-        Linear.into(),
-        Smooth.into(),
-        Quadratic::new(0.5).unwrap().into(),
-        Cubic::with_slopes(1.25, 3.5).unwrap().into(),
-    ];
-    for falloff in falloffs {
-        let cone = Cone::from_outer(falloff, Angle::degrees(40.0)).unwrap();
-        let spot =
-            SpotLight::new([1.0, 2.0, 3.0], [0.0, 0.0, 1.0], cone).unwrap().with_intensity(9.0).unwrap();
-        let light =
-            Light::of("key", &spot.with_attenuation(AnyAttenuation::from(InverseSquare)).into()).unwrap();
-        let [edge, full] = light.slopes.unwrap().map(f64::from);
-        for t in [0.1, 0.5, 0.9] {
-            let cubic = t * (edge + t * (3.0 - 2.0 * edge - full + t * (edge + full - 2.0)));
-            assert!((falloff.formula().exact(t) - cubic).abs() < 1e-12, "{falloff:?}");
-        }
-        assert_eq!((light.position, light.intensity), ([1.0, 2.0, 3.0], 9.0));
-        assert!((light.outer.unwrap() - 40.0).abs() < 1e-4 && request(2.0).pick(&light).is_ok());
-    }
+fn light_of_an_answer_is_the_light_of_the_request() {
+    let cone = Cone::from_outer(AnyFalloff::from(Smooth), Angle::degrees(40.0)).unwrap();
+    let spot = SpotLight::new([1.0, 2.0, 3.0], [0.0, 0.0, 1.0], cone).unwrap().with_intensity(9.0).unwrap();
     let range = FilamentRange::new(InverseSquare, Some(9.0)).unwrap();
-    let spot = SpotLight::new([0.0; 3], [0.0, 0.0, 1.0], Cone::soft(Angle::degrees(40.0)).unwrap()).unwrap();
-    let spot = spot.with_cone(spot.cone().with_falloff(AnyFalloff::from(spot.cone().falloff())));
-    let told =
-        Light::of("key", &spot.with_attenuation(AnyAttenuation::from(range)).into()).unwrap_err().to_string();
-    assert!(told.starts_with("key: attenuation = ") && told.contains("range 9"), "{told}");
+    let any = Light::of("key", &spot.with_attenuation(AnyAttenuation::from(range)).into());
+    for light in [any, Light { field: Some(30.0), ..Light::default() }] {
+        let answer = request(2.0).pick(&light).unwrap();
+        assert_eq!(answer.light, light);
+        let written = serde_json::to_value(&light).unwrap();
+        assert_eq!(serde_json::from_value::<Light>(written.clone()).unwrap(), light, "{written}");
+        assert_eq!(written.get("edge").is_some(), light.light.is_none(), "{written}");
+        assert_eq!(serde_json::to_value(&answer).unwrap()["light"], written);
+    }
+}
+
+/// The fields of a spotlight by its angles have no effect beside a light, and are refused.
+#[test]
+fn light_beside_other_fields_is_refused() {
+    let cone = Cone::from_outer(AnyFalloff::from(Smooth), Angle::degrees(40.0)).unwrap();
+    let spot = SpotLight::new([0.0; 3], [0.0, 0.0, 1.0], cone).unwrap();
+    let light = Light::of("key", &spot.with_attenuation(AnyAttenuation::from(InverseSquare)).into());
+    assert!(request(9.0).pick(&Light { near: 2.0, far: 3.0, ..light.clone() }).is_ok());
+    let told = request(9.0).pick(&Light { field: Some(20.0), ..light }).unwrap_err().to_string();
+    assert!(told.starts_with("light = spot: expected the name, near and far alone beside it"), "{told}");
 }

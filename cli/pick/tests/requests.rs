@@ -1,5 +1,6 @@
 //! Requests at random: the error of every answer is within its bound.
 
+use luminaire::dynamic::AnyLight;
 use luminaire_oracle::SplitMix64;
 use luminaire_pick::{Attenuation, Chip, Display, Light, Request, Tolerance, measure};
 
@@ -38,6 +39,38 @@ fn error_of_requests_at_the_ends_is_within_the_bound() {
     }
     println!("{answers} answers to {} requests", 4 * count);
     assert!(answers > count, "only {answers} answers to {} requests", 4 * count);
+}
+
+/// Lights of any kind, with any falloff and any attenuation, by usual numbers and by the ends of what is accepted.
+#[test]
+fn error_of_any_light_is_within_the_bound() {
+    let (count, effort) = length();
+    let (mut answers, mut refused, mut kinds) = (0, 0, [0; 3]);
+    for number in 0..4 * count {
+        let mut random = SplitMix64(0xa11_0000_0000 + number);
+        let Some(light) = measure::any_light_anywhere(&mut random) else { continue };
+        let chip = Chip::ALL[random.below(Chip::ALL.len() as u64) as usize];
+        let display = Display::ALL[random.below(Display::ALL.len() as u64) as usize];
+        let amount = 10_f64.powf(random.between(-2.0, 3.0));
+        let tolerance = if number % 4 == 0 { Tolerance::Codes(amount) } else { Tolerance::Steps(amount) };
+        let Ok(answer) = Request::new(chip, display).tolerance(tolerance).pick(&light) else {
+            refused += 1;
+            continue;
+        };
+        let found = measure::found(&answer, number + 1, effort / 2).expect("the light of an answer");
+        assert!(found <= answer.bound.value && answer.bound.value <= amount, "found {found}: {answer:?}");
+        kinds[match light.light {
+            Some(AnyLight::Spot(_)) | None => 0,
+            Some(AnyLight::Point(_)) => 1,
+            Some(AnyLight::Directional(_)) => 2,
+        }] += 1;
+        answers += 1;
+    }
+    println!("{answers} answers, {refused} refusals, to {} requests; {kinds:?} by kind", 4 * count);
+    assert!(
+        answers > 2 * count && kinds.iter().all(|kind| *kind > count / 8),
+        "{answers} answers, {kinds:?}"
+    );
 }
 
 #[test]

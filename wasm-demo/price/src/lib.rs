@@ -44,6 +44,17 @@ mod tests {
         let names: Vec<_> = evaluations.iter().map(|each| each["evaluation"].as_str().unwrap()).collect();
         assert_eq!(names, ["fx16-quick", "fx16", "fx32", "f32"]);
         assert!(evaluations.iter().all(|each| each["prices"]["rv32imc"]["instructions"].is_f64()));
+        // A light of a document, of another kind.
+        let point = question.replace(
+            r#""field":40,"#,
+            r#""light":{"kind":"point","attenuation":{"law":"decay","exponent":1.5,"most":9,"window":"square","range":9}},"#,
+        );
+        let answer: serde_json::Value = serde_json::from_str(&survey(&point).unwrap()).unwrap();
+        let evaluations = answer["evaluations"].as_array().unwrap();
+        assert!(
+            evaluations.len() == 3 && evaluations[0]["prices"]["rv32imc"]["counted"] == "parts",
+            "{answer}"
+        );
         let refused = survey(&question.replace("40", "170")).unwrap_err();
         assert!(refused.starts_with("field angle = 170: expected"), "{refused}");
         assert!(survey("{}").unwrap_err().starts_with("question: "));
