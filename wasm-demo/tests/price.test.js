@@ -8,11 +8,11 @@ test("front keeps the points that no other beats", () => {
   assert.deepEqual(front(points).map(({ cost }) => cost), [100, 200, 500]);
 });
 
-test("described states angles and distances as the picker knows them", () => {
-  const light = { beam: 10, field: 20, edge: "own", ownEdge: "hard", intensity: 3 };
-  assert.deepEqual(described(light, [1, 2]), { edge: "hard", field: 20, intensity: 3, near: 1, far: 2 });
-  const fitted = { beam: 10, field: 20, intensity: 3, near: 2, far: 8 };
-  assert.deepEqual(described({ ...light, ownEdge: "linear", throw: 4 }), fitted);
+test("described has the light as it is, in units of full scale, and distances", () => {
+  const own = { name: "light_1", kind: "point", intensity: 900, attenuation: { law: "decay" }, near: 1, far: 9 };
+  const light = { kind: "point", intensity: 3, attenuation: { law: "decay" } };
+  assert.deepEqual(described(own, { intensity: 3 }, [1, 2]), { light, near: 1, far: 2 });
+  assert.deepEqual(described(own, { intensity: 3, throw: 4 }), { light, near: 2, far: 8 });
 });
 
 test("picture adds the lit points to the rest of a picture", () => {

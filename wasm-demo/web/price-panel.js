@@ -1,10 +1,12 @@
 // What the selected light costs on each chip, by each evaluation, and which one is enough.
 import { element as find, fetchText, row } from "./elements.js";
+import { refusalOf } from "./failure.js";
 import { tidy, whole } from "./numbers.js";
 import { draw } from "./price-chart.js";
+import { load } from "./support.js";
 
 /** @typedef {import("./price-slot.js").Light} Light */
-/** @typedef {{ instructions: number, cycles: number | null, bytes: number }} Price of a lit point */
+/** @typedef {{ instructions: number, cycles: number | null, bytes: number, counted: "whole" | "parts" }} Price of a lit point */
 
 /**
  * A chip: what the rest of a picture takes for each evaluation.
@@ -50,34 +52,19 @@ const select = (id) => find(`price-${id}`, HTMLSelectElement);
  */
 const digits = (value) => String(Number(value.toPrecision(2)));
 
-/** Edges that the picker knows by one angle; others are fitted to beam and field angle. */
-const EDGES = ["soft", "hard"];
-
-/** Edges that the picker prices as they are. */
-const PRICED = [...EDGES, "quadratic", "cubic", "fitted"];
-
-/** @param {Pick<Light, "edge" | "ownEdge">} light */
-const shapeOf = ({ edge, ownEdge }) => (edge === "own" ? ownEdge : edge);
-
 /**
- * Whether the picker prices the edge of a light as it is. The slopes of a chosen cubic need not be those that its two
- * angles have in the picker.
- * @param {Pick<Light, "edge" | "ownEdge">} light
- */
-const isPriced = (light) => light.edge !== "cubic" && PRICED.includes(shapeOf(light));
-
-/**
- * A light of the stage as the picker describes it. Its surfaces are between two distances, or without
+ * A light of the stage as the picker has it. Its surfaces are between two distances, or without
  * them from half to twice its throw.
- * @param {Pick<Light, "beam" | "field" | "edge" | "ownEdge" | "intensity"> & { throw?: number }} light
+ * @param {Record<string, any>} own the light in a document, whose intensity is in units of the scene
+ * @param {Pick<Light, "intensity"> & { throw?: number }} light
  * @param {number[]} [distances] in metres
  */
-export function described(light, distances) {
-  const { beam, field, intensity, throw: reach = 6 } = light;
+export function described(own, { intensity, throw: reach = 6 }, distances) {
   const [near = reach / 2, far = 2 * reach] = distances ?? [];
-  const shape = shapeOf(light);
-  const cone = EDGES.includes(shape) ? { edge: shape, field } : { beam, field };
-  return { ...cone, intensity, near, far };
+  /** @type {Record<string, any>} */
+  const light = { ...own, intensity };
+  for (const member of ["name", "near", "far"]) delete light[member];
+  return { light, near, far };
 }
 
 /**
@@ -86,7 +73,7 @@ export function described(light, distances) {
  * @param {Pick<Chips, "reached">} chips
  * @param {Pick<Chip, "rest" | "megahertz">} chip
  * @param {string} evaluation
- * @param {Omit<Price, "bytes">} price
+ * @param {Pick<Price, "instructions" | "cycles">} price
  */
 export function picture(chips, chip, evaluation, price) {
   const rest = chip.rest[evaluation];
@@ -97,6 +84,7 @@ export function picture(chips, chip, evaluation, price) {
 
 export class PricePanel {
   #chips;
+  #code;
   #worker;
   /** @type {Light | undefined} */
   #light;
@@ -125,19 +113,21 @@ export class PricePanel {
    * @param {HTMLElement} place
    */
   static async open(place) {
-    const [text, list] = await Promise.all(["price.html", "chips.json"].map(fetchText));
+    const [{ openCode }, text, list] = await Promise.all([load("code-drawer.js"), fetchText("price.html"), fetchText("chips.json")]);
     const chips = JSON.parse(list);
     if (chips === null) throw new Error("the page was built without a record of prices. Run cargo xtask measure, and build it again.");
     place.innerHTML = text;
-    return new PricePanel(chips, new Worker(new URL("price-worker.js", import.meta.url), { type: "module" }));
+    return new PricePanel(chips, await openCode(), new Worker(new URL("price-worker.js", import.meta.url), { type: "module" }));
   }
 
   /**
    * @param {Chips} chips
+   * @param {import("./pkg/code.js").Code} code
    * @param {Worker} worker
    */
-  constructor(chips, worker) {
+  constructor(chips, code, worker) {
     this.#chips = chips;
+    this.#code = code;
     this.#worker = worker;
     worker.onmessage = ({ data }) => this.#hear(data);
     worker.onerror = (event) => this.#tell(`The picker could not be loaded: ${event.message ?? "no module workers"}`);
@@ -157,9 +147,9 @@ export class PricePanel {
     this.#light = light;
     this.#format = format;
     element("title").textContent = light === undefined ? "The price" : `The price of the ${light.name}`;
-    if (light === undefined || !light.isSpot) {
+    if (light === undefined) {
       this.#asked = undefined;
-      this.#tell(light === undefined ? "There is no light." : "Only spotlights have prices here.");
+      this.#tell("There is no light.");
       return;
     }
     this.#ask();
@@ -173,8 +163,13 @@ export class PricePanel {
     element("live").textContent = text;
   }
 
-  /** @param {Light} light */
+  /**
+   * The question for a light as the stage has it now.
+   * @param {Light} light
+   */
   #question(light) {
+    const [own] = JSON.parse(this.#code.write(light.job(), light.number, "json")).lights;
+    const distances = select("far").value === "" ? light.distances() : select("far").value.split(" ").map(Number);
     const display = select("display").value;
     const most = Number(select("most").value);
     const isCodes = display === "codes";
@@ -182,18 +177,27 @@ export class PricePanel {
       chip: select("chip").value,
       display: isCodes ? "rgb888" : display,
       tolerance: isCodes ? { codes: most } : { steps: most },
-      light: described(light, select("far").value === "" ? light.distances() : select("far").value.split(" ").map(Number)),
+      light: described(own, light, distances),
     });
   }
 
-  /** Asks the worker, if it is idle: after an answer it gets the newest question. */
-  #ask() {
+  /**
+   * Asks the worker, if it is idle: after an answer it gets the newest question.
+   * @param {string} [answered] the question that the worker has just answered
+   */
+  #ask(answered) {
     const last = select("display").selectedOptions[0].dataset.last;
     element("unit").textContent = last === undefined ? "of 255" : `steps of 1/${last}`;
-    if (!this.#light) return;
-    const question = this.#question(this.#light);
-    if (this.#asked !== undefined) return;
-    if (this.#survey?.question === question) return this.#show();
+    const light = this.#light;
+    if (!light) return;
+    let question = "";
+    const refusal = refusalOf(() => (question = this.#question(light)));
+    if (refusal !== "") return this.#tell(refusal);
+    if (this.#asked !== undefined || question === answered) return;
+    if (this.#survey?.question === question) {
+      this.#tell("");
+      return this.#show();
+    }
     this.#asked = question;
     this.#worker.postMessage(question);
   }
@@ -202,7 +206,7 @@ export class PricePanel {
   #hear({ survey, refusal, failure }) {
     const question = this.#asked;
     this.#asked = undefined;
-    if (question === undefined || !this.#light?.isSpot) return;
+    if (question === undefined || !this.#light) return;
     if (survey) {
       this.#survey = { ...survey, question };
       this.#tell("");
@@ -210,7 +214,7 @@ export class PricePanel {
     } else {
       this.#tell(failure ?? refusal ?? "");
     }
-    if (this.#question(this.#light) !== question) this.#ask();
+    this.#ask(question);
   }
 
   /** @param {string} text */
@@ -277,6 +281,6 @@ export class PricePanel {
     element("note").textContent =
       `The picture is the one that the boards draw, ${whole(this.#chips.reached)} of its ${whole(this.#chips.pixels)} pixels lit by such a light; ` +
       "estimated from the counted prices, within 10 %. Where cycles are not counted, at one for each instruction." +
-      (!this.#light || isPriced(this.#light) ? "" : " This edge is priced as the polynomial through its beam and its field angle.");
+      (found?.prices[select("chip").value].counted === "parts" ? " The price of this light is the sum of counted parts." : "");
   }
 }

@@ -6,8 +6,10 @@ import { median, tidy } from "./numbers.js";
 import { built } from "./parts.js";
 
 /**
- * A light, and the distances of the surfaces that it reaches: the nearest and the farthest, or none.
- * @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState> & { distances: () => number[] }} Light
+ * A light, with its number in a job of the stage as it is now, and the distances of the surfaces that it reaches: the
+ * nearest and the farthest, or none.
+ * @typedef {import("./plain.js").Plain<import("./pkg/wasm_demo.js").LightState>
+ *   & { job: () => string, number: number, distances: () => number[] }} Light
  */
 
 /** Pictures whose median is shown. */
@@ -71,6 +73,7 @@ export class PriceSlot {
     this.#place.replaceChildren(told);
     try {
       await built("price", (text) => (told.textContent = text));
+      await built("code", (text) => (told.textContent = text));
       const { PricePanel } = await load("price-panel.js");
       /** @type {import("./price-panel.js").PricePanel} */
       const panel = await PricePanel.open(this.#place);

@@ -438,7 +438,9 @@ export class StagePage {
     /** @type {number[] | undefined} */
     let found;
     const distances = () => (found ??= Array.from(this.#stage.distances(selected)));
-    this.#price.show(light && { ...light, intensity: light.strongest / fullScale, distances }, this.#stage.get("format"));
+    const job = () => this.#stage.job();
+    const priced = light && { ...light, intensity: light.strongest / fullScale, job, number: selected, distances };
+    this.#price.show(priced, this.#stage.get("format"));
     if (!light) return;
     aside(() => this.#code.show({ job: this.#stage.job(), light: selected }));
     // The comparison opens with the beam that the visitor comes from.
