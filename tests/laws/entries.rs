@@ -71,15 +71,16 @@ fn agree<S: Format, L: LightModel<S>>(light: &L, any: Option<AnyLight>, surfaces
     if let Some(any) = &any {
         any.irradiance_each(slices(&points), slices(&normals), &mut together[1]);
     }
-    for i in 0..MANY {
+    let [typed, chosen] = together;
+    for (i, (typed, chosen)) in typed.into_iter().zip(chosen).enumerate() {
         let surface = surface(i);
         let one = bits(single(&surface, false));
         assert_eq!(one, bits(single(&surface, true)), "without early-outs: {light:?} at {surface:?}");
-        assert_eq!(one, bits(together[0][i]), "at many points: {light:?} at {surface:?}");
+        assert_eq!(one, bits(typed), "at many points: {light:?} at {surface:?}");
         if let Some(any) = &any {
             let found = any.evaluate::<NoSpecular>(&surface, &(), false).diffuse;
             assert_eq!(one, bits(found), "of any kind: {light:?} at {surface:?}");
-            assert_eq!(one, bits(together[1][i]), "of any kind at many points: {light:?} at {surface:?}");
+            assert_eq!(one, bits(chosen), "of any kind at many points: {light:?} at {surface:?}");
         }
     }
 }

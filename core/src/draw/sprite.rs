@@ -144,7 +144,7 @@ impl<'a, P: Pixel, S: Scalar> Sprite<'a, P, S> {
             let (sum, arrived) = (sum.unwrap_or_default(), arrived.unwrap_or_default());
             points.fill_facing(light, normal, lit.start, arrived);
             for (sum, arrived) in sum.iter_mut().zip(arrived) {
-                *sum = *sum + *arrived;
+                *sum += *arrived;
             }
         }
         let materials = materials.iter().map(|material| usize::from(*material)).chain(core::iter::repeat(0));

@@ -8,6 +8,9 @@ mod rays;
 mod shafts;
 mod tile;
 
+use crate::buffer::{LANES, Radiance};
+use luminaire::{Rgb, Scalar};
+
 #[cfg(test)]
 pub(crate) use self::beam::Seen;
 pub(crate) use self::{
@@ -16,9 +19,6 @@ pub(crate) use self::{
     rays::bundle,
     tile::{Scattered, TileAir},
 };
-
-use crate::buffer::{LANES, Radiance};
-use luminaire::{Rgb, Scalar};
 
 /// Adds light from the air in front of the pixels of a block, rounded to the format.
 #[inline(always)]
