@@ -307,17 +307,6 @@ pub trait Quick: Scalar {
     #[doc(hidden)]
     fn quick_stages(distance: f64) -> Stages;
 
-    /// Evaluates a light at many points in vectors: see `Vectors::in_vectors`.
-    #[doc(hidden)]
-    fn quick_in_vectors<const N: usize>(
-        lamp: &Lamp<Self>,
-        points: Vec3<&[Self::Length; N]>,
-        normals: Vec3<&[Self; N]>,
-        falloff: impl Fn(Self::Fraction) -> <Self::Fraction as Fraction<Self>>::Value,
-        lobe: Option<impl Fn(usize, Vec3<Self::Unit>, Self) -> Self>,
-        arrivals: (&mut [Self::Irradiance; N], &mut [Self::Irradiance; N]),
-    ) -> bool;
-
     /// Converts an axis to the form that rays of the quick evaluation take.
     #[doc(hidden)]
     fn quick_axis(axis: Vec3<Self::Unit>) -> Vec3<Self::Unit>;

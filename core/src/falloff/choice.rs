@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{CompiledCubic, CompiledFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft};
+use super::{CompiledFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft};
 use crate::{
     number::{Fraction, Scalar},
     source::Source,
@@ -115,7 +115,7 @@ macro_rules! choice {
             }
 
             #[inline]
-            fn as_cubic(self) -> Option<$crate::falloff::CompiledCubic<S>> {
+            fn as_cubic(self) -> Option<[S::Weight; 2]> {
                 match self {
                     $(Self::$variant(curve) => CompiledFalloff::<S>::as_cubic(curve),)*
                 }
@@ -192,7 +192,7 @@ impl<S: Scalar> CompiledFalloff<S> for SoftOrHard {
     }
 
     #[inline]
-    fn as_cubic(self) -> Option<CompiledCubic<S>> {
+    fn as_cubic(self) -> Option<[S::Weight; 2]> {
         edge!(self, falloff => CompiledFalloff::<S>::as_cubic(falloff))
     }
 }

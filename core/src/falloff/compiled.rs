@@ -1,6 +1,5 @@
 //! Falloffs compiled for a number format.
 
-use super::CompiledCubic;
 use crate::number::{Fraction, Scalar};
 
 /// A [`Falloff`](super::Falloff) compiled for the format `S`, evaluated per point.
@@ -11,11 +10,11 @@ pub trait CompiledFalloff<S: Scalar>: Copy + PartialEq + core::fmt::Debug {
     const IN_VECTORS: bool = false;
     /// Returns the intensity in [0, 1] at `t`.
     fn intensity<F: Fraction<S>>(self, t: F) -> F::Value;
-    /// Returns the cubic with the same bits at every `t`, if there is one: for a choice at run time, one loop over
+    /// Returns the coefficients of the [`cubic`](Fraction::cubic) with the same bits at every `t`, if there is one: for a choice at run time, one loop over
     /// many points serves all of them.
     #[doc(hidden)]
     #[inline]
-    fn as_cubic(self) -> Option<CompiledCubic<S>> {
+    fn as_cubic(self) -> Option<[S::Weight; 2]> {
         None
     }
 }

@@ -239,7 +239,7 @@ impl<S: Scalar> CompiledFalloff<S> for CompiledCubic<S> {
     }
 
     #[inline]
-    fn as_cubic(self) -> Option<CompiledCubic<S>> {
-        Some(self)
+    fn as_cubic(self) -> Option<[S::Weight; 2]> {
+        Some([self.g, self.h])
     }
 }

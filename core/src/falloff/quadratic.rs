@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{CompiledCubic, CompiledFalloff, Falloff, Formula, polynomial::Polynomial};
+use super::{CompiledFalloff, Falloff, Formula, polynomial::Polynomial};
 use crate::{
     error::{Error, Parameter},
     model::{Model as _, Number, model, plain},
@@ -113,8 +113,8 @@ impl<S: Scalar> CompiledFalloff<S> for Soft {
     }
 
     #[inline]
-    fn as_cubic(self) -> Option<CompiledCubic<S>> {
-        Some(CompiledCubic::from_parts(S::weight(-1.0), S::weight(0.0)))
+    fn as_cubic(self) -> Option<[S::Weight; 2]> {
+        Some([S::weight(-1.0), S::weight(0.0)])
     }
 }
 
@@ -155,8 +155,8 @@ impl<S: Scalar> CompiledFalloff<S> for Hard {
     }
 
     #[inline]
-    fn as_cubic(self) -> Option<CompiledCubic<S>> {
-        Some(CompiledCubic::from_parts(S::weight(1.0), S::weight(0.0)))
+    fn as_cubic(self) -> Option<[S::Weight; 2]> {
+        Some([S::weight(1.0), S::weight(0.0)])
     }
 }
 
@@ -196,8 +196,8 @@ impl<S: Scalar> CompiledFalloff<S> for Linear {
     }
 
     #[inline]
-    fn as_cubic(self) -> Option<CompiledCubic<S>> {
-        Some(CompiledCubic::from_parts(S::weight(0.0), S::weight(0.0)))
+    fn as_cubic(self) -> Option<[S::Weight; 2]> {
+        Some([S::weight(0.0), S::weight(0.0)])
     }
 }
 
@@ -262,7 +262,7 @@ impl<S: Scalar> CompiledFalloff<S> for CompiledQuadratic<S> {
     }
 
     #[inline]
-    fn as_cubic(self) -> Option<CompiledCubic<S>> {
-        Some(CompiledCubic::from_parts(self.g, S::weight(0.0)))
+    fn as_cubic(self) -> Option<[S::Weight; 2]> {
+        Some([self.g, S::weight(0.0)])
     }
 }

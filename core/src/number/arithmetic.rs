@@ -182,6 +182,19 @@ pub trait Vectors: Types {
     ) -> bool {
         false
     }
+
+    /// Computes the result of [`in_vectors`](Self::in_vectors) by the quick evaluation.
+    #[inline(always)]
+    fn quick_in_vectors<const N: usize>(
+        _lamp: &Lamp<Self>,
+        _points: Vec3<&[Self::Position; N]>,
+        _normals: Vec3<&[Self; N]>,
+        _falloff: impl Fn(Self::Fraction) -> <Self::Fraction as Fraction<Self>>::Value,
+        _lobe: Option<impl Fn(usize, Vec3<Self::Direction>, Self) -> Self>,
+        _arrivals: (&mut [Self::Received; N], &mut [Self::Received; N]),
+    ) -> bool {
+        false
+    }
 }
 
 /// Unit direction from a light to a point, and the distance between them.

@@ -42,7 +42,7 @@ mod vectors;
 
 pub use self::frame::Frame16;
 use super::{
-    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Lamp, Length, Light16, Offset, OffsetAlong, Quick, Ray,
+    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, OffsetAlong, Quick, Ray,
     RealExponent, Share, Stages, Versine, Weight16, cold_path,
     fx32::{Fine, FineRay, Ratio},
     knot::{SLOPE_BITS, neighbours},
@@ -955,18 +955,6 @@ impl Quick for Fx16 {
 
     fn quick_stages(distance: f64) -> Stages {
         errors::quick(errors::bits_at(distance))
-    }
-
-    #[inline(always)]
-    fn quick_in_vectors<const N: usize>(
-        lamp: &Lamp<Self>,
-        points: Vec3<&[Length; N]>,
-        normals: Vec3<&[Self; N]>,
-        falloff: impl Fn(Fraction16) -> Self,
-        lobe: Option<impl Fn(usize, Vec3<Fx32>, Self) -> Self>,
-        arrivals: (&mut [Light16; N], &mut [Light16; N]),
-    ) -> bool {
-        vectors::evaluate::<QuickOffset16, N>(lamp, points, normals, falloff, lobe, arrivals)
     }
 
     /// Applies to the axis, once per light, all rounding constants of the difference between

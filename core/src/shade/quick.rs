@@ -181,8 +181,8 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
         if P::Compiled::<S>::IN_VECTORS {
             return S::quick_in_vectors(&lamp, point, normal, |t| curve.intensity(t), lobe, arrivals);
         }
-        let Some(cubic) = curve.as_cubic() else { return false };
-        S::quick_in_vectors(&lamp, point, normal, |t| cubic.intensity(t), lobe, arrivals)
+        let Some([g, h]) = curve.as_cubic() else { return false };
+        S::quick_in_vectors(&lamp, point, normal, |t| t.cubic(g, h), lobe, arrivals)
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

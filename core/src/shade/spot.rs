@@ -262,8 +262,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
         if P::Compiled::<S>::IN_VECTORS {
             return S::in_vectors(&lamp, point, normal, |t| curve.intensity(t), lobe, arrivals);
         }
-        let Some(cubic) = curve.as_cubic() else { return false };
-        S::in_vectors(&lamp, point, normal, |t| cubic.intensity(t), lobe, arrivals)
+        let Some([g, h]) = curve.as_cubic() else { return false };
+        S::in_vectors(&lamp, point, normal, |t| t.cubic(g, h), lobe, arrivals)
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

@@ -206,11 +206,23 @@ impl Vectors for Fx16 {
     ) -> bool {
         evaluate::<Offset16, N>(lamp, points, normals, falloff, lobe, arrivals)
     }
+
+    #[inline(always)]
+    fn quick_in_vectors<const N: usize>(
+        lamp: &Lamp<Self>,
+        points: Vec3<&[Length; N]>,
+        normals: Vec3<&[Self; N]>,
+        falloff: impl Fn(Fraction16) -> Self,
+        lobe: Option<impl Fn(usize, Vec3<Fx32>, Self) -> Self>,
+        arrivals: (&mut [Light16; N], &mut [Light16; N]),
+    ) -> bool {
+        evaluate::<QuickOffset16, N>(lamp, points, normals, falloff, lobe, arrivals)
+    }
 }
 
 /// Computes the light at many points by an evaluation: see [`Vectors::in_vectors`].
 #[inline(always)]
-pub(super) fn evaluate<E: Among, const N: usize>(
+fn evaluate<E: Among, const N: usize>(
     lamp: &Lamp<Fx16>,
     points: Vec3<&[Length; N]>,
     normals: Vec3<&[Fx16; N]>,
