@@ -1,6 +1,8 @@
-//! Places the programs in memory, and writes what the program `drawn` draws as constants.
+//! Places the programs in memory, and writes what the programs `drawn` and `pictures` draw as constants.
 
 mod memory;
+#[cfg(feature = "pictures")]
+mod rendered;
 
 use std::error::Error;
 use std::path::Path;
@@ -22,7 +24,11 @@ const LEDS: usize = 500;
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=memory.rs");
-    memory::place(None)?;
+    println!("cargo::rerun-if-changed=rendered.rs");
+    // The pictures do not fit into the flash of the smallest board.
+    memory::place(cfg!(feature = "pictures").then_some("4M"))?;
+    #[cfg(feature = "pictures")]
+    rendered::write()?;
     let [night, dusk] = [Rgb::new(12, 18, 60), Rgb::new(190, 90, 80)];
     let ramp: Ramp<Rgb565> = Ramp::new(Rgb::new(0.01, 0.02, 0.05), Rgb::new(0.9, 0.7, 0.4))?;
     write("ramp", source(&ramp))?;

@@ -6,6 +6,8 @@ pub mod board;
 pub mod drawn;
 pub mod frame;
 mod measure;
+#[cfg(feature = "pictures")]
+pub mod pictures;
 #[cfg(feature = "effects")]
 mod price;
 

@@ -76,9 +76,10 @@ struct Machine {
     beside: Option<&'static str>,
 }
 
-/// No emulated board with a Cortex-M0 has room for the text output of newlib, so one with a Cortex-M3 runs
-/// its code.
-static ROOMY: Board = Board::arm("cortex-m0", "Cortex-M0", "thumbv6m-none-eabi", &["-M", "mps2-an385"]);
+/// No emulated board with a Cortex-M0 has room for the text output of newlib or for pictures, so one with a
+/// Cortex-M3 runs its code.
+pub(crate) static ROOMY: Board =
+    Board::arm("cortex-m0", "Cortex-M0", "thumbv6m-none-eabi", &["-M", "mps2-an385"]);
 
 static MACHINES: [Machine; 3] = [
     Machine {

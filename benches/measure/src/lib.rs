@@ -10,6 +10,7 @@ mod drawn;
 mod effects;
 mod frame;
 mod ladder;
+mod pictures;
 mod plot;
 pub mod program;
 mod proof;

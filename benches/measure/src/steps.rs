@@ -8,7 +8,7 @@ use crate::effects::{self, EMPTY, FORMATS, FX16, UNUSED, write_programs};
 use crate::program::Program;
 use crate::proof::{CONFIGURATIONS, no_panic};
 use crate::target::{BOARDS, Target};
-use crate::{c, conform, counted, device, on};
+use crate::{c, conform, counted, device, on, pictures};
 use tools::suite::Suite;
 use tools::{command, project};
 
@@ -62,6 +62,7 @@ pub fn all_boards(suite: &mut Suite) {
     suite.remarked("measure: the errors are those on record", |progress| {
         check(&on(Target::Errors, true, progress)?)
     });
+    pictures::step(suite);
     c::steps(suite);
     device::steps(suite);
     conform::steps(suite, true);
@@ -77,7 +78,8 @@ fn firmware(suite: &mut Suite) {
     suite.step("firmware: cargo fmt", |progress| progress.run(cargo(&["fmt", "--all", "--check"])));
     suite.step("firmware: cargo clippy", |progress| {
         write_programs()?;
-        let options = ["--workspace", "--features", "conform,effects", "--all-targets", "--", "-Dwarnings"];
+        let options =
+            ["--workspace", "--features", "conform,effects,pictures", "--all-targets", "--", "-Dwarnings"];
         progress.run(cargo(&[&["clippy"], &options[..]].concat()))
     });
 }
