@@ -16,8 +16,8 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 /// A scene with its size and display.
 type Row = (&'static str, Example, [usize; 2], Display);
 
-/// The pictures. The fifth has gobos, the sixth overexposed light of one hue. They are small because the board has 4 MB,
-/// half of which are two shadow maps.
+/// The pictures. The fifth has gobos, and the sixth keeps the hue of overexposed light. These two are small
+/// because two shadow maps take half of the 4 MB of the board.
 const PICTURES: [Row; 6] = [
     ("bare-spot", Example::BareSpot, [160, 120], Example::BareSpot.display()),
     ("pocket", Example::Pocket, [160, 120], Example::Pocket.display()),
@@ -84,10 +84,12 @@ fn drawn(out: &Path, &(name, example, [width, height], display): &Row) -> Outcom
     };
     let eye = source(&camera.eye().map(Length::from_f32));
     let ambient = source(&AmbientLight::new(setup.scene.ambient())?.compile::<Fx16>());
+    let files =
+        ["points", "normals", "materials", "codes"].map(|kind| format!("{kind}: file!(\"{name}.{kind}\"),"));
     Ok(format!(
-        "Picture {{ name: \"{name}\", width: {width}, eye: {eye}, ambient: {ambient}, fixtures: &[{fixtures}], \
-         finishes: &[{finishes}], keeps_hue: {keeps_hue}, encode: {encode}, points: file!(\"{name}.points\"), \
-         normals: file!(\"{name}.normals\"), materials: file!(\"{name}.materials\"), codes: file!(\"{name}.codes\") }},"
+        "Picture {{ name: \"{name}\", width: {width}, eye: {eye}, ambient: {ambient}, keeps_hue: {keeps_hue}, \
+         encode: {encode}, fixtures: &[{fixtures}], finishes: &[{finishes}], {} }},",
+        files.concat()
     ))
 }
 

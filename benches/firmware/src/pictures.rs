@@ -1,7 +1,7 @@
 //! Pictures of the renderer, lit again pixel by pixel by the kernel alone.
 //!
-//! The build script draws them in `Fx16`. The program has the points, normals and materials of their pixels, their
-//! shadow maps and compiled lights, and no float.
+//! The build script draws them in `Fx16`. The program has the points, normals and materials of their pixels,
+//! their shadow maps and compiled lights, and no float.
 
 use bytemuck::cast_slice;
 use luminaire::{
@@ -63,8 +63,8 @@ macro_rules! file {
 
 static PICTURES: [Picture; 6] = include!(concat!(env!("OUT_DIR"), "/pictures.rs"));
 
-/// Lights every pixel of every picture, and prints for each picture how many pixels there are, how many of them differ
-/// from the renderer's, and which one is the first of these.
+/// Lights every pixel of every picture, and prints for each picture the number of pixels, how many of them
+/// differ from the renderer's, and the place of the first of these.
 pub fn pictures() {
     for picture in &PICTURES {
         begin();

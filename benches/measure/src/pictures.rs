@@ -17,8 +17,8 @@ pub(crate) fn step(suite: &mut Suite) {
     suite.remarked("pictures: a program for cortex-m0 draws the pixels of the renderer", check);
 }
 
-/// Runs the program. It may not contain soft-float functions. Returns a line for each picture; an error if a pixel
-/// differs from the renderer's.
+/// Runs the program, which may not contain soft-float functions. Returns a line for each picture, or an error if
+/// a pixel differs from the renderer's.
 fn check(progress: &Progress) -> Result<Vec<String>> {
     let run = Firmware::new(PICTURES, &["--features", PICTURES]).run(&ROOMY, progress)?;
     Program::read(&run.file)?.has_no_float()?;
