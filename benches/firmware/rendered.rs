@@ -8,23 +8,25 @@ use luminaire::codegen::{Source, as_source};
 use luminaire::dynamic::AnyLight;
 use luminaire::projector::Fixture;
 use luminaire::specular::SpecularLobe as _;
-use luminaire::{AmbientLight, Fx16, Length, Vec3};
+use luminaire::{AmbientLight, Fx16, Length, Rgb, Vec3};
 use luminaire_render::{Display, Highlight, Material, Output, Renderer, scenes::Example};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// A scene with its size and display.
-type Row = (&'static str, Example, [usize; 2], Display);
+/// A scene with its size and display. If it has a number, its lights get shadow maps of this side, and its surfaces
+/// broad highlights.
+type Row = (&'static str, Example, [usize; 2], Display, Option<u16>);
 
-/// The pictures. The fifth has gobos, and the sixth keeps the hue of overexposed light. These two are small
-/// because two shadow maps take half of the 4 MB of the board.
-const PICTURES: [Row; 6] = [
-    ("bare-spot", Example::BareSpot, [160, 120], Example::BareSpot.display()),
-    ("pocket", Example::Pocket, [160, 120], Example::Pocket.display()),
-    ("three-point", Example::ThreePoint, [160, 120], Example::ThreePoint.display()),
-    ("turntable", Example::Turntable, [160, 120], Example::Turntable.display()),
-    ("show", Example::Show, [80, 60], Example::Show.display()),
-    ("hue", Example::Pocket, [80, 60], Display { keeps_hue: true, ..Output::Rgb888.nearest() }),
+/// The pictures. The fifth has gobos, the sixth keeps the hue of overexposed light, and the last has highlights in
+/// shadows. These three are small because two shadow maps take half of the 4 MB of the board.
+const PICTURES: [Row; 7] = [
+    ("bare-spot", Example::BareSpot, [160, 120], Example::BareSpot.display(), None),
+    ("pocket", Example::Pocket, [160, 120], Example::Pocket.display(), None),
+    ("three-point", Example::ThreePoint, [160, 120], Example::ThreePoint.display(), None),
+    ("turntable", Example::Turntable, [160, 120], Example::Turntable.display(), None),
+    ("show", Example::Show, [80, 60], Example::Show.display(), None),
+    ("hue", Example::Pocket, [80, 60], Display { keeps_hue: true, ..Output::Rgb888.nearest() }, None),
+    ("highlights", Example::Turntable, [60, 45], Example::Turntable.display(), Some(32)),
 ];
 
 /// The moment of the animations.
@@ -38,9 +40,14 @@ pub(crate) fn write() -> Outcome<()> {
 }
 
 /// Draws a picture without haze, which the renderer computes in floats. Returns the constant of the program.
-fn drawn(out: &Path, &(name, example, [width, height], display): &Row) -> Outcome<String> {
+fn drawn(out: &Path, &(name, example, [width, height], display, side): &Row) -> Outcome<String> {
     let mut setup = example.setup()?;
     setup.scene.set_haze(None);
+    if let Some(side) = side {
+        setup.fixtures.iter_mut().for_each(|fixture| *fixture = fixture.with_shadow(side));
+        let broad = |material: &Material| material.with_highlight(Rgb::new(0.5, 0.4, 0.3), 8);
+        setup.scene.repaint(|material| broad(material).unwrap_or(*material));
+    }
     let (camera, lights) = (setup.camera_at(SECONDS), setup.fixtures_at(SECONDS)?);
     let mut renderer = Renderer::<Fx16>::new(width, height)?;
     renderer.set_display(display);

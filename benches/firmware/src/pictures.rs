@@ -61,7 +61,7 @@ macro_rules! file {
     }};
 }
 
-static PICTURES: [Picture; 6] = include!(concat!(env!("OUT_DIR"), "/pictures.rs"));
+static PICTURES: [Picture; 7] = include!(concat!(env!("OUT_DIR"), "/pictures.rs"));
 
 /// Lights every pixel of every picture, and prints for each picture the number of pixels, how many of them
 /// differ from the renderer's, and the place of the first of these.
