@@ -25,7 +25,7 @@ const PICTURES: [Row; 7] = [
     ("three-point", Example::ThreePoint, [160, 120], Example::ThreePoint.display(), None),
     ("turntable", Example::Turntable, [160, 120], Example::Turntable.display(), None),
     ("show", Example::Show, [80, 60], Example::Show.display(), None),
-    ("hue", Example::Pocket, [80, 60], Display { keeps_hue: true, ..Output::Rgb888.nearest() }, None),
+    ("hue", Example::Pocket, [60, 45], Display { keeps_hue: true, ..Output::Rgb888.nearest() }, None),
     ("highlights", Example::Turntable, [60, 45], Example::Turntable.display(), Some(32)),
 ];
 
