@@ -170,14 +170,16 @@ pub trait Vectors: Types {
     /// and writes nothing, if a point is rare: one whose evaluation takes a branch.
     ///
     /// `falloff` is that of the cone; `lobe` returns the specular lobe at the point of an index for the
-    /// direction of the light and the cosine of incidence, and is `None` for matte surfaces.
+    /// direction of the light and the cosine of incidence. Matte surfaces do not shine: for these the second
+    /// output is not written.
     #[inline(always)]
     fn in_vectors<const N: usize>(
         _lamp: &Lamp<Self>,
         _points: Vec3<&[Self::Position; N]>,
         _normals: Vec3<&[Self; N]>,
         _falloff: impl Fn(Self::Fraction) -> <Self::Fraction as Fraction<Self>>::Value,
-        _lobe: Option<impl Fn(usize, Vec3<Self::Direction>, Self) -> Self>,
+        _shines: bool,
+        _lobe: impl Fn(usize, Vec3<Self::Direction>, Self) -> Self,
         _arrivals: (&mut [Self::Received; N], &mut [Self::Received; N]),
     ) -> bool {
         false
@@ -190,7 +192,8 @@ pub trait Vectors: Types {
         _points: Vec3<&[Self::Position; N]>,
         _normals: Vec3<&[Self; N]>,
         _falloff: impl Fn(Self::Fraction) -> <Self::Fraction as Fraction<Self>>::Value,
-        _lobe: Option<impl Fn(usize, Vec3<Self::Direction>, Self) -> Self>,
+        _shines: bool,
+        _lobe: impl Fn(usize, Vec3<Self::Direction>, Self) -> Self,
         _arrivals: (&mut [Self::Received; N], &mut [Self::Received; N]),
     ) -> bool {
         false

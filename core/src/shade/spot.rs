@@ -258,12 +258,11 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
             let (normal, view) = (normal.map(|c| nth(c, i)), view.map(|c| nth(c, i)));
             lobe::<S, H>(highlight, (normal, view), incoming, cosine)
         };
-        let lobe = H::SHINES.then_some(lobe);
         if P::Compiled::<S>::IN_VECTORS {
-            return S::in_vectors(&lamp, point, normal, |t| curve.intensity(t), lobe, arrivals);
+            return S::in_vectors(&lamp, point, normal, |t| curve.intensity(t), H::SHINES, lobe, arrivals);
         }
         let Some([g, h]) = curve.as_cubic() else { return false };
-        S::in_vectors(&lamp, point, normal, |t| t.cubic(g, h), lobe, arrivals)
+        S::in_vectors(&lamp, point, normal, |t| t.cubic(g, h), H::SHINES, lobe, arrivals)
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

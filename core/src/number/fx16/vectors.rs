@@ -201,10 +201,11 @@ impl Vectors for Fx16 {
         points: Vec3<&[Length; N]>,
         normals: Vec3<&[Self; N]>,
         falloff: impl Fn(Fraction16) -> Self,
-        lobe: Option<impl Fn(usize, Vec3<Fx32>, Self) -> Self>,
+        shines: bool,
+        lobe: impl Fn(usize, Vec3<Fx32>, Self) -> Self,
         arrivals: (&mut [Light16; N], &mut [Light16; N]),
     ) -> bool {
-        evaluate::<Offset16, N>(lamp, points, normals, falloff, lobe, arrivals)
+        evaluate::<Offset16, N>(lamp, points, normals, falloff, shines, lobe, arrivals)
     }
 
     #[inline(always)]
@@ -213,10 +214,11 @@ impl Vectors for Fx16 {
         points: Vec3<&[Length; N]>,
         normals: Vec3<&[Self; N]>,
         falloff: impl Fn(Fraction16) -> Self,
-        lobe: Option<impl Fn(usize, Vec3<Fx32>, Self) -> Self>,
+        shines: bool,
+        lobe: impl Fn(usize, Vec3<Fx32>, Self) -> Self,
         arrivals: (&mut [Light16; N], &mut [Light16; N]),
     ) -> bool {
-        evaluate::<QuickOffset16, N>(lamp, points, normals, falloff, lobe, arrivals)
+        evaluate::<QuickOffset16, N>(lamp, points, normals, falloff, shines, lobe, arrivals)
     }
 }
 
@@ -227,7 +229,8 @@ fn evaluate<E: Among, const N: usize>(
     points: Vec3<&[Length; N]>,
     normals: Vec3<&[Fx16; N]>,
     falloff: impl Fn(Fraction16) -> Fx16,
-    lobe: Option<impl Fn(usize, Vec3<Fx32>, Fx16) -> Fx16>,
+    shines: bool,
+    lobe: impl Fn(usize, Vec3<Fx32>, Fx16) -> Fx16,
     (diffuse, specular): (&mut [Light16; N], &mut [Light16; N]),
 ) -> bool {
     let (lamp, reach) = (*lamp, Reach::new(lamp.intensity, lamp.fine_below));
@@ -259,7 +262,7 @@ fn evaluate<E: Among, const N: usize>(
         let falloff = falloff(ray.rise(lamp.axis, lamp.ramp));
         let light = |share| reach.light(product_at(E::reciprocal(&ray), share, lamp.intensity), powers[i]);
         diffuse[i] = light(cosine.times_value(falloff));
-        if let Some(lobe) = &lobe {
+        if shines {
             specular[i] = light(falloff.times(lobe(i, ray.direction(), cosine.value())));
         }
     }
