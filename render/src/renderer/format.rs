@@ -96,8 +96,8 @@ loops! {
 /// [stage](crate::scenes::stage) from several cameras: under the stage's own lights, and under hard
 /// beams of 4 degrees that are four times as bright. Under the stage's own lights the difference is
 /// 1 code in both fixed-point formats: in about one of 75 channels with 16 bits, and in one of 5,000 channels
-/// with 32 bits. In each of the [examples](crate::scenes::Example) the difference is at most 1 code in 99.9 % of
-/// the pixels; beside the edges of shadows it is more.
+/// with 32 bits. In each of the [examples](crate::scenes::Example) the difference is at most 1 code but for one of
+/// 1,000 pixels, beside the edges of shadows.
 pub const fn stated_error<S: Format>() -> u8 {
     S::STATED_ERROR
 }
