@@ -132,7 +132,7 @@ export class Verdict {
   }
 
   /**
-   * By which factor the lights of this picture take fewer instructions than in floats.
+   * What share of the instructions in floats the lights of this picture take.
    * @param {string} format
    * @param {import("./pool.js").Account | undefined} account
    */
@@ -144,10 +144,9 @@ export class Verdict {
     const [own, floats] = [format, "f32"].map(
       (name) => evaluated * work[name].light + evaluatedShining * work[name].highlight,
     );
-    const haze = evaluatedInAir > 0 ? "; haze is in floats" : "";
-    if (own === 0) return `no light is evaluated${haze}`;
-    const factor = Number((floats / own).toPrecision(2));
-    return `its lights take ${factor} times fewer instructions than in the best floats on a Cortex-M0${haze}`;
+    const haze = evaluatedInAir > 0 ? "; haze in floats" : "";
+    if (floats === 0) return `no light is evaluated${haze}`;
+    return `${Math.round((100 * own) / floats)} % of the best floats' instructions on an M0${haze}`;
   }
 }
 

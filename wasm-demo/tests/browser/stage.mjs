@@ -178,7 +178,7 @@ quick("every display is shown, by square pixels of a small one, and kept by the 
 quick("one sentence says what 16 bits change in the picture, and leads to the place", async () => {
   const told = () => until(() => document.getElementById("verdict-text").textContent);
   await open("#stage?scene=turntable&play=none");
-  assert.match(await told(), /^16 bits: [\d.]+ % of the pixels differ from 32-bit floats, by at most 1 of 255; its lights take [78]\.\d times fewer instructions than in the best floats on a Cortex-M0\.$/);
+  assert.match(await told(), /^16 bits: [\d.]+ % of the pixels differ from 32-bit floats, by at most 1 of 255; 1[2-4] % of the best floats' instructions on an M0\.$/);
   // Beside the edges of shadows more than rounding differs.
   await open("#stage?scene=three-point&play=none&format=f32");
   assert.match(await told(), /, by 1 of 255, and \d+ of them by up to \d+; /);
