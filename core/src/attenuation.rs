@@ -79,7 +79,7 @@ pub trait Attenuation: Copy + PartialEq + core::fmt::Debug + Named {
     /// window.
     #[inline]
     fn is_inverse_square<S: Scalar>(_: &Self::Constants<S>) -> bool {
-        false
+        Self::IS_INVERSE_SQUARE
     }
 
     /// Returns whether the light is exactly zero at this distance. Callers test this before the

@@ -196,8 +196,6 @@ pub trait Scalar:
     }
     /// Returns an irradiance as `f32`, for display and for tests.
     fn light_to_f32(light: Self::Irradiance) -> f32;
-    /// Returns the nearest irradiance, ties to even; saturates, and a negative value or NaN becomes zero.
-    fn light_from_f32(value: f32) -> Self::Irradiance;
 }
 
 /// The irradiance of a number format: [`Scalar::Irradiance`].
@@ -240,11 +238,6 @@ macro_rules! fixed_point {
             #[inline]
             fn light_to_f32(light: $light) -> f32 {
                 light.to_f32()
-            }
-
-            #[inline]
-            fn light_from_f32(value: f32) -> $light {
-                $light::from_f32(value)
             }
         }
 
@@ -297,11 +290,7 @@ fixed_point! {
 pub trait Quick: Scalar {
     /// An offset with fewer bits than the standard one.
     #[doc(hidden)]
-    type QuickOffset: OffsetAlong<
-            Self,
-            Ray: Ray<Self, Fraction = Self::Fraction, Share = <Self::Fraction as Fraction<Self>>::Value>,
-            Facing = <Self::Offset as Offset<Self>>::Facing,
-        >;
+    type QuickOffset: OffsetAlong<Self, Facing = <Self::Offset as Offset<Self>>::Facing> + Vectors<Self>;
 
     /// Returns the errors of the stages of the quick evaluation at a distance.
     #[doc(hidden)]

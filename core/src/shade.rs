@@ -17,8 +17,8 @@ use crate::{
     attenuation::Attenuation,
     color::Rgb,
     cone::CompiledCone,
-    falloff::Falloff,
-    number::{Fraction, Offset, Ray, Scalar, Share},
+    falloff::{CompiledFalloff, Falloff},
+    number::{Fraction, Lamp, Offset, Ray, Scalar, Share, Vectors},
     points::{Points, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
     vec3::{Vec3, nth},
@@ -184,6 +184,28 @@ fn each<S: Scalar, H: SpecularLobe, L: LightModel<S>, const N: usize>(
             specular[i] = arrival.specular;
         }
     }
+}
+
+/// Evaluates a spotlight at many points in vectors by the offsets of an evaluation: see
+/// [`in_vectors`](LightModel::in_vectors). `lamp` and the curve of its falloff are those of a spotlight with the
+/// inverse-square law.
+#[inline(always)]
+fn spot_in_vectors<S: Scalar, O: Vectors<S>, P: Falloff, H: SpecularLobe, const N: usize>(
+    (lamp, curve): (&Lamp<S>, P::Compiled<S>),
+    surfaces: &SurfacePoints<'_, S, N>,
+    highlight: &H::Constants<S>,
+    arrivals: (&mut [S::Irradiance; N], &mut [S::Irradiance; N]),
+) -> bool {
+    let SurfacePoints { point, normal, view } = *surfaces;
+    let lobe = |i: usize, incoming, cosine| {
+        let (normal, view) = (normal.map(|c| nth(c, i)), view.map(|c| nth(c, i)));
+        lobe::<S, H>(highlight, (normal, view), incoming, cosine)
+    };
+    if P::Compiled::<S>::IN_VECTORS {
+        return O::in_vectors(lamp, point, normal, |t| curve.intensity(t), H::SHINES, lobe, arrivals);
+    }
+    let Some([g, h]) = curve.as_cubic() else { return false };
+    O::in_vectors(lamp, point, normal, |t| t.cubic(g, h), H::SHINES, lobe, arrivals)
 }
 
 /// Number of points that a call with slices evaluates together.

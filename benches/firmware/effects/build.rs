@@ -144,9 +144,9 @@ impl Choices {
         choices.row(
             "surface",
             table,
-            &key(field(sample::<Table<'_>>()?)?, InverseSquare)?.compile::<S>()?,
+            &key(field(Table::sample()?)?, InverseSquare)?.compile::<S>()?,
         )?;
-        let cone = field(sample::<InvertedRealPower>()?)?;
+        let cone = field(InvertedRealPower::sample()?)?;
         choices.row("surface", godot, &key(cone, fading()?)?.compile::<S>()?)?;
         Ok(choices)
     }
@@ -159,8 +159,8 @@ impl Choices {
         constant_falloffs(&mut choices);
         attenuations(&mut choices);
         let [table, godot] = PAIRS;
-        choices.by_each(table, sample::<Table<'_>>()?, InverseSquare)?;
-        choices.by_each(godot, sample::<InvertedRealPower>()?, fading()?)?;
+        choices.by_each(table, Table::sample()?, InverseSquare)?;
+        choices.by_each(godot, InvertedRealPower::sample()?, fading()?)?;
         let point = PointLight::new(POSITION)?.with_color(AMBER)?.compile::<Fx16>()?;
         choices.row("surface", "point-coarse", &point)?;
         let Parts { position, attenuation, intensity, .. } = point.parts();
@@ -225,10 +225,6 @@ impl AttenuationVisitor for Choices {
         let outcome = rows(self);
         self.keep(outcome);
     }
-}
-
-fn sample<M: Listed>() -> Result<M, Error> {
-    M::sample()
 }
 
 /// The attenuation of Godot.

@@ -7,9 +7,9 @@
 //! falloffs and attenuations, instead of their product.
 //!
 //! `Fx16` computes the points in vectors where the light has this. Else fixed point computes the points one by
-//! one, and would lose bits between two loops. Its loops match the
-//! falloff at every point, and the attenuation, too, unless it is the inverse-square law: a loop for each
-//! falloff would be a hundredth faster on x86-64, and a tenth of the demo's module (both measured).
+//! one, and would lose bits between two loops. Its loops match the falloff at every point, and the attenuation,
+//! too, unless it is the inverse-square law: a loop for each falloff would be a hundredth faster on x86-64, and a
+//! tenth of the demo's module (both measured).
 
 use crate::{
     attenuation::{AnyAttenuation, Attenuation, CompiledAnyAttenuation, NoAttenuation, WithConstants},

@@ -81,11 +81,6 @@ impl Attenuation for InverseSquare {
     }
 
     #[inline]
-    fn is_inverse_square<S: Scalar>(_: &()) -> bool {
-        true
-    }
-
-    #[inline]
     fn light<S: Scalar, O: Offset<S>, R: Ray<S>>(
         (): &(),
         _: &O,

@@ -56,7 +56,7 @@ pub trait Types: Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> {
     /// magnitude.
     type Gain: Gain<Self>;
     /// Vector from a light to a point, before its length is computed.
-    type Offset: Offset<
+    type Offset: Vectors<
             Self,
             Ray: Ray<Self, Fraction = Self::Fraction, Share = <Self::Fraction as Fraction<Self>>::Value>,
         >;
@@ -160,41 +160,25 @@ pub struct Lamp<S: Types> {
     pub fine_below: u32,
 }
 
-/// Evaluation of many points by vector instructions, for formats whose evaluation of a single point has
+/// An offset of which many are computed by vector instructions, for formats whose evaluation of a single point has
 /// branches.
-pub trait Vectors: Types {
-    /// Whether the format has this, on this processor.
-    const HAS_VECTORS: bool = false;
-
+pub trait Vectors<S: Types>: Offset<S> {
     /// Computes the light of a lamp at many surface points, bit-identical to that of each point. Returns `false`,
-    /// and writes nothing, if a point is rare: one whose evaluation takes a branch.
+    /// and writes nothing, if the evaluation does not have this, or if a point is rare: one whose evaluation takes
+    /// a branch.
     ///
     /// `falloff` is that of the cone; `lobe` returns the specular lobe at the point of an index for the
     /// direction of the light and the cosine of incidence. Matte surfaces do not shine: for these the second
     /// output is not written.
     #[inline(always)]
     fn in_vectors<const N: usize>(
-        _lamp: &Lamp<Self>,
-        _points: Vec3<&[Self::Position; N]>,
-        _normals: Vec3<&[Self; N]>,
-        _falloff: impl Fn(Self::Fraction) -> <Self::Fraction as Fraction<Self>>::Value,
+        _lamp: &Lamp<S>,
+        _points: Vec3<&[S::Position; N]>,
+        _normals: Vec3<&[S; N]>,
+        _falloff: impl Fn(S::Fraction) -> <S::Fraction as Fraction<S>>::Value,
         _shines: bool,
-        _lobe: impl Fn(usize, Vec3<Self::Direction>, Self) -> Self,
-        _arrivals: (&mut [Self::Received; N], &mut [Self::Received; N]),
-    ) -> bool {
-        false
-    }
-
-    /// Computes the result of [`in_vectors`](Self::in_vectors) by the quick evaluation.
-    #[inline(always)]
-    fn quick_in_vectors<const N: usize>(
-        _lamp: &Lamp<Self>,
-        _points: Vec3<&[Self::Position; N]>,
-        _normals: Vec3<&[Self; N]>,
-        _falloff: impl Fn(Self::Fraction) -> <Self::Fraction as Fraction<Self>>::Value,
-        _shines: bool,
-        _lobe: impl Fn(usize, Vec3<Self::Direction>, Self) -> Self,
-        _arrivals: (&mut [Self::Received; N], &mut [Self::Received; N]),
+        _lobe: impl Fn(usize, Vec3<S::Direction>, S) -> S,
+        _arrivals: (&mut [S::Received; N], &mut [S::Received; N]),
     ) -> bool {
         false
     }

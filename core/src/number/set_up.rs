@@ -2,12 +2,12 @@
 //! [stages of a point](super::arithmetic): set-up and its error bounds, projections, colours, and the directions of
 //! specular lobes.
 
-use super::{Rise, Stages, Types, Vectors};
+use super::{Rise, Stages, Types};
 use crate::vec3::Vec3;
 
 /// What the kernel asks of a number format beside the stages of a point: here of its numbers, and in the supertraits
 /// of all else.
-pub trait Arithmetic: Directions + Places + Ramps + Errors + Lights + Vectors {
+pub trait Arithmetic: Directions + Places + Ramps + Errors + Lights {
     /// Whether a loop over many points rejects those without light before the root. `f32` does not: without
     /// branches, compilers vectorise the loop.
     const SKIPS: bool = true;
@@ -220,8 +220,15 @@ pub trait Lights: Types {
         filtered.iter_mut().for_each(|light| *light = Self::filter(*light, color));
         filtered
     }
-    /// Converts many values to the nearest lights, as [`Scalar::light_from_f32`](super::Scalar::light_from_f32) does.
-    fn lights_from_f32<const N: usize>(values: &[f32; N]) -> [Self::Received; N];
+    /// Returns the nearest light, ties to even; saturates, and a negative value or NaN becomes zero.
+    fn light_from_f32(value: f32) -> Self::Received;
+    /// Converts many values, each as [`light_from_f32`](Self::light_from_f32) does.
+    #[inline(always)]
+    fn lights_from_f32<const N: usize>(values: &[f32; N]) -> [Self::Received; N] {
+        let mut lights = [Self::Received::default(); N];
+        lights.iter_mut().zip(values).for_each(|(light, &value)| *light = Self::light_from_f32(value));
+        lights
+    }
     /// Returns the mean of two lights, in fixed point rounded down.
     fn mean_light(a: Self::Received, b: Self::Received) -> Self::Received;
     /// Converts a light to a gain.

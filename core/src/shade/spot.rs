@@ -1,15 +1,15 @@
 //! Spotlights, compiled.
 
-use super::{Incident, LightModel, lobe, reaches, sealed::Sealed};
+use super::{Incident, LightModel, lobe, reaches, sealed::Sealed, spot_in_vectors};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
-    falloff::{CompiledFalloff, Falloff, Soft},
+    falloff::{Falloff, Soft},
     number::{Fraction, Lamp, Offset, Ray, Scalar, Share},
     points::{SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
-    vec3::{Vec3, nth},
+    vec3::Vec3,
 };
 
 /// A spotlight compiled for the format `S`. Made by
@@ -242,9 +242,6 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
         highlight: &H::Constants<S>,
         arrivals: (&mut [S::Irradiance; N], &mut [S::Irradiance; N]),
     ) -> bool {
-        if !(S::HAS_VECTORS && A::IS_INVERSE_SQUARE) {
-            return false;
-        }
         let lamp = Lamp {
             position: self.position,
             axis: self.axis,
@@ -252,17 +249,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
             intensity: self.intensity,
             fine_below: self.fine_below,
         };
-        let curve = self.cone.curve;
-        let SurfacePoints { point, normal, view } = *surfaces;
-        let lobe = |i: usize, incoming, cosine| {
-            let (normal, view) = (normal.map(|c| nth(c, i)), view.map(|c| nth(c, i)));
-            lobe::<S, H>(highlight, (normal, view), incoming, cosine)
-        };
-        if P::Compiled::<S>::IN_VECTORS {
-            return S::in_vectors(&lamp, point, normal, |t| curve.intensity(t), H::SHINES, lobe, arrivals);
-        }
-        let Some([g, h]) = curve.as_cubic() else { return false };
-        S::in_vectors(&lamp, point, normal, |t| t.cubic(g, h), H::SHINES, lobe, arrivals)
+        let light = (&lamp, self.cone.curve);
+        A::IS_INVERSE_SQUARE && spot_in_vectors::<S, S::Offset, P, H, N>(light, surfaces, highlight, arrivals)
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

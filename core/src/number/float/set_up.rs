@@ -38,11 +38,6 @@ impl Scalar for f32 {
     fn light_to_f32(light: f32) -> f32 {
         light
     }
-
-    #[inline]
-    fn light_from_f32(value: f32) -> f32 {
-        if value > 0.0 { value } else { 0.0 }
-    }
 }
 
 impl Irradiance for f32 {
@@ -239,7 +234,7 @@ impl Errors for f32 {
     }
 }
 
-impl Vectors for f32 {}
+impl Vectors<f32> for FloatOffset {}
 
 impl Lights for f32 {
     #[inline]
@@ -247,9 +242,9 @@ impl Lights for f32 {
         light * color
     }
 
-    #[inline(always)]
-    fn lights_from_f32<const N: usize>(values: &[f32; N]) -> [f32; N] {
-        values.map(Self::light_from_f32)
+    #[inline]
+    fn light_from_f32(value: f32) -> f32 {
+        if value > 0.0 { value } else { 0.0 }
     }
 
     #[inline]

@@ -347,6 +347,11 @@ impl Lights for Fx16 {
         filtered
     }
 
+    #[inline]
+    fn light_from_f32(value: f32) -> Light16 {
+        Light16::from_f32(value)
+    }
+
     #[inline(always)]
     fn lights_from_f32<const N: usize>(values: &[f32; N]) -> [Light16; N] {
         // From this number to its double, an f32 has steps of 1. Unlike a conversion that saturates, the sum is

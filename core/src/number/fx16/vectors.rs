@@ -192,79 +192,55 @@ fn bits_and_power(number: u32) -> (u32, u32) {
     (bits, power)
 }
 
-impl Vectors for Fx16 {
-    const HAS_VECTORS: bool = HAS_VECTORS;
-
+impl<O: Among> Vectors<Fx16> for O {
     #[inline(always)]
     fn in_vectors<const N: usize>(
-        lamp: &Lamp<Self>,
+        lamp: &Lamp<Fx16>,
         points: Vec3<&[Length; N]>,
-        normals: Vec3<&[Self; N]>,
-        falloff: impl Fn(Fraction16) -> Self,
+        normals: Vec3<&[Fx16; N]>,
+        falloff: impl Fn(Fraction16) -> Fx16,
         shines: bool,
-        lobe: impl Fn(usize, Vec3<Fx32>, Self) -> Self,
-        arrivals: (&mut [Light16; N], &mut [Light16; N]),
+        lobe: impl Fn(usize, Vec3<Fx32>, Fx16) -> Fx16,
+        (diffuse, specular): (&mut [Light16; N], &mut [Light16; N]),
     ) -> bool {
-        evaluate::<Offset16, N>(lamp, points, normals, falloff, shines, lobe, arrivals)
-    }
-
-    #[inline(always)]
-    fn quick_in_vectors<const N: usize>(
-        lamp: &Lamp<Self>,
-        points: Vec3<&[Length; N]>,
-        normals: Vec3<&[Self; N]>,
-        falloff: impl Fn(Fraction16) -> Self,
-        shines: bool,
-        lobe: impl Fn(usize, Vec3<Fx32>, Self) -> Self,
-        arrivals: (&mut [Light16; N], &mut [Light16; N]),
-    ) -> bool {
-        evaluate::<QuickOffset16, N>(lamp, points, normals, falloff, shines, lobe, arrivals)
-    }
-}
-
-/// Computes the light at many points by an evaluation: see [`Vectors::in_vectors`].
-#[inline(always)]
-fn evaluate<E: Among, const N: usize>(
-    lamp: &Lamp<Fx16>,
-    points: Vec3<&[Length; N]>,
-    normals: Vec3<&[Fx16; N]>,
-    falloff: impl Fn(Fraction16) -> Fx16,
-    shines: bool,
-    lobe: impl Fn(usize, Vec3<Fx32>, Fx16) -> Fx16,
-    (diffuse, specular): (&mut [Light16; N], &mut [Light16; N]),
-) -> bool {
-    let (lamp, reach) = (*lamp, Reach::new(lamp.intensity, lamp.fine_below));
-    let Some(reach) = reach.filter(|_| HAS_VECTORS) else { return false };
-    let (mut x, mut y, mut z) = ([0; N], [0; N], [0; N]);
-    let (mut powers, mut squares, mut nodes) = ([0; N], [0; N], [0; N]);
-    let mut has_rare = false;
-    for i in 0..N {
-        let way = points.map(|c| nth(c, i)).zip(lamp.position, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
-        let (bits, power) = bits_and_power(root::size(way));
-        let way = way.map(|c| c.wrapping_mul(power as i32));
-        let offset = E::of(way);
-        let squared = offset.squared();
-        (x[i], y[i], z[i]) = (way.x, way.y, way.z);
-        (powers[i], squares[i]) = (power, squared);
-        has_rare |= reach.is_rare(bits, squared);
-    }
-    if has_rare {
-        return false;
-    }
-    for i in 0..N {
-        nodes[i] = E::NODES[(squares[i] >> 23) as usize];
-    }
-    for i in 0..N {
-        let offset = E::of(Vec3::new(x[i], y[i], z[i]));
-        let ray = offset.ray_by(squares[i], nodes[i]);
-        let normal = normals.map(|c| nth(c, i));
-        let cosine = ray.cosine(offset.facing(normal), normal);
-        let falloff = falloff(ray.rise(lamp.axis, lamp.ramp));
-        let light = |share| reach.light(product_at(E::reciprocal(&ray), share, lamp.intensity), powers[i]);
-        diffuse[i] = light(cosine.times_value(falloff));
-        if shines {
-            specular[i] = light(falloff.times(lobe(i, ray.direction(), cosine.value())));
+        if !HAS_VECTORS {
+            return false;
         }
+        let (lamp, reach) = (*lamp, Reach::new(lamp.intensity, lamp.fine_below));
+        let Some(reach) = reach else { return false };
+        let (mut x, mut y, mut z) = ([0; N], [0; N], [0; N]);
+        let (mut powers, mut squares, mut nodes) = ([0; N], [0; N], [0; N]);
+        let mut has_rare = false;
+        for i in 0..N {
+            let way =
+                points.map(|c| nth(c, i)).zip(lamp.position, |p, l| p.to_bits().wrapping_sub(l.to_bits()));
+            let (bits, power) = bits_and_power(root::size(way));
+            let way = way.map(|c| c.wrapping_mul(power as i32));
+            let offset = Self::of(way);
+            let squared = offset.squared();
+            (x[i], y[i], z[i]) = (way.x, way.y, way.z);
+            (powers[i], squares[i]) = (power, squared);
+            has_rare |= reach.is_rare(bits, squared);
+        }
+        if has_rare {
+            return false;
+        }
+        for i in 0..N {
+            nodes[i] = Self::NODES[(squares[i] >> 23) as usize];
+        }
+        for i in 0..N {
+            let offset = Self::of(Vec3::new(x[i], y[i], z[i]));
+            let ray = offset.ray_by(squares[i], nodes[i]);
+            let normal = normals.map(|c| nth(c, i));
+            let cosine = ray.cosine(offset.facing(normal), normal);
+            let falloff = falloff(ray.rise(lamp.axis, lamp.ramp));
+            let light =
+                |share| reach.light(product_at(Self::reciprocal(&ray), share, lamp.intensity), powers[i]);
+            diffuse[i] = light(cosine.times_value(falloff));
+            if shines {
+                specular[i] = light(falloff.times(lobe(i, ray.direction(), cosine.value())));
+            }
+        }
+        true
     }
-    true
 }

@@ -258,7 +258,7 @@ impl Errors for Fx32 {
     }
 }
 
-impl Vectors for Fx32 {}
+impl Vectors<Fx32> for Offset32 {}
 
 impl Lights for Fx32 {
     #[inline]
@@ -270,9 +270,9 @@ impl Lights for Fx32 {
         Light32::from_bits(high.saturating_add((low * color + (1 << 29)) >> 30))
     }
 
-    #[inline(always)]
-    fn lights_from_f32<const N: usize>(values: &[f32; N]) -> [Light32; N] {
-        values.map(Light32::from_f32)
+    #[inline]
+    fn light_from_f32(value: f32) -> Light32 {
+        Light32::from_f32(value)
     }
 
     #[inline]
