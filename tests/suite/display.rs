@@ -43,6 +43,8 @@ fn encoding_many_is_encoding_each() {
     assert_each(special.into_iter().chain(special.map(|value| -value)));
     assert_each((i16::MIN..=i16::MAX).map(Fx16::from_bits));
     assert_each((0..1 << 16).map(|i| Fx32::from_bits(i << 15)));
+    let steps = (0..255).map(|code| (oracle::srgb_linear(f64::from(code) + 0.5) * f64::from(1 << 30)) as i32);
+    assert_each(steps.flat_map(|step| (-8..8).map(move |i| Fx32::from_bits(step + i))));
 }
 
 /// Exactly on a threshold a pixel shows the lower code, and just above it the upper one. Among the
@@ -95,8 +97,11 @@ fn encoding_many_dithered_is_encoding_each() {
             assert_each((i16::MIN..=i16::MAX).map(Fx16::from_bits), x, y);
         }
         assert_each((0..1 << 15).map(|i| Fx32::from_bits(i << 16)), 0, y);
-        // On both sides of every threshold of the codes of RGB565. The tables have units of 2^-24: 64 steps of `Fx32`.
-        for (last, column) in [31, 63].into_iter().flat_map(|last| (0..8).map(move |column| (last, column))) {
+        // On both sides of every threshold of the codes of RGB565 and of eight bits. The tables have units of 2^-24: 64
+        // steps of `Fx32`.
+        for (last, column) in
+            [31, 63, 255].into_iter().flat_map(|last| (0..8).map(move |column| (last, column)))
+        {
             let light = |code| oracle::srgb_linear(f64::from(code) * 255.0 / f64::from(last));
             let part = f64::from(2 * bayer(column, y, 8) + 1) / 128.0;
             let past = (0..last).map(|code| light(code) + part * (light(code + 1) - light(code)));

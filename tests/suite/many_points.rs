@@ -190,8 +190,8 @@ fn many_points_are_lit_as_each_at_every_distance() {
             let spot = sweep::spot(&mut rng, shape.at(half_degrees));
             for power in -17..14 {
                 let distance = f64::from(power).exp2() * (1.0 + rng.f64());
-                let intensity = (distance * distance) as f32 * f32::from(rng.u8(..40) + 1) / 8.0;
-                let Ok(spot) = spot.with_intensity(intensity.min(1e9)) else { continue };
+                let intensity = distance * distance * (18.0 * rng.f64() - 4.0).exp2();
+                let Ok(spot) = spot.with_intensity(intensity.min(1e9) as f32) else { continue };
                 let stored = Fx16::exact_point(spot.position().map(Fx16::length));
                 let axis = Fx16::exact_direction(sweep::axis::<Fx16, _, _>(&spot)).normalize();
                 let sites: [_; 32] = std::array::from_fn(|_| {
