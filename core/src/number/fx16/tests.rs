@@ -6,7 +6,7 @@ use crate::{
         CompiledFalloff, Cubic, Falloff, Hard, InvertedPower, Linear, Power, Quadratic, Smooth, Soft,
         SoftPair,
     },
-    number::{Arithmetic, Directions, Errors, HALF_A_CODE, Scalar, proofs::model::Constants},
+    number::{Arithmetic, Directions, Errors, HALF_A_CODE, Lights, Scalar, proofs::model::Constants},
 };
 
 extern crate std;
@@ -389,5 +389,26 @@ fn the_model_of_the_proofs_has_the_bits_of_coarse_falloffs() {
             let value = model.interpolated(here, next - here, (1 << 15) - t);
             assert_eq!(bits(fraction.sample(&samples)), model.of_sixteen_bits(value), "{t} {samples:?}");
         }
+    }
+}
+
+/// Lights and values of every size, alone in a block and beside those that take the common way.
+#[test]
+fn many_lights_are_converted_and_coloured_as_each() {
+    let mut rng = fastrand::Rng::with_seed(16);
+    for _ in 0..20_000 {
+        let most = rng.u32(0..=32);
+        let lights = [(); 8].map(|()| Light16::from_bits((rng.u64(..1 << 32) >> most) as u32));
+        let color = Fx16::from_bits(rng.i16(..));
+        assert_eq!(Fx16::filter_each(&lights, color), lights.map(|light| Fx16::filter(light, color)));
+        let most = f32::from(rng.i16(-20..20)).exp2();
+        let values =
+            [(); 8].map(|()| if rng.u8(..8) == 0 { f32::from_bits(rng.u32(..)) } else { most * rng.f32() });
+        assert_eq!(Fx16::lights_from_f32(&values), values.map(Fx16::light_from_f32), "{values:?}");
+    }
+    // Ties, both ends of the common way, and what is no light.
+    let ends = [0.5 / 16_384.0, 1.5 / 16_384.0, 510.999_97, 511.0, 512.0, f32::NAN, -1.0, f32::INFINITY];
+    for end in ends {
+        assert_eq!(Fx16::lights_from_f32(&[end; 8]), [Fx16::light_from_f32(end); 8], "{end}");
     }
 }

@@ -144,20 +144,22 @@ impl Reach {
     ///
     /// The light of a share is `product / 2^k` with `k = scale + 2 bits - 32`, rounded by its last bit: half of
     /// `product 2^(65 - scale - 2 bits) / 2^32`. That power of two is the square of `2^(31 - bits)` times
-    /// `2^(3 - scale)`. It has to be an integer of 32 bits, and the square, too: so `bits` is at least 16.
+    /// `2^(3 - scale)`. It has to fit 32 bits, and the square, too, so `bits` is at least 16; where it is below 1, the
+    /// light is 0.
     #[inline(always)]
     fn new(gain: Gain16, fine_below: u32) -> Option<Self> {
+        /// The most bits of which the exponent of an f32 is exact.
+        const MOST: i32 = 24;
         let scale = gain.scale();
         let near_bits = fine_below >> 26;
         let least = (35 - scale).div_euclid(2).max(16).max(near_bits as i32);
-        let most = (65 - scale).div_euclid(2).min(24);
-        (least <= most).then(|| Self {
+        (least <= MOST).then(|| Self {
             least: least as u32,
-            more: (most - least) as u32,
+            more: (MOST - least) as u32,
             near_bits,
             near: (fine_below & ((1 << 26) - 1)).saturating_mul(1 << 4),
-            left: (3 - scale).max(0) as u32,
-            right: (scale - 3).max(0) as u32,
+            left: (3 - scale).clamp(0, 31) as u32,
+            right: (scale - 3).clamp(0, 31) as u32,
         })
     }
 
@@ -169,7 +171,7 @@ impl Reach {
     /// Returns the light of a product at an offset that was scaled by a power of two.
     #[inline(always)]
     fn light(&self, product: u32, power: u32) -> Light16 {
-        let power = (power.wrapping_mul(power) << (self.left & 31)) >> (self.right & 31);
+        let power = (power.wrapping_mul(power) << self.left) >> self.right;
         let doubled = ((u64::from(product) * u64::from(power)) >> 32) as u32;
         Light16::from_bits((doubled >> 1) + (doubled & 1))
     }
