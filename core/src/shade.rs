@@ -87,10 +87,10 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
     /// Evaluates the light at `N` surface points with the specular lobe `H`, each bit-identical to a single
     /// point. A lobe of [`NoSpecular`] leaves `arrivals.specular` unchanged.
     ///
-    /// `f32` has no early-out, because a branch would prevent vector instructions. `Fx16` has none on
-    /// processors with vector instructions, for spotlights with the inverse-square law and a falloff that is a
-    /// polynomial of `t`. Else fixed point computes the points one by one, and returns 0 for unreachable points
-    /// before the square root.
+    /// `f32` has no early-out, because a branch would prevent vector instructions. Nor has `Fx16` on processors with
+    /// vector instructions, for spotlights with the inverse-square law whose falloff is a polynomial of `t` (if it is
+    /// chosen at run time: soft, hard, linear, quadratic or cubic). Else fixed point computes the points one by
+    /// one, and returns 0 for unreachable points before the square root.
     fn evaluate_each<H: SpecularLobe, const N: usize>(
         &self,
         surfaces: &SurfacePoints<'_, S, N>,
