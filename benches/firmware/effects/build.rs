@@ -141,11 +141,7 @@ impl Choices {
         let mut choices = Self::default();
         choices.power::<S>()?;
         let [table, godot] = PAIRS;
-        choices.row(
-            "surface",
-            table,
-            &key(field(Table::sample()?)?, InverseSquare)?.compile::<S>()?,
-        )?;
+        choices.row("surface", table, &key(field(Table::sample()?)?, InverseSquare)?.compile::<S>()?)?;
         let cone = field(InvertedRealPower::sample()?)?;
         choices.row("surface", godot, &key(cone, fading()?)?.compile::<S>()?)?;
         Ok(choices)

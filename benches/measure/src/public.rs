@@ -26,6 +26,8 @@ const TYPES: Rows = &[
     ("Lights", &["Format"]),
     ("Gain", &["Gain"]),
     ("Offset", &["Offset"]),
+    // No other crate can name a type of it.
+    ("Among", &[]),
     ("Ray", &["Ray", "FineRay"]),
     ("Share", &["Format", "FineShare"]),
     ("Fraction", &["Fraction", "FineFraction"]),
