@@ -7,6 +7,8 @@ pub(crate) enum Architecture {
     Thumb,
     /// RISC-V of 32 bits, with or without compressed instructions.
     RiscV,
+    /// Xtensa with instructions of 16 and 24 bits.
+    Xtensa,
 }
 
 /// A marker instruction.
@@ -24,11 +26,13 @@ impl Architecture {
         match name {
             "arm" => Some(Self::Thumb),
             "riscv32" => Some(Self::RiscV),
+            "xtensa" => Some(Self::Xtensa),
             _ => None,
         }
     }
 
-    /// Whether the instruction that starts with this halfword has 32 bits.
+    /// Whether the instruction that starts with this halfword has 32 bits. One of 24 bits is none of the
+    /// markers, which its first halfword tells.
     ///
     /// The size that QEMU states cannot be used: for a 16-bit instruction just before the end of a
     /// page, QEMU 7.2 states a larger one.
@@ -36,6 +40,7 @@ impl Architecture {
         match self {
             Self::Thumb => first >= 0xe800,
             Self::RiscV => first & 3 == 3,
+            Self::Xtensa => false,
         }
     }
 
@@ -49,6 +54,9 @@ impl Architecture {
             // slti x0, x0, 0x7b1 and slti x0, x0, 0x7b2
             (Self::RiscV, 0x7b10_2013) => Some(Marker::Begin),
             (Self::RiscV, 0x7b20_2013) => Some(Marker::End),
+            // mov.n a12, a12 and mov.n a13, a13
+            (Self::Xtensa, 0x0ccd) => Some(Marker::Begin),
+            (Self::Xtensa, 0x0ddd) => Some(Marker::End),
             _ => None,
         }
     }

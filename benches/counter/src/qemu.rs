@@ -60,7 +60,7 @@ unsafe extern "C" {
     fn qemu_plugin_insn_data(instruction: *const Instruction, copy: *mut c_void, length: usize) -> usize;
 }
 
-/// Reads the halfword of this index from an instruction. Both architectures are little-endian.
+/// Reads the halfword of this index from an instruction. All architectures are little-endian.
 ///
 /// # Safety
 /// QEMU must be translating the instruction now, and the instruction must be long enough

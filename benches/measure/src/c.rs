@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::{array, fs};
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 use luminaire::{Angle, Cone, Fx16, SpotLight, falloff::Soft, number::Length};
 use luminaire_effects::Inputs;
 
@@ -12,7 +12,7 @@ use crate::counted::thousandths;
 use crate::program::Program;
 use crate::qemu::{Qemu, prints_the_same};
 use crate::record::{Group, Line};
-use crate::target::{BOARDS, Board};
+use crate::target::{BOARDS, Board, ESP8266};
 use tools::progress::Progress;
 use tools::suite::Suite;
 use tools::{command, compilers, project};
@@ -81,7 +81,7 @@ struct Machine {
 pub(crate) static ROOMY: Board =
     Board::arm("cortex-m0", "Cortex-M0", "thumbv6m-none-eabi", &["-M", "mps2-an385"]);
 
-static MACHINES: [Machine; 3] = [
+static MACHINES: [Machine; 4] = [
     Machine {
         board: &ROOMY,
         compiler: "arm-none-eabi-gcc",
@@ -120,6 +120,19 @@ static MACHINES: [Machine; 3] = [
             "-Wl,--defsym=__ram=0x80100000,--defsym=__ram_size=0x100000",
         ],
         beside: None,
+    },
+    Machine {
+        board: &ESP8266,
+        compiler: "xtensa-lx106-elf-gcc",
+        options: &[
+            "-mlongcalls",
+            // The compiler does not look where Debian has this file.
+            "--specs=/usr/lib/xtensa-lx106-elf/picolibc.specs",
+            "-DPICOLIBC_INTEGER_PRINTF_SCANF",
+            "-nostartfiles",
+            "-Tbenches/firmware/src/xtensa.ld",
+        ],
+        beside: Some("benches/firmware/src/xtensa.c"),
     },
 ];
 
@@ -162,6 +175,19 @@ pub(crate) fn add(board: &Board, group: &mut Group, progress: &Progress) -> Resu
         add_lit_by_libgcc(group, progress)?;
     }
     Ok(())
+}
+
+/// What C costs on a board that runs nothing else.
+pub(crate) fn counted(board: &'static Board, progress: &Progress) -> Result<Group> {
+    let machine = MACHINES.iter().find(|machine| machine.board == board);
+    let machine = machine.with_context(|| format!("{} compiles no C", board.name))?;
+    compilers::find(progress)?;
+    let version = command::answer(Command::new(machine.compiler).arg("-dumpfullversion"))?;
+    let compiler = format!("{} {}", machine.compiler, version.trim());
+    let mut group =
+        Group::about(&[("compiler", compiler), ("runs_on", Qemu::find(board, progress)?.describe())]);
+    add_prices(machine, &mut group, progress)?;
+    Ok(group)
 }
 
 /// Counts the instructions of the calls at each level. The results must be the host's.
@@ -229,6 +255,8 @@ fn add_lit_by_libgcc(group: &mut Group, progress: &Progress) -> Result<()> {
 fn compiled(compiler: &str, options: &[&str], files: &[PathBuf]) -> Result<PathBuf> {
     let (root, program) = (project::root(), project::target().join(format!("calls-{compiler}")));
     let mut compile = Command::new(compiler);
+    // Files that options name are relative to it.
+    compile.current_dir(&root);
     compile.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic"]).args(options);
     compile.arg("-I").arg(root.join(LIBRARY)).args(files);
     compile.args(["-lm", "-o"]).arg(&program);

@@ -84,7 +84,7 @@ fn cases(vectors: &str) -> usize {
 /// Checks the vectors on a target. Returns the counts; an error if a case differs or was not checked.
 fn check(target: Target, progress: &Progress) -> Result<Vec<String>> {
     let outputs = match target {
-        Target::Errors | Target::Browser { simd: false } => {
+        Target::Errors | Target::Browser { simd: false } | Target::OfC(_) => {
             bail!("target = {}: expected host, wasm-simd or a processor", target.name())
         }
         // Optimised and without overflow checks: an overflow would wrap unnoticed. The tests of

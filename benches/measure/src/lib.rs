@@ -87,6 +87,7 @@ fn on(target: Target, check: bool, progress: &Progress) -> Result<Record> {
             let groups = [("picture", picture), (board.name, group)];
             Ok(Record(groups.map(|(name, group)| (name.to_owned(), group)).into()))
         }
+        Target::OfC(board) => Ok(Record([(board.name.to_owned(), c::counted(board, progress)?)].into())),
     }
 }
 

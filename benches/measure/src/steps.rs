@@ -7,7 +7,7 @@ use crate::documents::check;
 use crate::effects::{self, EMPTY, FORMATS, FX16, UNUSED, write_programs};
 use crate::program::Program;
 use crate::proof::{CONFIGURATIONS, no_panic};
-use crate::target::{BOARDS, Target};
+use crate::target::{BOARDS, ESP8266, Target};
 use crate::{c, conform, counted, device, on, pictures};
 use tools::suite::Suite;
 use tools::{command, project};
@@ -45,6 +45,9 @@ pub fn all_boards(suite: &mut Suite) {
             check(&on(Target::Board(board), true, progress)?)
         });
     }
+    suite.remarked("measure: the counts are those on record on esp8266", |progress| {
+        check(&on(Target::OfC(&ESP8266), true, progress)?)
+    });
     // Of each instruction set, and with a floating point unit: what panics does so on every processor, but what a
     // compiler leaves out may differ.
     let [cortex_m0, _, cortex_m4f, rv32imc, ..] = &BOARDS;

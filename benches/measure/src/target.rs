@@ -14,6 +14,8 @@ pub enum Target {
     },
     /// A microcontroller; costs are instructions.
     Board(&'static Board),
+    /// A microcontroller that no code of Rust is compiled for; costs are instructions of the library for C.
+    OfC(&'static Board),
 }
 
 /// A processor with the board that it sits on.
@@ -23,7 +25,7 @@ pub struct Board {
     pub name: &'static str,
     /// The processor's name in texts for people.
     pub title: &'static str,
-    /// The target that firmware for it is compiled for.
+    /// The target that firmware in Rust for it is compiled for; empty if there is none.
     pub target: &'static str,
     /// The flag of rustc for a processor with more features than the target's; empty if it has none.
     pub flags: &'static str,
@@ -62,6 +64,16 @@ pub static BOARDS: [Board; 7] = [
     },
 ];
 
+/// The core of an ESP8266, which the compiler of this project does not know.
+pub(crate) static ESP8266: Board = Board {
+    name: "esp8266",
+    title: "ESP8266",
+    target: "",
+    flags: "",
+    emulator: "qemu-system-xtensa",
+    machine: &["-M", "sim", "-cpu", "lx106"],
+};
+
 impl Board {
     pub(crate) const fn arm(
         name: &'static str,
@@ -82,7 +94,7 @@ impl Target {
     /// Every target, in the order of the page.
     pub fn all() -> Vec<Self> {
         let others = [Self::Errors, Self::Host, Self::Browser { simd: false }, Self::Browser { simd: true }];
-        others.into_iter().chain(BOARDS.iter().map(Self::Board)).collect()
+        others.into_iter().chain(BOARDS.iter().map(Self::Board)).chain([Self::OfC(&ESP8266)]).collect()
     }
 
     /// Returns the target of this name, or an error that lists the names.
@@ -99,7 +111,7 @@ impl Target {
             Self::Host => "host",
             Self::Browser { simd: false } => "wasm",
             Self::Browser { simd: true } => "wasm-simd",
-            Self::Board(board) => board.name,
+            Self::Board(board) | Self::OfC(board) => board.name,
         }
     }
 
@@ -110,13 +122,13 @@ impl Target {
             Self::Host => "Host",
             Self::Browser { simd: false } => "Browser",
             Self::Browser { simd: true } => "Browser, SIMD",
-            Self::Board(board) => board.title,
+            Self::Board(board) | Self::OfC(board) => board.title,
         }
     }
 
     /// The unit of the costs.
     pub fn unit(&self) -> &'static str {
-        if matches!(self, Self::Board(_)) { "instructions" } else { "ns" }
+        if matches!(self, Self::Board(_) | Self::OfC(_)) { "instructions" } else { "ns" }
     }
 }
 

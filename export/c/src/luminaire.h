@@ -67,13 +67,15 @@ static const uint16_t luminaire_inverse_square_roots[129] LUMINAIRE_TABLE = {
 };
 
 /* Some processors have no instruction for the upper half of a product: they compute it from four
- * products of 16-bit numbers, with the same result. */
-#if !defined(LUMINAIRE_BY_PARTS) && (defined(__ARM_ARCH_6M__) || defined(__AVR__))
+ * products of 16-bit numbers, with the same result. The Xtensa of an ESP8266 is one of them; that of an
+ * ESP32 has the instruction, and another way to call functions. */
+#if !defined(LUMINAIRE_BY_PARTS) && \
+    (defined(__ARM_ARCH_6M__) || defined(__AVR__) || defined(__XTENSA_CALL0_ABI__))
 #define LUMINAIRE_BY_PARTS 1
 #endif
 
 /* Others have no instruction that counts leading zeros: they look them up. */
-#if defined(__GNUC__) && __SIZEOF_INT__ == 4 && !defined(LUMINAIRE_BY_PARTS)
+#if defined(__GNUC__) && __SIZEOF_INT__ == 4 && (!defined(LUMINAIRE_BY_PARTS) || defined(__XTENSA__))
 #if !defined(__riscv) || defined(__riscv_zbb)
 #define LUMINAIRE_COUNTS_ZEROS 1
 #endif

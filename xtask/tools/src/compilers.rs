@@ -12,13 +12,15 @@ use crate::{command, install};
 
 /// The compilers, each with a file of its library of C that is a package of its own; and other programs
 /// and files.
-const COMPILERS: [(&Tool, Option<&str>); 11] = [
+const COMPILERS: [(&Tool, Option<&str>); 13] = [
     (&tool::CC, None),
     (&tool::CXX, None),
     (&tool::CLANG, None),
     (&tool::ARM_CC, Some("rdimon.specs")),
     (&tool::ARM_CXX, None),
     (&tool::RISCV_CC, Some("picolibc.specs")),
+    (&tool::XTENSA_CC, None),
+    (&tool::XTENSA_LIBRARY, None),
     (&tool::AVR_CC, Some("libc.a")),
     (&tool::AVR_SIZE, None),
     (&tool::SIMAVR, None),

@@ -48,7 +48,7 @@ pub const PYTHON: Tool =
     tool(&["python3", "python"], &["python3", "python3-venv"], "python", "Python.Python.3.13");
 /// Emulates boards. The packages share the last two.
 pub const QEMU: Tool = tool(
-    &["qemu-system-arm", "qemu-system-riscv32"],
+    &["qemu-system-arm", "qemu-system-riscv32", "qemu-system-xtensa"],
     &["qemu-system-arm", "qemu-system-misc", "qemu-system-common", "qemu-system-data"],
     "qemu",
     "SoftwareFreedomConservancy.QEMU",
@@ -77,6 +77,11 @@ pub const ARM_CXX: Tool = Tool { programs: &["arm-none-eabi-g++"], ..ARM_CC };
 /// The compiler for RISC-V, with picolibc.
 pub const RISCV_CC: Tool =
     debian(&["riscv64-unknown-elf-gcc"], &["gcc-riscv64-unknown-elf", "picolibc-riscv64-unknown-elf"]);
+/// The compiler for the Xtensa of an ESP8266.
+pub const XTENSA_CC: Tool = debian(&["xtensa-lx106-elf-gcc"], &["gcc-xtensa-lx106"]);
+/// Its library of C, where the compiler does not look.
+pub const XTENSA_LIBRARY: Tool =
+    debian(&["/usr/lib/xtensa-lx106-elf/picolibc.specs"], &["picolibc-xtensa-lx106-elf"]);
 /// The compiler for AVR.
 pub const AVR_CC: Tool =
     tool(&["avr-gcc"], &["gcc-avr", "avr-libc"], "osx-cross/avr/avr-gcc", "ZakKemble.avr-gcc");

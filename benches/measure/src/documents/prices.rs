@@ -163,7 +163,8 @@ is one to Arm's.
 /// The price list.
 pub(super) fn list(record: &Record) -> String {
     let mut text = LIST.to_owned();
-    for target in Target::all().into_iter().filter(|target| *target != Target::Errors) {
+    let is_here = |target: &Target| !matches!(target, Target::Errors | Target::OfC(_));
+    for target in Target::all().into_iter().filter(is_here) {
         let group = record.group(target.name());
         let what = if target.unit() == "ns" { "nanoseconds" } else { "instructions" };
         let facts: Vec<_> = group.about.values().map(String::as_str).collect();

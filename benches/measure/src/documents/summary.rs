@@ -4,7 +4,7 @@ use super::text::{cells, cost, error, table};
 use crate::c;
 use crate::plot;
 use crate::record::Record;
-use crate::target::{BOARDS, Board, Target};
+use crate::target::{BOARDS, Board, ESP8266, Target};
 
 /// The rows of the README, and their titles.
 const ROWS: [(&str, &str); 4] = [
@@ -40,7 +40,11 @@ pub(super) fn readme(record: &Record) -> String {
 /// The part of the page of C: the instructions of each call, and the bytes of a whole program.
 pub(super) fn calls(record: &Record) -> String {
     let is_counted = |board: &&Board| record.group(board.name).figures.contains_key(&c::figure("light"));
-    let columns = BOARDS.iter().filter(is_counted).flat_map(|board| c::LEVELS.map(|level| (board, level)));
+    let columns = BOARDS
+        .iter()
+        .chain([&ESP8266])
+        .filter(is_counted)
+        .flat_map(|board| c::LEVELS.map(|level| (board, level)));
     let columns: Vec<_> = columns.collect();
     let figure = |board: &Board, name: &str, unit: &str| {
         record
