@@ -1,11 +1,14 @@
 //! The difference between a light and that of its source.
 
+use serde::{Deserialize, Serialize};
+
 /// The largest difference between a light of [`luminaire`] and the light of another tool; 0 where the kernel has
 /// the tool's formulas.
 ///
 /// Both lights are computed in exact arithmetic, without the errors of a number format. The differences are upper
 /// bounds.
-#[derive(Clone, Copy, PartialEq, Default, Debug)]
+#[derive(Clone, Copy, PartialEq, Default, Debug, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Difference {
     /// Difference in intensity over the angle, relative to the intensity on the axis, in [0, 1].
     pub angle: f32,

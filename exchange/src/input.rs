@@ -4,6 +4,7 @@ use std::path::Path;
 
 use luminaire_export::json;
 
+use crate::about;
 use crate::convert;
 use crate::lamp::{Lamp, Lamps};
 use crate::measured;
@@ -220,10 +221,7 @@ fn photometry(
 }
 
 fn own(text: &str) -> Result<Lamps, Refusal> {
-    let lamp =
-        |named: json::NamedLight| Lamp { surfaces: named.surfaces, ..Lamp::new(named.name, named.light) };
-    let lamps = json::read(text)?.into_iter().map(lamp).collect();
-    Ok(Lamps { lamps, ..Lamps::new(System::Luminaire) })
+    Ok(Lamps { lamps: about::lamps(text, json::read(text)?), ..Lamps::new(System::Luminaire) })
 }
 
 /// Returns the system of a file, by its name and of JSON by its content.

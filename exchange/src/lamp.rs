@@ -3,14 +3,11 @@
 use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
 use luminaire::{DirectionalLight, PointLight, SpotLight};
-use luminaire_export::json::NamedLight;
-use serde_json::json;
 
-use crate::curve::{Curve, Definition};
+use crate::curve::Curve;
 use crate::difference::Difference;
 use crate::fit::{Fit, share};
 use crate::refusal::Refusal;
-use crate::residual::Residual;
 use crate::system::System;
 
 /// A light of a file or of a command, as a light of [`luminaire`].
@@ -24,6 +21,9 @@ pub struct Lamp {
     /// The correlated colour temperature in kelvin whose white is the light's colour, if the source or the user
     /// states one.
     pub kelvin: Option<f32>,
+    /// How many units of the source are one of the light: 1, but for a document, whose intensities are in units of full
+    /// scale.
+    pub full_scale: f64,
     /// The largest difference between the light and that of the source.
     pub difference: Difference,
     /// Whether the source leaves the falloff open, as one published angle does.
@@ -48,6 +48,7 @@ impl Lamp {
             name: name.into(),
             light: light.into(),
             kelvin: None,
+            full_scale: 1.0,
             difference: Difference::default(),
             is_assumed: false,
             measured: None,
@@ -150,44 +151,6 @@ impl Lamp {
         let mut points: Vec<_> = [0.0, start].into_iter().chain(even).chain([end]).map(at).collect();
         points.dedup_by_key(|point| point.0);
         Curve::new(points)
-    }
-
-    /// Returns the light in the unit of full scale, with what is known of it as JSON has it: the
-    /// differences, the notes, and of a measured light its photometry.
-    ///
-    /// # Errors
-    /// An intensity outside [0, 1e9] in that unit.
-    pub fn named(&self, usage: Use) -> Result<NamedLight, Refusal> {
-        let intensity = (f64::from(self.light.intensity()) / usage.full_scale) as f32;
-        let light = self.light.with_intensity(intensity)?;
-        let Difference { angle, place, distance } = self.difference;
-        let mut about = json!({
-            "difference": { "angle": angle, "place": place, "distance": distance },
-            "full_scale": usage.full_scale,
-        });
-        if let Some(kelvin) = self.kelvin {
-            about["kelvin"] = kelvin.into();
-        }
-        if let Some(curve) = &self.measured {
-            let angle = |share, definition| curve.angle(share, definition);
-            about["photometry"] = json!({
-                "peak_candela": curve.peak().0,
-                "lumens": curve.lumens(),
-                "ies_degrees": [angle(0.5, Definition::Ies), angle(0.1, Definition::Ies)],
-                "cie_degrees": [angle(0.5, Definition::Cie), angle(0.1, Definition::Cie)],
-            });
-        }
-        let fit = |fit: &Fit| {
-            let Residual { found, bound, degrees, .. } = fit.residual;
-            json!({ "name": fit.name, "found_codes": found, "bound_codes": bound, "half_degrees": degrees })
-        };
-        if !self.fits.is_empty() {
-            about["fits"] = self.fits.iter().map(fit).collect();
-        }
-        if !self.notes.is_empty() {
-            about["notes"] = self.notes.clone().into();
-        }
-        Ok(NamedLight { name: self.name.clone(), light, surfaces: self.surfaces, about: Some(about) })
     }
 }
 

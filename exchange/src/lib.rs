@@ -1,6 +1,7 @@
 //! Lights from the files and the numbers of other tools, and parameters of a light for other tools.
 #![forbid(unsafe_code)]
 
+mod about;
 mod convert;
 mod curve;
 mod difference;

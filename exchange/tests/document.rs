@@ -10,7 +10,7 @@ use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Knot, Table};
 use luminaire::models::Number;
 use luminaire::{Angle, Cone, DirectionalLight, PointLight, SpotLight};
-use luminaire_exchange::System;
+use luminaire_exchange::{Lamp, Reading, Sheet, System, Use, numbers};
 use luminaire_export::json::{NamedLight, read, write};
 use luminaire_export::words;
 
@@ -156,5 +156,53 @@ fn document_is_read_back_and_keeps_to_the_schema() {
             check(&wrong).is_err() || wrong.contains("versine") || wrong.len() > by_hand.len() + 900,
             "the schema accepts {told}"
         );
+    }
+}
+
+fn again(text: &str) -> Vec<Lamp> {
+    luminaire_exchange::read("a.json", text.as_bytes(), None, Reading::default()).expect("a document").lamps
+}
+
+/// What is known of a light beside it comes back, but for its measured intensities and what follows from them.
+#[test]
+fn what_is_known_of_a_light_is_read_back() {
+    let sheet = Sheet { lumens: Some(870.0), beam: Some(20.0), kelvin: Some(2_950.5), ..Sheet::default() };
+    let scale = |full_scale| Use { throw: 4.0, full_scale, is_photometric: true };
+    let lamp = sheet.lamp().expect("a lamp");
+    assert!(lamp.is_assumed && lamp.kelvin.is_some() && !lamp.notes.is_empty());
+    let godot =
+        numbers(System::Godot, "spot_angle=20 spot_attenuation=1.3".split(' ')).expect("a light").lamps;
+    let ldt = include_bytes!("files/spot.ldt");
+    let measured = luminaire_exchange::read("a.ldt", ldt, None, Reading::default()).expect("a file").lamps;
+    for lamp in [&[lamp][..], &godot, &measured].concat() {
+        for full_scale in [1.0, 1.0 / 3.0, 123_456.789_012_345] {
+            let named = lamp.named(scale(full_scale)).expect("a light");
+            let back = again(&write(std::slice::from_ref(&named)).expect("a document")).remove(0);
+            let expected =
+                Lamp { light: named.light, full_scale, measured: None, fits: Vec::new(), ..lamp.clone() };
+            assert_eq!(back, expected);
+            assert!((back.own_intensity() * full_scale / lamp.own_intensity() - 1.0).abs() < 1e-6);
+            let (text, other) = (write(&[named]), write(&[back.named(scale(1.0)).expect("a light")]));
+            assert_eq!(text.is_ok_and(|text| text == other.expect("a document")), lamp.measured.is_none());
+        }
+    }
+}
+
+/// Another program may write anything there, and a colour that was changed by hand is that of the light.
+#[test]
+fn what_is_known_of_a_light_may_be_anything() {
+    let light = |about: &str| {
+        let text = format!(
+            r#"{{"format":"luminaire-lights-1","lights":[{{"kind":"point","color":[1,0.5,0.25],"about":{about}}}]}}"#
+        );
+        again(&text).remove(0)
+    };
+    let plain = light("null");
+    for about in ["5", "[{}]", r#"{"from":[[]]}"#, r#"{"kelvin":"warm"}"#, r#"{"full_scale":-1}"#] {
+        assert_eq!(light(about), plain, "{about}");
+    }
+    for about in [r#"{"kelvin":3000}"#, r#"{"kelvin":-3}"#] {
+        let found = light(about);
+        assert_eq!((found.kelvin, found.notes.len()), (None, 1), "{about}: {found:?}");
     }
 }

@@ -25,7 +25,7 @@ pub struct NamedLight {
     pub light: AnyLight,
     /// The distances of the nearest and of the farthest surface, where they are known.
     pub surfaces: Option<[f32; 2]>,
-    /// What is known of the light beside it: any JSON. Readers skip it.
+    /// What is known of the light beside it: any JSON. [`read`] skips it.
     pub about: Option<Value>,
 }
 

@@ -62,7 +62,7 @@
 //! | `position`, `axis` | three numbers; the axis points along the light and has any length |
 //! | `color`, `specular_color` | linear red, green and blue, each up to 1; white, and the colour, by default |
 //! | `intensity` | 1 is full scale on the axis at distance 1 |
-//! | `about` | anything: what `luminaire import` knows of the light, such as its differences; readers skip it |
+//! | `about` | anything: what `luminaire import` knows of the light, of which it reads again `difference`, `full_scale`, `kelvin`, `is_assumed` and `notes` |
 //! | `near`, `far` | the distances of the nearest and of the farthest surface, for `luminaire pick`; both or neither |
 //! | `cone.beam_degrees`, `field_degrees`, `outer_degrees`, `inner_degrees`, `cutoff_degrees` | full angles: 50 % and 10 % of the intensity, the end of the falloff, full intensity, the end of the light before that of its falloff |
 //! | `cone.inner_versine`, `outer_versine`, `cutoff_versine` | `1 - cos` of half of three of these angles, which are exact: with them the angles are for readers |
