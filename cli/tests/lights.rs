@@ -198,7 +198,7 @@ fn errors_name_the_parameter_and_stay_short() {
             "light = rim: expected a number from 1 to 3, or one of spot, point, sun",
         ),
         (
-            vec!["pick", "--chip", "cortex-m0", "--display", "rgb565", "--from", "direct3d"],
+            vec!["pick", "--chip", "cortex-m0", "--display", "rgb565", "--from", "direct3d", "phi=1"],
             "attenuation0, attenuation1, attenuation2 = 0, 0, 0: expected one that is not 0",
         ),
         (vec!["import", "--fixture", "nothing like it"], "fixture = nothing like it"),

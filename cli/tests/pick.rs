@@ -103,9 +103,10 @@ fn pick_answers_for_lights_of_files_and_for_the_default_light_of_each_tool() {
         assert_eq!(answers.len(), lights["lights"].as_array().expect("lights").len(), "{folder}");
         assert!(answers.len() > 20, "{folder}: {}", answers.len());
     }
-    let mut tools = 0;
-    for &system in luminaire_exchange::System::ALL {
-        let Ok(lamps) = luminaire_exchange::numbers(system, []) else { continue };
+    use luminaire_exchange::System::{self, Eulumdat, Gdtf, Ies, Luminaire, Ofl};
+    for &system in System::ALL.iter().filter(|own| ![Ies, Eulumdat, Gdtf, Ofl, Luminaire].contains(own)) {
+        let lamps =
+            luminaire_exchange::numbers(system, []).unwrap_or_else(|error| panic!("{system}: {error}"));
         let usage = lamps.usage(4.0);
         for lamp in &lamps.lamps {
             let named = lamp.named(usage).unwrap();
@@ -113,12 +114,9 @@ fn pick_answers_for_lights_of_files_and_for_the_default_light_of_each_tool() {
                 luminaire_pick::Request::new(luminaire_pick::Chip::CortexM0, luminaire_pick::Display::Rgb565);
             let light = luminaire_pick::Light::of("light", &named.light);
             let answer = request.steps(1e9).pick(&light);
-            assert!(answer.is_ok(), "{}: {answer:?}", system.name());
+            assert!(answer.is_ok(), "{system}: {answer:?}");
         }
-        tools += 1;
     }
-    // Direct3D and USD have no default that their own readers take.
-    assert!(tools >= 11, "{tools} tools have a default light");
 }
 
 /// The text says what a light of a file is, how its price was counted and where its bound does not hold.

@@ -127,7 +127,7 @@ fn light(system: System, lines: &[&str]) -> Result<Lamps, Refusal> {
 /// A word that is no `key=value`, a key that the system does not have, or a value that it does not
 /// accept.
 pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> Result<Lamps, Refusal> {
-    let mut record = Record::new("light", Kind::Spot, "");
+    let (mut record, mut kind) = (Record::new("light", Kind::Spot, ""), None);
     for word in words.into_iter().flat_map(str::split_whitespace) {
         let Some((key, value)) = word.split_once('=') else {
             return Err(Refusal::new("number", word, "key=value, without spaces"));
@@ -135,10 +135,10 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
         let numbers: Result<Vec<f64>, _> = value.split(',').map(str::parse).collect();
         match (key, numbers) {
             ("kind", _) => {
-                record.kind = match value {
-                    "spot" => Kind::Spot,
-                    "point" => Kind::Point,
-                    "directional" => Kind::Directional,
+                kind = match value {
+                    "spot" => Some(Kind::Spot),
+                    "point" => Some(Kind::Point),
+                    "directional" => Some(Kind::Directional),
                     _ => return Err(Refusal::new("kind", value, "spot, point or directional")),
                 };
             }
@@ -150,6 +150,7 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
             (_, Err(_)) => record.set(key, Value::Word(value.to_owned())),
         }
     }
+    record.kind = kind.or_else(|| Some(system.tool()?.kind(&record))).unwrap_or(record.kind);
     for (key, default) in [("position", [0.0; 3]), ("axis", [0.0, -1.0, 0.0])] {
         // Only of a colour or a polynomial, one number stands for three.
         if let Ok(Some(one)) = record.optional(key) {

@@ -48,6 +48,11 @@ pub(crate) trait Tool {
         None
     }
 
+    /// Returns the kind of a light whose numbers leave it open.
+    fn kind(&self, _: &Record) -> Kind {
+        Kind::Spot
+    }
+
     /// Returns the values of a record in the names that the others of this trait read, and its kind.
     fn prepare(&self, _: &mut Record) {}
 

@@ -364,6 +364,29 @@ fn a_cutoff_of_half_a_turn_is_a_point_light() {
     }
 }
 
+/// A light without numbers is the tool's own: of UsdLux a sphere of radius 0.5 without shaping, and of Direct3D the
+/// white directional light that `LightEnable` makes. A cone makes a spotlight of either.
+#[test]
+fn a_light_without_numbers_is_that_of_the_tool() {
+    let light = |tool: &str, words: &[&str]| {
+        numbers(tool.parse().expect("a tool"), words.iter().copied()).expect(tool).lamps.remove(0).light
+    };
+    let usd = light("usd", &[]);
+    assert!(matches!(usd, AnyLight::Point(_)), "{usd:?}");
+    assert!((f64::from(usd.intensity()) - std::f64::consts::PI / 4.0).abs() < 1e-6, "{usd:?}");
+    assert_eq!(light("usd", &["kind=spot"]), usd);
+    let direct3d = light("direct3d", &[]);
+    assert!(matches!(direct3d, AnyLight::Directional(_)) && direct3d.intensity() == 1.0, "{direct3d:?}");
+    for (tool, words) in [
+        ("usd", &["shaping:cone:angle=90"][..]),
+        ("usd", &["shaping:focus=2"]),
+        ("usd", &["disk=1"]),
+        ("direct3d", &["phi=1", "attenuation0=1"]),
+    ] {
+        assert!(matches!(light(tool, words), AnyLight::Spot(_)), "{tool} {words:?}");
+    }
+}
+
 /// A tool refuses a number by its own name, with what it takes.
 #[test]
 fn numbers_are_refused_by_the_names_of_their_tools() {
@@ -390,6 +413,9 @@ fn numbers_are_refused_by_the_names_of_their_tools() {
             "phi=3.2 attenuation0=1",
             "phi = 3.2: expected over 0 and at most 3.141593 radians (full angle)",
         ),
+        ("direct3d", "kind=spot", "attenuation0, attenuation1, attenuation2 = 0, 0, 0"),
+        ("direct3d", "range=9", "attenuation0, attenuation1, attenuation2 = 0, 0, 0"),
+        ("usd", "shaping:cone:angle=120", "shaping:cone:angle = 120: expected over 0 and at most 90 degrees"),
         ("direct3d", "phi=0 attenuation0=1", "phi = 0: expected the full outer angle in radians"),
         ("direct3d", "phi=0.6 theta=0.7 attenuation0=1", "theta = 0.7: expected a number from 0 to 0.6"),
         ("direct3d", "phi=0.6 falloff=-1 attenuation0=1", "falloff = -1: expected a number from 0 to 1024"),

@@ -21,7 +21,17 @@ fn no_range() -> f64 {
     f64::from(f32::MAX).sqrt()
 }
 
+/// The members of a cone.
+const CONE: [&str; 3] = ["theta", "phi", "falloff"];
+
 impl Tool for Direct3d {
+    /// Without a member of another kind, the light that `IDirect3DDevice9::LightEnable` makes of an index that was never
+    /// set: a directional one.
+    fn kind(&self, record: &Record) -> Kind {
+        let is_placed = CONE.iter().chain(&COEFFICIENTS).chain(&["range"]).any(|key| record.has(key));
+        if is_placed { Kind::Spot } else { Kind::Directional }
+    }
+
     /// `t^falloff` with a hotspot, divided by `a0 + a1 d + a2 d^2` up to the range.
     fn spot(&self, record: &mut Record) -> Result<Spot, Refusal> {
         let mut is_zeroed = true;
@@ -34,7 +44,7 @@ impl Tool for Direct3d {
             return Err(Refusal::new(COEFFICIENTS.join(", "), "0, 0, 0", expected));
         }
         // A point light has the members of a cone, too, without an effect.
-        for key in ["theta", "phi", "falloff"] {
+        for key in CONE {
             record.optional(key)?;
         }
         let is_spot = record.kind == Kind::Spot;

@@ -77,7 +77,7 @@ impl Tool for Usd {
     }
 
     /// A sphere or a disk as a point, with the cone of its shaping: smoothstep in the angle, times the power `focus`
-    /// of the cosine.
+    /// of the cosine. A sphere without shaping, whose cone has 180 degrees, is a point light.
     fn spot(&self, record: &mut Record) -> Result<Spot, Refusal> {
         let is_disk = record.word("disk", "0") == "1";
         let radius = record.within("radius", 0.5, 0.0, 1e9)?;
@@ -96,17 +96,20 @@ impl Tool for Usd {
         }
         let focus = record.within("shaping:focus", 0.0, 0.0, 1024.0)? + f64::from(u8::from(is_disk));
         let angle = record.within("shaping:cone:angle", if is_disk { 90.0 } else { 180.0 }, 0.0, 180.0)?;
+        let softness = record.within("shaping:cone:softness", 0.0, 0.0, 1.0)?;
+        if focus == 0.0 && softness == 0.0 && within(angle, 180.0, 180.0).is_some() {
+            record.kind = Kind::Point;
+        }
         if record.kind == Kind::Point {
             return Spot::new(record, no_cone()?, intensity, InverseSquare);
         }
         let lowest = if focus > 0.0 { angle.min(90.0) } else { within(angle, 0.0, 90.0).unwrap_or(angle) };
         if !(lowest > 0.0 && lowest <= 90.0) {
-            let expected = "over 0 and at most 90 degrees (half angle), or 180 for none: the kernel's spotlights end \
+            let expected = "over 0 and at most 90 degrees (half angle), or 180 for a point light: the kernel's spotlights end \
                             at 90 degrees off the axis";
             return Err(Refusal::new("shaping:cone:angle", angle, expected));
         }
         let (outer, edge) = (lowest.to_radians(), angle.to_radians());
-        let softness = record.within("shaping:cone:softness", 0.0, 0.0, 1.0)?;
         let start = edge * (1.0 - softness);
         let shaped = |angle: f64| {
             let t = if edge > start { ((edge - angle) / (edge - start)).clamp(0.0, 1.0) } else { 1.0 };
