@@ -191,7 +191,12 @@ fn shaped(system: System, mut record: Record, profiles: &mut Profiles) -> Result
     let found = own.and_then(|own| profiles.lamps(&profile, &own, record.axis));
     match (found, without) {
         (Ok(lamps), _) => Ok(lamps),
-        (Err(refusal), None) => Err(refusal.at(record.place)),
+        (Err(mut refusal), None) => {
+            if profile.content.is_none() && refusal.parameter == "file" {
+                refusal.expected += "; put it there, or give the node a light of KHR_lights_punctual, too: without it no intensity is known";
+            }
+            Err(refusal.at(record.place))
+        }
         (Err(refusal), Some(mut without)) => {
             (without.name, without.position, without.axis) = (record.name, record.position, record.axis);
             (without.notes, without.tables) = (record.notes, record.tables);

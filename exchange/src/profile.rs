@@ -1,5 +1,6 @@
 //! Lights of scenes whose intensities over the angle are those of a photometric file beside the scene.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -54,12 +55,13 @@ impl<'a> Profiles<'a> {
     /// intensities of all lights, or one that the kernel cannot hold.
     pub(crate) fn lamps(&mut self, profile: &Profile, own: &Lamp, axis: DVec3) -> Result<Vec<Lamp>, Refusal> {
         let spot = if let AnyLight::Spot(spot) = &own.light { Some(spot) } else { None };
-        let key = format!("{} {:?}", profile.file, spot.map(luminaire::SpotLight::cone));
+        let Profile { file, part, content, .. } = profile;
+        let key = format!("{file} {part:?} {} {:?}", content.is_some(), spot.map(luminaire::SpotLight::cone));
         if self.shapes.len() >= MOST && !self.shapes.contains_key(&key) {
             return Err(Refusal::new("profiles", "more", format_args!("at most {MOST} different ones")));
         }
         let Self { beside, reading, shapes, intensities } = self;
-        let shape = shapes.entry(key).or_insert_with(|| shape(*beside, *reading, &profile.file, own));
+        let shape = shapes.entry(key).or_insert_with(|| shape(*beside, *reading, profile, own));
         let Shape { lamps, lumens, notes } = shape.as_ref().map_err(Clone::clone)?;
         *intensities +=
             lamps.iter().flat_map(|lamp| &lamp.measured).map(|curve| curve.points().len()).sum::<usize>();
@@ -98,10 +100,19 @@ impl<'a> Profiles<'a> {
 }
 
 /// Returns the lights of a file, at the origin and down along -y, with the cone of a light times the file.
-fn shape(beside: Beside, reading: Reading, file: &str, own: &Lamp) -> Result<Shape, Refusal> {
+fn shape(beside: Beside, reading: Reading, profile: &Profile, own: &Lamp) -> Result<Shape, Refusal> {
+    let Profile { file, content, part, .. } = profile;
     let unread =
         |reason: String| Refusal::new("file", file, format_args!("a file beside this one: {reason}"));
-    let text = decode(&beside(file).map_err(unread)?)?;
+    let bytes = match content {
+        Some(content) => Cow::Borrowed(&**content),
+        None => Cow::Owned(beside(file).map_err(unread)?),
+    };
+    let own_part = part.clone().unwrap_or(0..bytes.len());
+    let bytes = bytes.get(own_part.clone()).ok_or_else(|| {
+        unread(format!("it ends after {} bytes, before byte {}", bytes.len(), own_part.end))
+    })?;
+    let text = decode(bytes)?;
     let Photometry { mut curve, difference, notes, .. } = ies::read(&text, reading)?;
     if let AnyLight::Spot(spot) = own.light
         && let Some(cone) = Lamp::new("", spot.with_intensity(1.0)?).curve()

@@ -16,6 +16,7 @@ mod tests;
 pub(crate) mod three;
 pub(crate) mod unity;
 pub(crate) mod unreal;
+mod uri;
 pub(crate) mod usd;
 pub(crate) mod x3d;
 mod xml;

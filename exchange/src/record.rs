@@ -1,6 +1,8 @@
 //! A light in the words of its system: what a reader of files finds, and what a command is given.
 
 use std::fmt;
+use std::ops::Range;
+use std::rc::Rc;
 
 use glam::DVec3;
 
@@ -49,8 +51,12 @@ pub(crate) struct Record {
 /// The photometric file of a light: an intensity of the light is its own times that of the file.
 #[derive(Clone, Debug)]
 pub(crate) struct Profile {
-    /// The file as the scene names it.
+    /// The file as the scene names it, or the place of one within the scene.
     pub(crate) file: String,
+    /// The content of one within the scene.
+    pub(crate) content: Option<Rc<[u8]>>,
+    /// The bytes of the file that are the photometric one, if not all are.
+    pub(crate) part: Option<Range<usize>>,
     /// Whether the light keeps the flux that it has without the file.
     pub(crate) is_normalized: bool,
     /// The light without the file, if the scene has it.

@@ -20,6 +20,8 @@ fn beside(name: &str) -> Result<Vec<u8>, String> {
             Ok(format!("{head}{angles}0\n{}", "9\n".repeat(20_001)).into())
         }
         "none.ies" => Ok(b"no photometry".to_vec()),
+        "all.bin" => Ok([b"before", &include_bytes!("files/spot.ies")[..], b"after"].concat()),
+        "short.bin" => Ok(b"before".to_vec()),
         other => Err(format!("no file {other}")),
     }
 }
@@ -109,6 +111,80 @@ fn profile_that_cannot_be_read_is_named_with_its_remedy() {
         let refused = alone.refused[0].to_string();
         let reason = told.trim_start_matches("its IES profile is left out: ");
         assert!(refused.contains(reason) && refused.starts_with("EXT_lights_ies.lights[0]"), "{refused}");
+        let has_remedy = refused.contains("; put it there, or give the node a light of KHR_lights_punctual");
+        assert_eq!(has_remedy, file == "far.ies", "{refused}");
+    }
+}
+
+/// A node with a profile of a file of glTF, which has these members beside it.
+fn node(profile: &str, members: &str) -> String {
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"extensions":{{"EXT_lights_ies":{{"lights":[{profile}]}}}},
+        "nodes":[{{"name":"a","extensions":{{"EXT_lights_ies":{{"light":0}}}}}}]{members}}}"#
+    )
+}
+
+/// Returns bytes in base64.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::new();
+    for group in bytes.chunks(3) {
+        let bits = group.iter().chain(&[0, 0]).take(3).fold(0, |bits, byte| bits << 8 | usize::from(*byte));
+        let digit = |place: usize| char::from(DIGITS[bits >> (18 - 6 * place) & 63]);
+        text.extend((0..4).map(|place| if place <= group.len() { digit(place) } else { '=' }));
+    }
+    text
+}
+
+/// Returns a GLB of a text and of bytes.
+fn glb(text: &str, bytes: &[u8]) -> Vec<u8> {
+    let mut text = text.as_bytes().to_vec();
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let mut bytes = bytes.to_vec();
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    let words =
+        |words: &[usize]| words.iter().flat_map(|word| (*word as u32).to_le_bytes()).collect::<Vec<_>>();
+    let head = words(&[2, 28 + text.len() + bytes.len(), text.len()]);
+    [b"glTF", &head[..], b"JSON", &text, &words(&[bytes.len()]), b"BIN\0", &bytes].concat()
+}
+
+/// Wherever a profile is, its light is that of the same file beside the scene.
+#[test]
+fn profile_within_a_file_of_gltf_is_that_of_a_file_beside_it() {
+    let spot = include_bytes!("files/spot.ies");
+    let expected = scene("a.gltf", &node(r#"{"uri":"spot.ies"}"#, "")).lamps;
+    assert!(expected[0].measured.is_some());
+    let (coded, length) = (base64(spot), spot.len());
+    let (all, view) = (base64(&[b"before", &spot[..], b"after"].concat()), r#"{"bufferView":1}"#);
+    let views = format!(r#","bufferViews":[{{}},{{"buffer":0,"byteOffset":6,"byteLength":{length}}}]"#);
+    for (profile, members) in [
+        (format!(r#"{{"uri":"data:application/x-ies-lm-63;base64,{coded}"}}"#), String::new()),
+        (view.to_owned(), format!(r#"{views},"buffers":[{{"uri":"data:;base64,{all}"}}]"#)),
+        (view.to_owned(), format!(r#"{views},"buffers":[{{"uri":"all.bin"}}]"#)),
+    ] {
+        assert_eq!(scene("a.gltf", &node(&profile, &members)).lamps, expected, "{profile}{members}");
+    }
+    let text = node(view, &format!(r#"{views},"buffers":[{{}}]"#));
+    let binary = glb(&text, &[b"before", &spot[..], b"after"].concat());
+    let read =
+        |bytes: &[u8]| read_beside("a.glb", bytes, None, Reading::default(), &beside).expect("a scene");
+    assert_eq!(read(&binary).lamps, expected);
+
+    for (profile, members, told) in [
+        ("{}", String::new(), "uri = none: expected the name of a file, `data:`"),
+        (r#"{"uri":"data:;base64,A"}"#, String::new(), "uri = data:: expected a media type, `;base64,`"),
+        (view, String::new(), "bufferView = 1: expected a whole number from 0, below 0"),
+        (view, views.clone(), "buffer = 0: expected a whole number from 0, below 0"),
+        (view, format!(r#"{views},"buffers":[{{}}]"#), "expected a part of the 0 bytes of its buffer"),
+        (
+            view,
+            format!(r#"{views},"buffers":[{{"uri":"short.bin"}}]"#),
+            "file = short.bin: expected a file beside",
+        ),
+    ] {
+        let refused = scene("a.gltf", &node(profile, &members)).refused[0].to_string();
+        assert!(refused.starts_with("nodes[0], EXT") || refused.starts_with("EXT"), "{refused}");
+        assert!(refused.contains(told), "{refused}: expected {told}");
     }
 }
 

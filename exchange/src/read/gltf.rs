@@ -1,16 +1,24 @@
 //! glTF 2.0, as JSON and as GLB: the lights of `KHR_lights_punctual` and of `EXT_lights_ies`.
 
+mod profiles;
+
+use std::collections::HashMap;
+
 use glam::{DAffine3, DQuat};
 use serde::de::IgnoredAny;
 
+use self::profiles::{Profiles, Source};
 use super::Found;
-use super::json::{Worlds, fill, index, list, matrix, named, objects, parse, vector, word};
+use super::json::{Member, Worlds, fill, index, list, matrix, named, objects, parse, vector, word};
 use crate::record::{Kind, Profile, Record};
 use crate::refusal::Refusal;
 use crate::text::decode;
 
 objects! {
-    File: asset Asset, scene f64, scenes Vec<Scene>, nodes Vec<Node>, extensions Extensions, animations Vec<IgnoredAny>;
+    File: asset Asset, scene f64, scenes Vec<Scene>, nodes Vec<Node>, extensions Extensions, animations Vec<IgnoredAny>,
+        buffers Vec<Buffer>, bufferViews Vec<View>;
+    Buffer: uri String;
+    View: buffer f64, byteOffset f64, byteLength f64;
     Asset: version String;
     Scene: nodes Vec<f64>;
     Node: name String, children Vec<f64>, extensions Extensions,
@@ -21,13 +29,14 @@ objects! {
     Light: name String, r#type String, color [f64; 3], intensity f64, range f64, spot Spot;
     Spot: innerConeAngle f64, outerConeAngle f64;
     Measured: light f64, multiplier f64, color [f64; 3], lights Vec<Photometry>;
-    Photometry: name String, uri String;
+    Photometry: name String, uri String, bufferView f64;
 }
 
 /// Finds the lights of the default scene, or of one with IES profiles in its place, or of all scenes, and those that no
 /// node of them uses.
 pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
-    let file: File = parse(&decode(json(bytes)?)?)?;
+    let [json, chunk] = chunks(bytes)?;
+    let file: File = parse(&decode(json)?)?;
     let (version, mut found) = (file.asset.unwrap_or_default().version, Found::default());
     if !word(&version).starts_with("2.") {
         return Err(Refusal::new("asset.version", word(&version), "2.0: export the scene as glTF 2.0"));
@@ -47,7 +56,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
             }
         }
     }
-    let mut shown = scenes;
+    let (mut shown, mut replaced) = (scenes, None);
     match file.scene.map(|scene| index("scene", *scene, scenes.len())) {
         Some(Ok(scene)) => shown = &scenes[scene..=scene],
         Some(Err(refusal)) => found.add("file", Err(refusal))?,
@@ -64,7 +73,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
         && let Some(other) = scenes.iter().position(|scene| has_profiles(&scene))
     {
         found.notes.push(format!("scenes[{other}] is read, which has IES profiles, and not the default one"));
-        shown = &scenes[other..=other];
+        (shown, replaced) = (&scenes[other..=other], Some(Found::default()));
     }
     let mut roots = vec![scenes.is_empty(); nodes.len()];
     for root in shown.iter().flat_map(|scene| list(&scene.nodes)) {
@@ -78,7 +87,17 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
     let measured = extensions.EXT_lights_ies.unwrap_or_default();
     let files = list(&measured.lights);
     let (mut used, mut worlds, mut hidden) = (vec![false; lights.len()], Worlds::new(nodes.len()), 0);
-    let (mut used_files, mut elsewhere) = (vec![false; files.len()], 0);
+    let or = |member: &Member<f64>, default: f64| member.as_deref().copied().unwrap_or(default);
+    let sources =
+        files.iter().map(|own| Source { uri: word(&own.uri), view: own.bufferView.as_deref().copied() });
+    let views = list(&file.bufferViews).iter().map(|own| profiles::View {
+        buffer: or(&own.buffer, -1.0),
+        start: or(&own.byteOffset, 0.0),
+        length: or(&own.byteLength, 0.0),
+    });
+    let buffers = list(&file.buffers).iter().map(|own| word(&own.uri));
+    let mut profiles = Profiles::new(sources.collect(), views.collect(), buffers.collect(), chunk);
+    let mut elsewhere = 0;
     for (at, node) in nodes.iter().enumerate() {
         let Some(extensions) = &node.extensions else { continue };
         let own = extensions.KHR_lights_punctual.as_ref().and_then(|own| own.light.as_deref());
@@ -96,11 +115,14 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
         });
         let shaped = shaped.map(|own| {
             let file = index("light", *own.light.as_deref().unwrap_or(&-1.0), files.len())?;
-            used_files[file] = true;
-            own.record(name, (&files[file], file), punctual.clone().transpose()?)
+            own.record(name, (&files[file], file), profiles.get(file), punctual.clone().transpose()?)
         });
         if matches!(world, Ok((_, [false, _]))) {
             elsewhere += 1;
+            if let (Some(others), Some(Ok(record)), Ok((world, _))) = (&mut replaced, punctual, world) {
+                // The limit of lights is that of those that are shown.
+                let _ = others.add("", Ok((record, world)));
+            }
             continue;
         }
         let record = shaped.or(punctual).unwrap_or_else(|| Err(Refusal::new("light", "none", "an index")));
@@ -111,9 +133,12 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
             found.add(format_args!("nodes[{at}]"), record)?;
         }
     }
+    if let Some(others) = replaced {
+        by_numbers(&mut found.records, others.records);
+    }
     found.hide(hidden);
-    let count = used_files.iter().filter(|used| !**used).count();
-    for (count, what) in [(elsewhere, "lights of other scenes"), (count, "IES profiles that no node uses")] {
+    let unused = (profiles.unused(), "IES profiles that no node uses");
+    for (count, what) in [(elsewhere, "lights of other scenes"), unused] {
         found.notes.extend((count > 0).then(|| format!("{what} are left out: {count}")));
     }
     found.rest(!list(&file.animations).is_empty());
@@ -125,6 +150,19 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Found, Refusal> {
         found.add("no node", record)?;
     }
     Ok(found)
+}
+
+/// Gives the lights with profiles the numbers that another scene has of them: those of a light of the same name at the
+/// same place.
+fn by_numbers(records: &mut [Record], others: Vec<Record>) {
+    let key = |record: &Record| (record.name.clone(), record.position.to_array().map(f64::to_bits));
+    let others: HashMap<_, _> = others.into_iter().map(|other| (key(&other), other)).collect();
+    for record in records {
+        let other = others.get(&key(record)).filter(|other| other.kind != Kind::Directional);
+        if let Some(profile) = record.profile.as_mut().filter(|profile| profile.without.is_none()) {
+            profile.without = other.cloned();
+        }
+    }
 }
 
 impl Node {
@@ -167,18 +205,13 @@ impl Measured {
         &self,
         name: Option<&String>,
         (file, at): (&Photometry, usize),
+        profile: Result<Profile, Refusal>,
         without: Option<Record>,
     ) -> Result<Record, Refusal> {
         let place = format!("EXT_lights_ies.lights[{at}]");
-        let uri = word(&file.uri);
-        if uri.is_empty() || uri.starts_with("data:") {
-            let value = if uri.is_empty() { "none" } else { "data:" };
-            let expected = "the name of a file beside this one: a profile within this file is not read";
-            return Err(Refusal::new("uri", value, expected).at(place));
-        }
+        let profile = profile.map_err(|refusal| refusal.at(&place))?;
         let mut record = Record::new(name.map_or(word(&file.name), String::as_str), Kind::Point, &place);
-        record.profile =
-            Some(Box::new(Profile { file: decoded(uri), is_normalized: false, without: without.clone() }));
+        record.profile = Some(Box::new(Profile { without: without.clone(), ..profile }));
         if without.is_some() {
             record.note("its node has numbers of KHR_lights_punctual, too: they are taken as the same light");
         }
@@ -193,30 +226,27 @@ impl Measured {
     }
 }
 
-/// Returns a URI with its escapes `%20` as bytes of UTF-8.
-fn decoded(uri: &str) -> String {
-    let mut parts = uri.split('%');
-    let mut bytes = parts.next().unwrap_or_default().as_bytes().to_vec();
-    for part in parts {
-        // `from_str_radix` takes a sign, too.
-        let digits = part.get(..2).filter(|own| own.bytes().all(|byte| byte.is_ascii_hexdigit()));
-        match digits.and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
-            Some(byte) => bytes.extend([&[byte], &part.as_bytes()[2..]].concat()),
-            None => bytes.extend([b"%", part.as_bytes()].concat()),
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
-}
-
-/// Returns the JSON: the file, or the first chunk of a GLB.
-fn json(bytes: &[u8]) -> Result<&[u8], Refusal> {
+/// Returns the JSON and the first buffer: the file, or the chunks of a GLB, whose second may be missing.
+fn chunks(bytes: &[u8]) -> Result<[&[u8]; 2], Refusal> {
     const JSON: u32 = u32::from_le_bytes(*b"JSON");
-    let Some(header) = bytes.strip_prefix(b"glTF") else { return Ok(bytes) };
-    let words: Vec<_> = header.as_chunks().0.iter().take(4).map(|word| u32::from_le_bytes(*word)).collect();
-    match words[..] {
+    const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
+    let Some(header) = bytes.strip_prefix(b"glTF") else { return Ok([bytes, &[]]) };
+    let words = |bytes: &[u8], count| -> Vec<_> {
+        bytes.as_chunks().0.iter().take(count).map(|word| u32::from_le_bytes(*word)).collect()
+    };
+    let words_of_header = words(header, 4);
+    match words_of_header[..] {
         [2, all, own, JSON] if all as usize <= bytes.len() && all.checked_sub(20) >= Some(own) => {
-            Ok(&bytes[20..][..own as usize])
+            let (json, rest) = bytes[20..all as usize].split_at(own as usize);
+            let chunk = match words(rest, 2)[..] {
+                [length, BIN] => rest[8..].get(..length as usize),
+                _ => None,
+            };
+            Ok([json, chunk.unwrap_or_default()])
         }
-        _ => Err(Refusal::new("header", format_args!("{words:?}"), "that of a whole GLB 2: export it again")),
+        _ => {
+            let value = format_args!("{words_of_header:?}");
+            Err(Refusal::new("header", value, "that of a whole GLB 2: export it again"))
+        }
     }
 }

@@ -137,8 +137,13 @@ fn shape(block: &Block, record: &mut Record) -> Result<(), Refusal> {
         record.note(format!("its IES profile {file:?} is left out: {why}"));
         return Ok(());
     }
-    let profile =
-        Profile { file: file.to_owned(), is_normalized: normalize != 0.0, without: Some(record.clone()) };
+    let profile = Profile {
+        file: file.to_owned(),
+        content: None,
+        part: None,
+        is_normalized: normalize != 0.0,
+        without: Some(record.clone()),
+    };
     record.profile = Some(Box::new(profile));
     if normalize != 0.0 {
         record.note("`shaping:ies:normalize`: the flux is that of the light without its profile");
