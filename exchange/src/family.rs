@@ -35,6 +35,14 @@ impl Family {
         matches!(self, Self::Inverted { .. } | Self::Cosine | Self::Power)
     }
 
+    /// Returns whether an inner angle at the outer one is a step: the full intensity up to there.
+    pub(crate) fn has_step(self) -> bool {
+        match self {
+            Self::SmoothCosine | Self::SmoothAngle | Self::Power => true,
+            Self::SquareCosine { .. } | Self::Inverted { .. } | Self::Cosine => false,
+        }
+    }
+
     /// Returns by how much the outer half angle in radians exceeds the inner one at least.
     pub(crate) fn apart(self) -> f64 {
         if let Self::SquareCosine { apart, .. } = self { apart } else { 0.0 }
@@ -48,7 +56,7 @@ impl Family {
             _ => 1e-3..=64.0,
         };
         (NARROWEST..=widest).contains(&outer)
-            && (0.0..outer).contains(&inner)
+            && ((0.0..outer).contains(&inner) || self.has_step() && inner == outer)
             && outer - inner >= self.apart()
             && exponents.contains(&exponent)
     }
@@ -69,6 +77,9 @@ impl Family {
         let [outer, inner, exponent] = free;
         if angle >= outer {
             return 0.0;
+        }
+        if inner == outer {
+            return 1.0;
         }
         let (v, from, to) = (versine(angle), versine(inner), versine(outer));
         let t = ((to - v) / (to - from)).clamp(0.0, 1.0);

@@ -156,11 +156,18 @@ impl<'a> Target<'a> {
         });
         let (free, _) =
             found.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([end.min(widest), 0.0, 1.0], 1.0));
-        let fitted = |degrees: f64| family.at(free, degrees.to_radians());
-        // The end of the fitted cone is a break of it.
-        let end = free[0].to_degrees();
-        let breaks = [&self.breaks[..], &even(0.0, end)].concat();
-        (free, difference(&self.at, &fitted, breaks, [&self.steps, &[end]]))
+        let residual = |free: Free| {
+            let fitted = |degrees: f64| family.at(free, degrees.to_radians());
+            // The end of the fitted cone is a break of it.
+            let end = free[0].to_degrees();
+            let breaks = [&self.breaks[..], &even(0.0, end)].concat();
+            difference(&self.at, &fitted, breaks, [&self.steps, &[end]])
+        };
+        let found = (free, residual(free));
+        // A search that compares places does not end at a step between two of them.
+        let step = [end, end, 1.0];
+        let step = (family.has_step() && family.accepts(step, widest)).then(|| (step, residual(step)));
+        step.filter(|(_, own)| own.bound <= found.1.bound).unwrap_or(found)
     }
 }
 

@@ -37,7 +37,7 @@ impl Tool for Blender {
     fn spot(&self, record: &mut Record) -> Result<Spot, Refusal> {
         let outer = half(record, "spot_size", FRAC_PI_4, FULL_RADIANS)?;
         let blend = record.within("spot_blend", 0.15, 0.0, 1.0)?;
-        let inner = of_versine((1.0 - blend) * versine(outer));
+        let inner = if blend == 0.0 { outer } else { of_versine((1.0 - blend) * versine(outer)) };
         // The flux of a point light of this power, whatever the cone lets through.
         let intensity = exposed(record, "energy", 10.0)? / (4.0 * PI);
         record.note(
