@@ -3,7 +3,6 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use luminaire::falloff::AnyFalloff;
 use luminaire::{Error, Rgb};
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
 
@@ -54,7 +53,7 @@ pub(crate) struct Pick {
     #[arg(long)]
     codes: Option<f64>,
     /// soft or hard [default: soft]
-    #[arg(long, conflicts_with_all = ELSEWHERE)]
+    #[arg(long, conflicts_with_all = ELSEWHERE, conflicts_with = "falloff")]
     edge: Option<Edge>,
     /// none or inverse-square [default: inverse-square]
     #[arg(long, conflicts_with_all = ELSEWHERE)]
@@ -72,7 +71,7 @@ pub(crate) struct Pick {
     /// The lights of a file of any kind, or of the example scene `show`, with one error for all
     #[arg(long, value_name = "FILE", conflicts_with_all = [
         "edge", "beam", "field", "outer", "inner", "attenuation", "intensity", "near", "far", "position", "axis",
-        "from", "values", "fixture", "lumens", "candela", "lux",
+        "from", "values", "fixture", "lumens", "candela", "lux", "falloff",
     ])]
     pub(crate) scene: Option<OsString>,
     /// Pick each light of the scene by itself: the tolerance is that of each light
@@ -125,8 +124,6 @@ pub(crate) struct Export {
     /// behind it [default: their own]
     #[arg(long)]
     pub(crate) name: Option<String>,
-    #[arg(long, value_parser = words::falloff, conflicts_with_all = ELSEWHERE, help = words::falloffs())]
-    pub(crate) falloff: Option<AnyFalloff>,
     #[command(flatten)]
     pub(crate) spot: Spot,
     #[command(flatten)]

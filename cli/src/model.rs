@@ -19,7 +19,7 @@ pub(crate) fn light(options: &Export) -> Result<SpotLight<AnyFalloff, AnyAttenua
     if angles.iter().all(Option::is_none) {
         angles[1] = Some(Angle::degrees(36.0));
     }
-    let cone = json::from_angles(options.falloff, angles, spot.inner, options.cutoff)?;
+    let cone = json::from_angles(spot.falloff, angles, spot.inner, options.cutoff)?;
     let [red, green, blue] = options.color.unwrap_or([1.0; 3]);
     let (position, axis) = (spot.position.unwrap_or([0.0; 3]), spot.axis.unwrap_or([0.0, -1.0, 0.0]));
     let light = SpotLight::new(position, axis, cone)?.with_color(Rgb::new(red, green, blue))?;

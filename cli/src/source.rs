@@ -6,11 +6,13 @@ use std::io::{self, IsTerminal, Read, Write, stderr};
 use std::path::{Component, Path, PathBuf};
 
 use luminaire::dynamic::AnyLight;
+use luminaire::falloff::AnyFalloff;
 use luminaire_exchange::{
     Lamp, Lamps, Place, Reading, Refusal, Sheet, System, Use, fixture, largest, numbers, placed, read_beside,
 };
 
 use crate::text::say;
+use crate::words;
 
 /// The options and words by which a light comes from elsewhere. An option of its shape beside one
 /// of these would have no effect.
@@ -31,6 +33,8 @@ pub(crate) struct Spot {
     /// The full angle in degrees of a hotspot of full intensity
     #[arg(long, conflicts_with_all = ELSEWHERE)]
     pub(crate) inner: Option<f32>,
+    #[arg(long, value_parser = words::falloff, conflicts_with_all = ["from", "values"], help = words::falloffs())]
+    pub(crate) falloff: Option<AnyFalloff>,
     /// The intensity; 1 is full scale on the axis, at a distance of 1 [default: 16, or 1 without
     /// attenuation]
     #[arg(long)]
@@ -171,7 +175,8 @@ impl Source {
                 let own = Sheet { name: "light".to_owned(), beam, field, ..Sheet::default() };
                 let sheet = self.fixture.as_ref().map_or(Ok(own), |name| fixture(name))?;
                 let (lumens, candela) = (self.lumens.or(sheet.lumens), self.candela.or(sheet.candela));
-                let sheet = Sheet { lumens, candela, lux: self.lux, throw: self.throw, ..sheet };
+                let (lux, throw, falloff) = (self.lux, self.throw, spot.falloff);
+                let sheet = Sheet { lumens, candela, lux, throw, falloff, ..sheet };
                 let name = self.fixture.clone().unwrap_or_else(|| "data sheet".to_owned());
                 other(name, Lamps { lamps: sheet.lamp()?.ends().collect(), ..Lamps::new(System::Gdtf) })
             }

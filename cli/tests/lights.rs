@@ -36,6 +36,28 @@ fn file_becomes_source_and_json_becomes_the_same() {
     std::fs::remove_file(document).expect("removed");
 }
 
+/// The soft end of two angles has them beside a flux, a peak or an illuminance, by every command.
+#[test]
+fn falloff_beside_flux_or_peak_is_that_of_the_angles_alone() {
+    let cone = |words: &str| -> serde_json::Value {
+        let text = text(&format!("export --to json --beam 15 --field 26{words}"));
+        serde_json::from_str::<serde_json::Value>(&text).expect("JSON")["lights"][0]["cone"].take()
+    };
+    let [soft, fitted] = [" --falloff soft", ""].map(cone);
+    assert_ne!(soft, fitted);
+    for words in [" --lumens 8700", " --candela 60000", " --lux 600 --throw 10"] {
+        assert_eq!(cone(&format!(" --falloff soft{words}")), soft, "{words}");
+        assert_eq!(cone(words), fitted, "{words}");
+    }
+    let told = text("import --beam 15 --falloff linear --lumens 8700");
+    assert!(told.contains("linear") && told.contains("exact\n"), "{told}");
+    let request = "pick --chip cortex-m0 --display rgb565 --steps 99 --beam 15 --falloff linear";
+    assert!(text(&format!("{request} --lumens 8700")).contains("linear edge"));
+    let refused = luminaire(&request.split(' ').collect::<Vec<_>>());
+    let told = String::from_utf8(refused.stderr).expect("a text");
+    assert!(told.starts_with("error: falloff = linear: expected --edge soft or hard, or"), "{told}");
+}
+
 #[test]
 fn tools_ies_and_pick_take_the_same_light() {
     for (tool, told) in [

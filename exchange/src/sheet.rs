@@ -50,6 +50,9 @@ pub struct Sheet {
     pub lux: Option<f64>,
     /// The edge, if one angle is known. Two angles determine it.
     pub edge: Edge,
+    /// The falloff, in place of that edge. Beside two angles only [`Soft`] is possible: the soft edge that has both,
+    /// that of [`Cone::soft_from_beam_and_field`].
+    pub falloff: Option<AnyFalloff>,
     /// Beam and field angle of the widest zoom. `beam` and `field` are those of the narrowest.
     pub widest: Option<[Option<f64>; 2]>,
     /// What was assumed or left out so far.
@@ -64,7 +67,7 @@ impl Sheet {
     /// `lumens` at this intensity.
     ///
     /// # Errors
-    /// Angles of no cone, more lumens than a cone of 180 degrees has, an intensity outside [0, 1e9] candela, or `lux`
+    /// Angles of no cone or of none with the falloff, more lumens than a cone of 180 degrees has, an intensity outside [0, 1e9] candela, or `lux`
     /// without `throw`.
     pub fn lamp(&self) -> Result<Lamp, Refusal> {
         for (key, value) in [("lumens", self.lumens), ("candela", self.candela), ("lux", self.lux)] {
@@ -145,17 +148,21 @@ impl Sheet {
             notes.push(format!("the widest zoom is left out: {refusal}"));
         }
         let (name, light, difference) = (self.name.clone(), lit(cone, intensity)?, Difference::default());
-        let (widest, is_assumed) = (wide.and_then(Result::ok), cone.is_some() && !self.has_two_angles());
+        let (widest, is_assumed) = (wide.and_then(Result::ok), cone.is_some() && !self.is_known());
         Ok(Lamp { difference, is_assumed, widest, notes, ..Lamp::new(name, light) }.in_white(self.kelvin))
     }
 
-    /// Returns whether beam and field angle are known: two equal ones are one.
-    fn has_two_angles(&self) -> bool {
-        self.beam.is_some() && self.field.is_some() && self.beam != self.field
+    /// Returns whether the falloff is known, or beam and field angle: two equal ones are one.
+    fn is_known(&self) -> bool {
+        self.falloff.is_some() || self.beam.is_some() && self.field.is_some() && self.beam != self.field
     }
 
+    /// Returns the falloff of one angle.
     fn falloff(&self) -> AnyFalloff {
-        if self.edge == Edge::Soft { Soft.into() } else { Hard.into() }
+        self.falloff.unwrap_or(match self.edge {
+            Edge::Soft => Soft.into(),
+            Edge::Hard => Hard.into(),
+        })
     }
 
     /// Returns the cone that has a flux at a peak. Of a falloff, the flux is in proportion to the versine of the edge.
@@ -176,7 +183,8 @@ impl Sheet {
     /// Returns the cone of one angle or of two different ones.
     fn cone(&self, [beam, field]: [Option<f64>; 2]) -> Result<Cone<AnyFalloff>, Refusal> {
         let field = field.filter(|_| beam != field);
-        let falloff = (beam.is_none() || field.is_none()).then_some(self.falloff());
+        let is_one = beam.is_none() || field.is_none();
+        let falloff = if is_one { Some(self.falloff()) } else { self.falloff };
         let [beam, field] = [beam, field].map(|angle| angle.map(|degrees| Angle::degrees(degrees as f32)));
         Ok(json::from_angles(falloff, [beam, field, None], None, None)?)
     }
@@ -291,6 +299,39 @@ mod tests {
                 assert!(refused.expected.contains("3,000 cd in a cone of 180 degrees"), "{refused}");
             }
         }
+    }
+
+    /// Two of flux, peak and angles give the third of a soft edge that has both angles, and of any falloff at one angle.
+    #[test]
+    fn flux_peak_and_angles_of_a_falloff_agree() {
+        let soft = Some(AnyFalloff::from(Soft));
+        for [beam, field] in [[15.0, 26.0], [15.0, 40.0], [12.0, 22.0], [40.0, 44.0]] {
+            let sheet = Sheet { beam: Some(beam), field: Some(field), falloff: soft, ..Sheet::default() };
+            let by_flux = Sheet { lumens: Some(8_700.0), ..sheet.clone() }.lamp().unwrap();
+            let AnyLight::Spot(spot) = by_flux.light else { panic!("expected a spotlight") };
+            let cone = spot.cone();
+            for (found, expected) in [(cone.beam(), beam), (cone.field(), field)] {
+                assert!(
+                    (f64::from(found.to_degrees()) / expected - 1.0).abs() < 1e-4,
+                    "{beam} {field}: {cone:?}"
+                );
+            }
+            let [a, b] = [beam, field].map(|angle| Angle::degrees(angle as f32));
+            let soft = Cone::soft_from_beam_and_field(a, b).unwrap();
+            assert!(cone.versines() == soft.versines() && !by_flux.is_assumed, "{beam} {field}: {cone:?}");
+            let peak = f64::from(spot.intensity());
+            let by_peak = Sheet { candela: Some(peak), ..sheet.clone() }.lamp().unwrap();
+            assert_eq!(by_peak.light, by_flux.light);
+            assert!((cone.lumens(spot.intensity()) / 8_700.0 - 1.0).abs() < 1e-5, "{beam} {field}");
+        }
+        let smooth = Some(AnyFalloff::from(luminaire::falloff::Smooth));
+        let (lumens, candela) = (Some(100.0), Some(3_000.0));
+        let torch = Sheet { lumens, candela, falloff: smooth, ..Sheet::default() }.lamp().unwrap();
+        let AnyLight::Spot(spot) = torch.light else { panic!("expected a spotlight") };
+        assert!((spot.cone().lumens(3_000.0) / 100.0 - 1.0).abs() < 1e-4, "{spot:?}");
+        assert_eq!(Some(spot.cone().falloff()), smooth);
+        let both = Sheet { beam: Some(15.0), field: Some(26.0), falloff: smooth, ..Sheet::default() };
+        assert!(both.lamp().unwrap_err().expected.starts_with("soft or no falloff beside both"));
     }
 
     #[test]
