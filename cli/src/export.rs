@@ -42,9 +42,9 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
     };
     let mut text = String::new();
     let scene = match (options.to, &options.output) {
-        (Target::Tool(tool @ (System::Usd | System::Gltf)), Some(file)) => {
-            Some((tool, Scene::new(tool, file)?))
-        }
+        (Target::Tool(tool), Some(file)) => write::extension(tool)
+            .map(|extension| Ok::<_, Refusal>((tool, Scene::new(extension, file)?)))
+            .transpose()?,
         _ => None,
     };
     let mut entries = Vec::new();
@@ -133,8 +133,7 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(tool: System, file: &'a Path) -> Result<Self, Refusal> {
-        let extension = if tool == System::Usd { "usda" } else { "gltf" };
+    fn new(extension: &str, file: &'a Path) -> Result<Self, Refusal> {
         let stem = file.file_stem().and_then(|stem| stem.to_str());
         // What ends a path in a stage, and what has no place in one.
         let stem = stem.filter(|stem| printable(stem) == **stem && !stem.contains("@@@"));

@@ -7,4 +7,4 @@ mod scene;
 mod usd;
 pub use ies::ies;
 pub use node::Entry;
-pub use scene::scene;
+pub use scene::{extension, scene};

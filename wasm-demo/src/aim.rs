@@ -3,7 +3,7 @@
 //! Places of the picture are shares of its width and of its height, from the left and from the top.
 
 use crate::{
-    design::Design,
+    design::Both,
     light::{LightState, hex_of, lumens_of, position_of},
     model::Chosen,
     photometry::full_scale,
@@ -142,7 +142,7 @@ impl Stage {
         if let AnyLight::Spot(spot) = on {
             let [beam, field, outer] = [spot.cone().beam(), spot.cone().field(), spot.cone().outer()]
                 .map(|angle| angle.to_degrees());
-            let edge = Design::edge_of(setting.edge);
+            let edge = Both::of(setting.edge);
             let reach = edge.beams(field).zip(edge.fields(beam));
             state.reach = reach.map_or(Vec::new(), |(beams, fields)| [beams, fields].concat());
             (state.is_spot, state.beam, state.field, state.outer) = (true, beam, field, outer);

@@ -54,6 +54,11 @@ impl Mark {
 impl Both {
     pub(crate) const ALL: [Self; 2] = [Self::Fitted, Self::Soft];
 
+    /// Returns the edge of two angles for the falloff that is chosen.
+    pub(crate) fn of(chosen: Option<AnyFalloff>) -> Self {
+        if matches!(chosen, Some(AnyFalloff::Soft(_))) { Self::Soft } else { Self::Fitted }
+    }
+
     /// The name in the list of edges.
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -148,11 +153,6 @@ impl Design {
         Self { beam: self.beam.map(|angle| factor * angle), field: self.field.map(|angle| factor * angle) }
     }
 
-    /// Returns the edge of two angles, for the chosen falloff.
-    pub(crate) fn edge_of(edge: Option<AnyFalloff>) -> Both {
-        if matches!(edge, Some(AnyFalloff::Soft(_))) { Both::Soft } else { Both::Fitted }
-    }
-
     /// Returns the cone with these angles: by the falloff `edge`, or by that of `original`.
     pub(crate) fn cone(
         &self,
@@ -161,7 +161,7 @@ impl Design {
     ) -> Result<Cone<AnyFalloff>, Error> {
         let profile = edge.unwrap_or(original.falloff());
         match (self.beam, self.field) {
-            (Some(beam), Some(field)) => Self::edge_of(edge).cone(beam, field),
+            (Some(beam), Some(field)) => Both::of(edge).cone(beam, field),
             (Some(beam), None) => Cone::from_beam(profile, Angle::degrees(beam)),
             (None, Some(field)) => Cone::from_field(profile, Angle::degrees(field)),
             (None, None) if edge.is_some() => Cone::from_field(profile, original.field()),

@@ -146,7 +146,7 @@ impl Setting {
     fn set_angle(&mut self, mark: Mark, degrees: f32) -> Result<(), Refusal> {
         self.fixture = None;
         self.design = if self.design.both().is_some() {
-            self.design.with(mark, degrees, Design::edge_of(self.edge))
+            self.design.with(mark, degrees, Both::of(self.edge))
         } else {
             Design::of(mark, degrees)
         };
@@ -336,7 +336,7 @@ impl Setting {
     /// The name of the edge: `own`, that of [`Both`], or that of a falloff.
     pub(crate) fn edge_name(&self) -> &'static str {
         if self.design.both().is_some() {
-            return Design::edge_of(self.edge).name();
+            return Both::of(self.edge).name();
         }
         self.edge.map_or("own", |edge| edge.name())
     }

@@ -7,6 +7,20 @@ use super::{gltf, usd};
 use crate::refusal::Refusal;
 use crate::system::System;
 
+/// Returns what a scene of a tool is called behind its name, and what writes it; `None` for a tool without one.
+fn kind(tool: System) -> Option<(&'static str, fn(&[Node]) -> String)> {
+    match tool {
+        System::Usd => Some(("usda", usd::text)),
+        System::Gltf => Some(("gltf", gltf::text)),
+        _ => None,
+    }
+}
+
+/// Returns the extension of a scene of a tool; `None` for a tool without one that is written.
+pub fn extension(tool: System) -> Option<&'static str> {
+    kind(tool).map(|(extension, _)| extension)
+}
+
 /// Returns the files of a scene by their names: a stage of USD or a scene of glTF, and its profiles.
 ///
 /// `stem` is the name of the scene without its extension; a profile is `stem-name.ies`, with the light's name as an
@@ -15,11 +29,8 @@ use crate::system::System;
 /// # Errors
 /// A tool without a scene to write.
 pub fn scene(tool: System, stem: &str, lights: &[Entry]) -> Result<Vec<(String, String)>, Refusal> {
-    let (extension, write): (_, fn(&[Node]) -> String) = match tool {
-        System::Usd => ("usda", usd::text),
-        System::Gltf => ("gltf", gltf::text),
-        other => return Err(Refusal::new("tool", other, "usd or gltf, whose scenes are written")),
-    };
+    let refused = || Refusal::new("tool", tool, "usd or gltf, whose scenes are written");
+    let (extension, write) = kind(tool).ok_or_else(refused)?;
     let names = names(lights.iter().map(|entry| entry.lamp.name.as_str()), Language::Json);
     let nodes: Vec<_> = lights.iter().zip(names).map(|(entry, name)| node(entry, name, stem)).collect();
     let files = nodes.iter().filter_map(|node| node.profile.as_ref());
