@@ -93,7 +93,7 @@ pub(crate) fn has_price(entry: &Entry, format: Format) -> bool {
 /// Whether a kernel is on record of every processor: a lit point by an evaluation, or an early-out.
 fn is_priced(name: &str) -> bool {
     let kernel = name.split('.').next().unwrap_or_default();
-    ["away", "outside", "lit-specular"].contains(&kernel) || kernels().any(|own| own == kernel)
+    ["away", "lit-specular"].contains(&kernel) || kernels().any(|own| own == kernel)
 }
 
 /// The costs of every kernel on a board.

@@ -38,6 +38,8 @@ pub(crate) trait Kernel {
     fn normal(&self, normal: [f32; 3]) -> DVec3;
     /// Returns whether the evaluation at the point is the fine evaluation.
     fn is_fine(&self, point: [f32; 3]) -> bool;
+    /// Returns whether all points have the fine evaluation, whose result they keep.
+    fn is_always_fine(&self) -> bool;
 }
 
 /// A number format whose numbers are converted without a rounding, which `f32` would have of those of `Fx32`.
@@ -75,6 +77,8 @@ exact! { Fx16 Fx32 }
 trait Evaluated<S: Scalar> {
     fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance;
     fn is_fine_at(&self, point: Vec3<S::Length>) -> bool;
+    /// The encoded distance below which points have the fine evaluation.
+    fn fine_below(&self) -> u32;
 }
 
 impl<S: Scalar> Evaluated<S> for CompiledSpotLight<S, AnyFalloff, AnyAttenuation> {
@@ -84,6 +88,10 @@ impl<S: Scalar> Evaluated<S> for CompiledSpotLight<S, AnyFalloff, AnyAttenuation
 
     fn is_fine_at(&self, point: Vec3<S::Length>) -> bool {
         self.is_fine(point)
+    }
+
+    fn fine_below(&self) -> u32 {
+        self.parts().fine_below
     }
 }
 
@@ -95,6 +103,10 @@ impl<S: Quick> Evaluated<S> for QuickSpotLight<S, AnyFalloff, AnyAttenuation> {
     fn is_fine_at(&self, _: Vec3<S::Length>) -> bool {
         false
     }
+
+    fn fine_below(&self) -> u32 {
+        0
+    }
 }
 
 impl<S: Scalar> Evaluated<S> for CompiledPointLight<S, AnyAttenuation> {
@@ -105,6 +117,10 @@ impl<S: Scalar> Evaluated<S> for CompiledPointLight<S, AnyAttenuation> {
     fn is_fine_at(&self, point: Vec3<S::Length>) -> bool {
         self.is_fine(point)
     }
+
+    fn fine_below(&self) -> u32 {
+        self.parts().fine_below
+    }
 }
 
 impl<S: Scalar> Evaluated<S> for CompiledDirectionalLight<S> {
@@ -114,6 +130,10 @@ impl<S: Scalar> Evaluated<S> for CompiledDirectionalLight<S> {
 
     fn is_fine_at(&self, _: Vec3<S::Length>) -> bool {
         false
+    }
+
+    fn fine_below(&self) -> u32 {
+        0
     }
 }
 
@@ -130,6 +150,10 @@ impl<S: Exact, L: Evaluated<S>> Kernel for Compiled<S, L> {
 
     fn is_fine(&self, point: [f32; 3]) -> bool {
         self.0.is_fine_at(S::point(point))
+    }
+
+    fn is_always_fine(&self) -> bool {
+        self.0.fine_below() == u32::MAX
     }
 }
 
@@ -154,6 +178,11 @@ impl Evaluation {
             Self::Fx32 => compiled::<Fx32>(light)?,
             Self::F32 => compiled::<f32>(light)?,
         }))
+    }
+
+    /// Returns whether all points of a light have the fine evaluation however dim it is: those of a steep cone.
+    pub(crate) fn is_steep(self, light: &AnyLight) -> Result<bool, Error> {
+        Ok(self.compile(&light.with_intensity(0.0)?)?.is_some_and(|kernel| kernel.is_always_fine()))
     }
 
     /// Returns the bound of the error of a light at surfaces within two distances, by a measure of an error.

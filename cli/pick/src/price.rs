@@ -28,7 +28,9 @@ named! {
 /// Instructions are counted under QEMU, with `opt-level = 3`. In `Fx16` some points take a fine
 /// evaluation, which costs several times as much as the coarse evaluation: points near a bright
 /// light, or all points of a steep cone. The price is the mean over points that are evenly
-/// distributed over the cone and the distances.
+/// distributed over the cone and the distances. On record is the fine evaluation of a steep cone. That of a bright
+/// light has the coarse evaluation in it, which tells whether the light is clipped in any case: its price is the sum of
+/// both, less a point outside the cone, which takes what the two share.
 ///
 /// On record are the lit points of a soft spotlight with each falloff, with each law of the attenuation, and with each
 /// window, which ends a law at a range; those of pairs that are frequent; and those of a point light and a directional
@@ -46,10 +48,19 @@ pub struct Price {
     pub cycles: Option<f64>,
     /// Bytes of code.
     pub bytes: u64,
-    /// The share of the points that take the fine evaluation.
+    /// The share of the points that take the fine evaluation and keep its result.
     pub fine_share: f64,
     /// Whether the price was counted as a whole, or is the sum of counted parts.
     pub counted: Counted,
+}
+
+/// The points of a light that take the fine evaluation and keep its result.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Fine {
+    /// All points of a steep cone.
+    Steep,
+    /// This share of the points, near a bright light.
+    Bright(f64),
 }
 
 #[derive(serde::Deserialize)]
@@ -122,6 +133,10 @@ struct Parts {
 const CONSTANT: &str = "constant";
 /// The law with which the windows are counted.
 const INVERSE_SQUARE: &str = "inverse-square";
+/// The evaluation of a steep cone, of which every point is fine.
+const FINE: &str = "fx16-fine";
+/// A point outside the cone: what comes before the evaluation of one inside.
+const OUTSIDE: &str = "outside";
 /// The products of the powers on record: those of the falloffs `power` and `inverted-power`, and of `power-16`.
 const PRODUCTS: [u32; 2] = [2, 4];
 
@@ -227,20 +242,31 @@ impl Price {
         chip: Chip,
         light: &AnyLight,
         evaluation: Evaluation,
-        fine_share: f64,
+        fine: Fine,
     ) -> Result<Self, Refusal> {
-        let (coarse, counted) = Prices { chip, evaluation: evaluation.name() }.of(light)?;
-        let has_fine = match light {
-            AnyLight::Spot(_) | AnyLight::Point(_) => evaluation == Evaluation::Fx16,
-            AnyLight::Directional(_) => false,
+        let prices = Prices { chip, evaluation: evaluation.name() };
+        let (coarse, counted) = prices.of(light)?;
+        let steep = || Ok::<_, Refusal>(Prices { chip, evaluation: FINE }.of(light)?.0);
+        let (share, fine) = match (light, evaluation, fine) {
+            (AnyLight::Spot(_), Evaluation::Fx16, Fine::Bright(share)) if share > 0.0 => {
+                // The code is that of both.
+                let shared = Cost { bytes: 0.0, ..prices.get(OUTSIDE)? };
+                (share, coarse + (steep()? - shared))
+            }
+            // A point light is on record with both evaluations.
+            (AnyLight::Spot(_) | AnyLight::Point(_), Evaluation::Fx16, Fine::Bright(share)) => {
+                (share, steep()?)
+            }
+            (AnyLight::Spot(_) | AnyLight::Point(_), Evaluation::Fx16, Fine::Steep) => (1.0, steep()?),
+            (AnyLight::Directional(_), ..)
+            | (_, Evaluation::Fx16Quick | Evaluation::Fx32 | Evaluation::F32, _) => (0.0, coarse),
         };
-        let fine = if has_fine { Prices { chip, evaluation: "fx16-fine" }.of(light)?.0 } else { coarse };
-        let mean = |coarse: f64, fine: f64| (10.0 * (coarse + fine_share * (fine - coarse))).round() / 10.0;
+        let mean = |coarse: f64, fine: f64| (10.0 * (coarse + share * (fine - coarse))).round() / 10.0;
         Ok(Self {
             instructions: mean(coarse.instructions, fine.instructions),
             cycles: coarse.cycles.zip(fine.cycles).map(|(coarse, fine)| mean(coarse, fine)),
             bytes: fine.bytes.max(0.0) as u64,
-            fine_share,
+            fine_share: share,
             counted,
         })
     }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::evaluation::Evaluation;
 use crate::light::Light;
-use crate::price::Price;
+use crate::price::{Fine, Price};
 use crate::refusal::Refusal;
 use crate::search::{Bound, Place, Search};
 use crate::target::{Chip, Display, Tolerance};
@@ -129,10 +129,11 @@ impl Request {
         for &evaluation in Evaluation::ALL {
             match evaluation.compile(&any) {
                 Ok(Some(kernel)) if farthest <= evaluation.farthest() => {
-                    let share = search.fine_share(&*kernel);
-                    let price = Price::of(self.chip, &any, evaluation, share)?;
+                    let is_steep = evaluation.is_steep(&any)?;
+                    let fine = if is_steep { Fine::Steep } else { Fine::Bright(search.fine_share(&*kernel)) };
+                    let price = Price::of(self.chip, &any, evaluation, fine)?;
                     let bound = evaluation.bound(&any, [light.near, light.far], &measure)?;
-                    offers.push(Offer { evaluation, price, bound });
+                    offers.push(Offer { evaluation, fine, price, bound });
                 }
                 Ok(_) => {}
                 Err(error) => refused = Some(error),
@@ -147,7 +148,7 @@ impl Request {
 
     /// Returns the answer of an offer, with the largest error that a search finds.
     pub(crate) fn answer(&self, offer: &Offer, light: &Light) -> Result<Answer, Refusal> {
-        let &Offer { evaluation, price, ref bound } = offer;
+        let &Offer { evaluation, price, ref bound, .. } = offer;
         let any = light.any()?;
         let (found, at) = largest(self, offer, light, SEED, 1)?;
         Ok(Answer {
@@ -211,6 +212,7 @@ const SEED: u64 = 1983;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Offer {
     pub(crate) evaluation: Evaluation,
+    pub(crate) fine: Fine,
     pub(crate) price: Price,
     /// The bound of the error, in the unit of the tolerance.
     pub(crate) bound: ErrorBound,

@@ -110,7 +110,7 @@ impl Search {
     /// Returns the share of the points that take the fine evaluation and keep its result. The points
     /// are those of facing surfaces, evenly spread over the cone and the distances.
     pub(crate) fn fine_share(&self, kernel: &dyn Kernel) -> f64 {
-        /// Irradiance from which on `Fx16` keeps the coarse result instead of the fine evaluation.
+        /// Irradiance from which on `Fx16` keeps the coarse result instead of the fine evaluation, if it has both.
         const CLIPPED: f64 = 1.125;
         const COUNT: usize = 512;
         let mut rng = Rng::with_seed(1953);
@@ -121,7 +121,8 @@ impl Search {
             let distance = near + (far - near) * rng.f64();
             let cosine = (std::f64::consts::FRAC_PI_2 * rng.f64()).cos();
             let point = position + distance * way;
-            kernel.is_fine(point.as_vec3().to_array()) && self.truth.arriving(point) * cosine < CLIPPED
+            let is_kept = !kernel.is_always_fine() && self.truth.arriving(point) * cosine >= CLIPPED;
+            kernel.is_fine(point.as_vec3().to_array()) && !is_kept
         });
         fine.count() as f64 / COUNT as f64
     }

@@ -46,9 +46,9 @@ impl Request {
         let amount = self.tolerance.amount();
         let picked = offers.iter().find(|offer| offer.bound() <= amount).map(|offer| offer.evaluation);
         let surveyed = offers.iter().map(|offer| {
-            let Answer { evaluation, price, bound, code, .. } = self.answer(offer, light)?;
+            let Answer { evaluation, bound, code, .. } = self.answer(offer, light)?;
             let price = |&chip: &Chip| {
-                Price::of(chip, &any, evaluation, price.fine_share).map(|price| (chip.name(), price))
+                Price::of(chip, &any, evaluation, offer.fine).map(|price| (chip.name(), price))
             };
             let prices = Chip::ALL.iter().map(price).collect::<Result<_, _>>()?;
             Ok(Surveyed { evaluation, bound, prices, code })

@@ -1,9 +1,9 @@
 //! The parts of an answer, refusals and scenes.
 
 use luminaire::attenuation::{AnyAttenuation, FilamentRange, InverseSquare};
-use luminaire::falloff::{AnyFalloff, Smooth};
-use luminaire::{Angle, Cone, SpotLight};
-use luminaire_pick::{Attenuation, Chip, Display, Edge, Evaluation, Light, Request, Scene};
+use luminaire::falloff::{AnyFalloff, Smooth, Soft};
+use luminaire::{Angle, Cone, Fx16, SpotLight};
+use luminaire_pick::{Attenuation, Chip, Display, Edge, Evaluation, Light, Price, Request, Scene};
 
 fn request(steps: f64) -> Request {
     Request::new(Chip::CortexM0, Display::Rgb565).steps(steps)
@@ -50,6 +50,37 @@ fn price_of_a_bright_light_includes_the_fine_evaluation() {
         [dim, Light { intensity: 16.0, ..Light::default() }].map(|light| tight.pick(&light).unwrap());
     assert_eq!(bright.evaluation, Evaluation::Fx16);
     assert!(dim.price.fine_share == 0.0 && bright.price.fine_share > 0.0);
+}
+
+/// The price of a light that is bright at every distance is that of the count on record, and that of a steep cone is the
+/// fine evaluation alone.
+#[test]
+fn price_of_a_bright_spot_is_what_is_counted() {
+    let record: serde_json::Value = serde_json::from_str(include_str!("../../../docs/prices.json")).unwrap();
+    let counted = &record["cortex-m0"]["figures"]["lit-bright.fx16"];
+    let fx16 = |light: &Light| {
+        let survey = request(1e9).survey(light).unwrap();
+        let found = survey.evaluations.iter().find(|each| each.evaluation == Evaluation::Fx16).unwrap();
+        found.prices.clone()
+    };
+    let bright = fx16(&Light { intensity: 16.0, ..level(36.0) });
+    let price = bright["cortex-m0"];
+    assert_eq!(price.fine_share, 1.0);
+    for (told, unit, most) in [
+        (Some(price.instructions), "instructions", Price::IN_PARTS),
+        (price.cycles, "cycles", Price::IN_PARTS),
+        (Some(price.bytes as f64), "bytes", Price::BYTES_IN_PARTS),
+    ] {
+        let counted = counted[unit].as_f64().unwrap();
+        let ratio = told.unwrap() / counted;
+        assert!((ratio - 1.0).abs() < most, "{unit}: {told:?} told, {counted} counted");
+    }
+    let narrowest = 1.02 * Cone::narrowest::<Fx16>(Soft).to_degrees();
+    let steep = fx16(&Light { field: None, outer: Some(narrowest), ..level(36.0) });
+    for (chip, steep) in steep {
+        let bright = bright[chip];
+        assert!(steep.fine_share == 1.0 && steep.instructions < bright.instructions, "{chip}: {steep:?}");
+    }
 }
 
 #[test]
