@@ -1,7 +1,9 @@
 //! The state as text, for the part of the page's address after the `#`.
 //!
 //! It begins with the version and the scene, and has only what differs from the scene as it opens, in
-//! the order of [`PARAMETERS`]. Numbers of one value are separated by `/`, and lights by `;`. A light is
+//! the order of [`PARAMETERS`]. Numbers of one value are separated by `/`, and lights by `_`: most programs that find
+//! addresses in a text end them at a `;`, which older addresses have. A name that is no parameter is ignored, because
+//! trackers add some. A light is
 //! its number in the scene, or a range of lights without settings, as in `3-7`; the number after the last
 //! one is a light that the visitor has added. Its [`SETTINGS`] follow, each with `:`, a letter and a value.
 
@@ -151,7 +153,7 @@ pub(crate) fn parse_in(scene: Example, lights: usize, text: &str) -> (State, Vec
                 refused.extend(bad);
             }
             Ok(parameter) => refused.extend(parameter.read(&mut state, value).err()),
-            Err(refusal) => refused.push(refusal),
+            Err(_) => {}
         }
     }
     (state, refused)
@@ -181,7 +183,7 @@ fn lights_text(lights: &[Setting]) -> String {
         [first, .., last] => format!("{}-{}", first.of, last.of),
         [] => String::new(),
     };
-    lights.chunk_by(follows).map(run).collect::<Vec<_>>().join(";")
+    lights.chunk_by(follows).map(run).collect::<Vec<_>>().join("_")
 }
 
 /// Writes a light.
@@ -195,7 +197,7 @@ pub(crate) fn light_text(light: &Setting) -> String {
 fn read_lights(text: &str, count: usize) -> (Option<Vec<Setting>>, Vec<Refusal>) {
     let (mut lights, mut refused) = (Vec::new(), Vec::new());
     // No light at all is an empty text. A light that was added follows those of the scene.
-    for word in text.split(';').filter(|word| !word.is_empty()) {
+    for word in text.split(['_', ';']).filter(|word| !word.is_empty()) {
         let read = read_light(word, &|_| true);
         let (read, has_all) =
             read.filter(|(read, _)| read.iter().all(|light| light.of <= count)).unwrap_or_default();
@@ -360,6 +362,20 @@ mod tests {
     }
 
     #[test]
+    fn names_of_others_are_ignored_and_older_addresses_are_read() {
+        let newer = "scene=three-point&lights=0:x_2:b12";
+        let (state, refused) = parse(newer, Example::Pocket).unwrap();
+        assert_eq!((state.lights.len(), &refused[..]), (2, &[][..]));
+        assert_eq!(write(&state, 3), format!("v=1&{newer}"));
+        for other in [
+            "scene=three-point&lights=0:x;2:b12",
+            "fbclid=a&constructor=1&scene=three-point&lights=0:x_2:b12&=",
+        ] {
+            assert_eq!(parse(other, Example::Pocket), Ok((state.clone(), Vec::new())), "{other}");
+        }
+    }
+
+    #[test]
     fn a_scene_as_it_opens_is_its_name() {
         for &scene in Example::ALL {
             let count = scene.setup().unwrap().fixtures.len();
@@ -400,7 +416,6 @@ mod tests {
             ("effects=spot", "effects = \"spot\""),
             ("map=heat", "subject of the map = \"heat\""),
             ("exposure=17", "exposure = \"17\""),
-            ("constructor=1", "parameter = \"constructor\""),
         ] {
             let (state, refused) = parse(&format!("{text}&all=1"), Example::Show).unwrap();
             let refused: Vec<_> = refused.iter().map(ToString::to_string).collect();

@@ -56,7 +56,9 @@ impl Class {
             }
         }
         let mut values = Values::of(figure);
-        for (name, text) in pairs {
+        // A name that is no parameter is ignored, because trackers add some.
+        let is_own = |name: &str| figure.parameters.iter().any(|parameter| parameter.name() == name);
+        for (name, text) in pairs.into_iter().filter(|(name, _)| is_own(name)) {
             refused.extend(values.set(name, text).err());
         }
         let drawing = (figure.draw)(&values).or_else(|refusal| {

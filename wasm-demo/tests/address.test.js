@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { beforeEach, mock, test } from "node:test";
-import { follow, remember } from "../web/address.js";
+import { follow, remember, requestedView } from "../web/address.js";
+import { CHANGES, LINK, STATE } from "./passed-on.js";
 
 /** The addresses that were written. */
 const written = [];
@@ -18,6 +19,23 @@ test("the last state is written once, when the visitor pauses", () => {
   assert.deepEqual(written, []);
   mock.timers.tick(50);
   assert.deepEqual(written, ["#stage?beam=99"]);
+});
+
+for (const [name, change] of Object.entries(CHANGES)) {
+  test(`an address is read ${name}`, () => {
+    const { name: view, query } = requestedView(change(LINK));
+    const own = [...new URLSearchParams(STATE)];
+    const names = new Set(own.map(([name]) => name));
+    assert.deepEqual([view, [...new URLSearchParams(query)].filter(([name]) => names.has(name))], ["stage", own]);
+  });
+}
+
+test("an address without a state, and one whose last value is empty, are read", () => {
+  const read = (hash) => Object.values(requestedView(hash));
+  for (const hash of ["", "#", "#?"]) assert.deepEqual(read(hash), ["", ""]);
+  for (const hash of ["#museum", "#museum?", "museum."]) assert.deepEqual(read(hash), ["museum", ""]);
+  assert.deepEqual(read("#stage?lights=)."), ["stage", "lights="]);
+  assert.deepEqual(read("#class?d=%zz%e9&#9999999;&c=1"), ["class", "d=%zz%e9&9999999;&c=1"]);
 });
 
 test("only the current view writes", () => {

@@ -1,5 +1,5 @@
 // The views of the page, one at a time. The address selects the view after its #.
-import { follow } from "./address.js";
+import { follow, requestedView } from "./address.js";
 import { element } from "./elements.js";
 import { isTrap, words } from "./failure.js";
 import { built } from "./parts.js";
@@ -9,16 +9,6 @@ import { built } from "./parts.js";
  * What opens a view once its part of the demo is built.
  * @typedef {{ element: HTMLElement, part?: import("./parts.js").Name, open: () => Promise<Shown> }} Source
  */
-
-/**
- * Splits the part of the address after the #: the name of a view and, after a question mark, the
- * text of its state.
- * @param {string} hash
- */
-function requestedView(hash) {
-  const [, name, query] = /** @type {RegExpExecArray} */ (/^#?([^?]*)\??(.*)$/s.exec(hash));
-  return { name, query };
-}
 
 /** A view that is opened when it is first requested. A failed opening can be retried. */
 class View {

@@ -190,9 +190,9 @@ fn an_address_restores_the_values() {
         assert!(class.values.texts().eq(values.texts()), "{}", values.address());
         assert_eq!(serde_json::from_str::<Value>(&class.told()).unwrap()["address"], values.address());
     }
-    let refused = Class::of(&ALL[0]).unwrap().open("figure=none&x=1&height=0").unwrap();
-    let parts = ["figure = \"none\"", "parameter = \"x\"", "expected 3 to 8 m"];
-    assert!(parts.iter().all(|part| refused.contains(part)), "{refused}");
+    let refused = Class::of(&ALL[0]).unwrap().open("figure=none&fbclid=1&height=0").unwrap();
+    let parts = ["figure = \"none\"", "expected 3 to 8 m"];
+    assert!(parts.iter().all(|part| refused.contains(part)) && !refused.contains("fbclid"), "{refused}");
 }
 
 #[test]
