@@ -68,6 +68,11 @@ impl Format {
         })
     }
 
+    /// The largest coordinate of a light's position, in metres.
+    pub(crate) fn farthest(self) -> f32 {
+        with_scalar!(self, S => S::FARTHEST)
+    }
+
     /// The narrowest cone with this edge that the format holds.
     pub(crate) fn narrowest(self, edge: impl Falloff) -> Angle {
         with_scalar!(self, S => Cone::narrowest::<S>(edge))

@@ -55,7 +55,8 @@ impl Setting {
 
     /// Sets a value by its name, for the `original` light of a scene that shows `full_scale` lux as
     /// full scale: the `beam`, `field` or `zoom` angle in degrees, where a light that has both angles
-    /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light; a number
+    /// keeps the other one; `fit-beam` or `fit-field`, which keep the other one of every light; `pair-beam` or
+    /// `pair-field`, which keep it by whatever edge has both, else by the nearest pair; a number
     /// of the chosen law of distance or edge, by its place behind `law-` or `edge-`; the colour temperature `kelvin`;
     /// or the `intensity` in candela, or in lux for a directional light. Angles and edges conserve the flux.
     pub(crate) fn set_number(
@@ -70,6 +71,8 @@ impl Setting {
             "field" => self.reshape(original, &|setting, _| setting.set_angle(Mark::Field, value)),
             "fit-beam" => self.reshape(original, &|setting, cone| setting.fit(Mark::Beam, value, cone)),
             "fit-field" => self.reshape(original, &|setting, cone| setting.fit(Mark::Field, value, cone)),
+            "pair-beam" => self.reshape(original, &|setting, cone| setting.pair(Mark::Beam, value, cone)),
+            "pair-field" => self.reshape(original, &|setting, cone| setting.pair(Mark::Field, value, cone)),
             "zoom" => self.reshape(original, &|setting, _| setting.set_zoom(value)),
             "intensity" => self.set_intensity(value, full_scale),
             "kelvin" => {
@@ -161,6 +164,23 @@ impl Setting {
         self.set_angle(mark, degrees)
     }
 
+    /// Sets one angle of the cone beside the other one, by the first edge that has both: that of the design, the
+    /// fitted one, or a soft one. If none has, the pair is the nearest one of the first.
+    fn pair(&mut self, mark: Mark, degrees: f32, cone: &Cone<AnyFalloff>) -> Result<(), Refusal> {
+        let asked = Design { beam: Some(cone.beam().to_degrees()), field: Some(cone.field().to_degrees()) };
+        let asked = match mark {
+            Mark::Beam => Design { beam: Some(degrees), ..asked },
+            Mark::Field => Design { field: Some(degrees), ..asked },
+        };
+        let first = Design::edge_of(self.edge);
+        let nearest = |edge| asked.with(mark, degrees, edge);
+        let found = [first, Both::Fitted, Both::Soft].into_iter().find(|&edge| nearest(edge) == asked);
+        let edge = found.unwrap_or(first);
+        (self.design, self.fixture) = (nearest(edge), None);
+        self.edge = (edge == Both::Soft).then(|| Soft.into());
+        Ok(())
+    }
+
     /// Sets the edge by name.
     fn set_edge(&mut self, name: &str, cone: &Cone<AnyFalloff>) -> Result<(), Refusal> {
         if let Some(both) = Both::ALL.into_iter().find(|both| both.name() == name) {
@@ -239,8 +259,7 @@ impl Setting {
                 Ok(())
             });
         }
-        let expected =
-            "beam, field, fit-beam, fit-field, zoom, intensity, kelvin, or law- or edge- with a place";
+        let expected = "beam, field, fit- or pair- with one of them, zoom, intensity, kelvin, or law- or edge- with a place";
         Err(Refusal::name("number of a light", name, expected))
     }
 

@@ -100,7 +100,13 @@ impl Side {
             },
             Err(error) => SideState {
                 form,
-                refusal: Some(format!("{} cannot hold this beam: {error}", self.form.label())),
+                refusal: Some(match forms::accepted_half_angle(error) {
+                    Some(narrowest) => format!(
+                        "{} cannot hold this beam: expected a half angle of at least {narrowest} degrees",
+                        self.form.label()
+                    ),
+                    None => format!("{} cannot hold this beam: {error}", self.form.label()),
+                }),
                 narrowest: forms::accepted_half_angle(error),
                 largest: f64::NAN,
                 off_axis: f64::NAN,

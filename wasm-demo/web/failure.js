@@ -47,7 +47,8 @@ export function refusalOf(act) {
     act();
   } catch (refusal) {
     if (typeof refusal !== "string") throw refusal;
-    return refusal;
+    // What is typed and cannot be read.
+    return refusal.replace(" = NaN:", " is no number:");
   }
   return "";
 }

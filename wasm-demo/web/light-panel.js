@@ -236,8 +236,9 @@ export class LightPanel {
     /** @type {(value: number, control: HTMLInputElement) => void} */
     const set = (value, control) =>
       this.#set(control, () => {
-        if (control.type === "number" && (name === "beam" || name === "field")) this.#type(name, value);
-        else this.#stage.setNumber(this.#light, name, value);
+        if (control.type === "number" && (name === "beam" || name === "field")) return this.#type(name, value);
+        this.#stage.setNumber(this.#light, name, value);
+        return "";
       });
     /** @type {(control: HTMLInputElement, source: HTMLInputElement | undefined, isSet: boolean) => void} */
     const leave = (control, source, isSet) => this.#leave(control, source, isSet);
@@ -245,33 +246,42 @@ export class LightPanel {
   }
 
   /**
-   * Sets a typed angle. It keeps the other one, if that was typed just before and there is a light with
-   * both; else the edge gives the other one.
+   * Sets a typed angle. It keeps the other one, if that was typed just before, or else the edge gives it. Returns what
+   * is said if no light has both: the pair is then the nearest.
    * @param {"beam" | "field"} name
    * @param {number} value
    */
   #type(name, value) {
     const angles = () => {
       const { beam, field, edge, reach } = plain(this.#stage.light(this.#light));
-      return { text: [beam, field, edge].join(), reach: reach.slice(name === "beam" ? 0 : 2) };
+      return { beam, field, reach, text: [beam, field, edge].join() };
     };
-    const { text, reach: [least, most] } = angles();
-    const typed = this.#typed;
-    const isOther = typed?.light === this.#light && typed.name !== name && typed.angles === text;
-    const keeps = isOther && value >= least && value <= most;
-    this.#stage.setNumber(this.#light, keeps ? `fit-${name}` : name, value);
-    this.#typed = { name, light: this.#light, angles: angles().text };
+    const [before, typed] = [angles(), this.#typed];
+    const other = name === "beam" ? "field" : "beam";
+    const isPair = typed?.light === this.#light && typed.name === other && typed.angles === before.text;
+    this.#stage.setNumber(this.#light, isPair ? `pair-${name}` : name, value);
+    const after = angles();
+    this.#typed = { name, light: this.#light, angles: after.text };
+    if (!isPair || Math.abs(after[other] / before[other] - 1) < 1e-3) return "";
+    const [least, most] = after.reach.slice(other === "beam" ? 0 : 2);
+    return (
+      `${other} angle = ${tidy(before[other])}: expected ${tidy(least)} to ${tidy(most)} degrees beside a ${name} angle of ${tidy(value)}. ` +
+      `Drawn is the nearest pair, ${degrees(after.beam)} and ${degrees(after.field)}.`
+    );
   }
 
   /**
-   * Sets a value. A refusal changes only the message; an accepted value clears it.
+   * Sets a value. A refusal changes only the message; an accepted value clears it, or has what `set` returns.
    * @param {Element} control
-   * @param {() => void} set
+   * @param {() => string | void} set
    */
   #set(control, set) {
-    const refusal = refusalOf(set);
+    let told;
+    const refusal = refusalOf(() => (told = set()));
     this.#refuse(control, refusal);
-    if (refusal === "") this.onchange(control);
+    if (refusal !== "") return;
+    this.onchange(control);
+    this.#tell(control, told || "");
   }
 
   /**
@@ -296,10 +306,18 @@ export class LightPanel {
     if (control && refusal) {
       control.setAttribute("aria-invalid", "true");
       control.setAttribute("aria-errormessage", this.#error.id);
-      // The message is shown under its control.
-      control.closest(".row, figure")?.after(this.#error);
     }
-    this.#error.textContent = refusal;
+    this.#tell(control, refusal);
+  }
+
+  /**
+   * Shows a message under its control.
+   * @param {Element | undefined} control
+   * @param {string} text
+   */
+  #tell(control, text) {
+    if (text) control?.closest(".row, figure")?.after(this.#error);
+    this.#error.textContent = text;
   }
 }
 

@@ -96,11 +96,31 @@ impl Stage {
     #[wasm_bindgen(js_name = setNumber)]
     pub fn set_number(&mut self, light: usize, name: &str, value: f32) -> Result<(), Refusal> {
         let full_scale = full_scale(self.state.scene);
-        self.within_gesture(|stage| {
+        let outcome = self.within_gesture(|stage| {
             stage.change_original(light, |setting, original| {
                 setting.set_number(name, value, original, full_scale)
             })
-        })
+        });
+        outcome.map_err(|refusal| self.beyond_dial(light, name, value).unwrap_or(refusal))
+    }
+
+    /// Returns what is said of an angle beyond the ends of its dial. The kernel would name what follows from it: another
+    /// angle, or the intensity.
+    fn beyond_dial(&self, light: usize, name: &str, degrees: f32) -> Option<Refusal> {
+        let (dials, name) = (self.dial_ends(light).ok()?, name.rsplit('-').next()?);
+        let ends = match name {
+            "beam" => dials.beam,
+            "field" => dials.field,
+            _ => return None,
+        };
+        let [least, most] = ends[..] else { return None };
+        // Four digits, within the ends.
+        let digits = |end: f32| 10_f32.powi(3 - end.log10().floor() as i32);
+        let ends =
+            [(least * digits(least)).ceil() / digits(least), (most * digits(most)).floor() / digits(most)];
+        let unit = format!("degrees in {}", self.state.format.label());
+        (!(least..=most).contains(&degrees))
+            .then(|| Refusal::outside(&format!("{name} angle"), degrees, ends, &unit))
     }
 
     /// Sets a choice of a light: its `kind`, `law` of distance, `edge`, `color`, `fixture`, or the

@@ -16,13 +16,17 @@ impl Stage {
     /// Moves a light to a position in metres.
     #[wasm_bindgen(js_name = placeLight)]
     pub fn place_light(&mut self, light: usize, x: f32, y: f32, z: f32) -> Result<(), Refusal> {
-        self.place(light, Vec3::new(x, y, z))
+        self.place(light, self.point("position", [x, y, z])?)
     }
 
     /// Aims a light at a point in metres. This ends a sweep.
     #[wasm_bindgen(js_name = aimLight)]
     pub fn aim_light(&mut self, light: usize, x: f32, y: f32, z: f32) -> Result<(), Refusal> {
-        self.aim(light, Vec3::new(x, y, z))
+        let target = self.point("aim", [x, y, z])?;
+        let refused = self.aim(light, target);
+        let is_own = self.light_state(light)?.position == [x, y, z];
+        let told = |_| Refusal("aim = the position of the light: expected another point".to_owned());
+        if is_own { refused.map_err(told) } else { refused }
     }
 
     /// Returns where the lights are in the picture, and the points that they aim at: x and y of each,
@@ -87,6 +91,18 @@ impl Stage {
 }
 
 impl Stage {
+    /// A point with these coordinates in metres, as far as the number format holds it. The kernel would name what follows
+    /// from it, such as an axis.
+    fn point(&self, name: &str, coordinates: [f32; 3]) -> Result<Vec3<f32>, Refusal> {
+        let most = self.state.format.farthest();
+        for (axis, value) in ["x", "y", "z"].into_iter().zip(coordinates) {
+            if !(-most..=most).contains(&value) {
+                return Err(Refusal::outside(&format!("{name} {axis}"), value, [-most, most], "metres"));
+            }
+        }
+        Ok(coordinates.into())
+    }
+
     /// The cone of a spotlight.
     fn cone(&self, light: usize) -> Result<Option<Cone<AnyFalloff>>, Refusal> {
         let light = self.rig.described(&self.state, light)?;

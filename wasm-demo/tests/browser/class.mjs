@@ -51,7 +51,7 @@ more("values that the kernel refuses are said, and change nothing", async () => 
   await open("#class?figure=cones&which=inner");
   const before = await told();
   await enter("class-number-0", 30);
-  assert.match(await words("class-error-0"), /inner angle = 60: expected 0 to 40/);
+  assert.match(await words("class-error-0"), /^Inner half angle = 30: expected 0 to 20 degrees$/);
   assert.deepEqual(await told(), before);
   await open("#class?figure=none&fbclid=1");
   assert.match(await words("class-error-0"), /^figure = "none": expected one of the list$/);

@@ -46,8 +46,39 @@ quick("12 and 22 degrees are typed in both orders, with every edge", async () =>
   await press("undo");
   near(await angles(), [12, 22]);
   await type("light-field-number", "400");
-  assert.match(await words("light-error"), /^field angle = 400/);
+  assert.match(await words("light-error"), /^field angle = 400: expected [\d.]+ to [\d.]+ degrees in 16-bit fixed point$/);
   near(await angles(), [12, 22]);
+});
+
+quick("a pair of angles that no edge has is drawn as the nearest, which is said", async () => {
+  await open(`${SMALL}${ONE}`);
+  await type("light-field-number", "40");
+  await type("light-beam-number", "10");
+  near(await angles(), [10, 40]);
+  assert.deepEqual([await value("light-edge"), await words("light-error")], ["fitted-soft", ""], "a soft edge has both");
+  await type("light-field-number", "22");
+  await type("light-beam-number", "40");
+  near(await angles(), [40, 40]);
+  assert.match(await words("light-error"), /^field angle = 22: expected 40 to [\d.]+ degrees beside a beam angle of 40\. Drawn is the nearest pair, 40° and 40°\.$/);
+  const isUnder = () => document.getElementById("light-error").previousElementSibling.contains(document.getElementById("light-beam-number"));
+  assert.ok(await ask(isUnder), "it is said elsewhere");
+  await type("light-beam-number", "20");
+  assert.equal(await words("light-error"), "");
+});
+
+quick("a refusal names the control that was used, in its unit", async () => {
+  await open(`${SMALL}${ONE}`);
+  for (const [id, text, told] of [
+    ["light-beam-number", "0.000000001", /^beam angle = 1e-9: expected [\d.]+ to [\d.]+ degrees in 16-bit fixed point$/],
+    ["light-field-number", "170", /^field angle = 170: expected [\d.]+ to [\d.]+ degrees/],
+    ["light-aim-y", "1e39", /^aim y = inf: expected -\d+ to \d+ metres$/],
+    ["light-z", "-99999", /^position z = -99999: expected -\d+ to \d+ metres$/],
+    ["light-beam-number", "12e", /^beam angle is no number: expected/],
+    ["light-x", "-", /^position x is no number: expected/],
+  ]) {
+    await type(id, text);
+    assert.match(await words("light-error"), told, text);
+  }
 });
 
 quick("a drag and a slider end where they began", async () => {
@@ -143,7 +174,7 @@ async function forgives(id, error) {
   await tab.keyboard.press("Enter");
   // A refusal that nobody can have read yet stays when the field is left.
   await settle();
-  must(await told(), ([words]) => words.includes("= NaN: "), `e to be refused for ${id}`);
+  must(await told(), ([words]) => words.includes(" is no number: "), `e to be refused for ${id}`);
   await leave();
   await isGood("left with e");
 }
@@ -169,7 +200,7 @@ more("what a format refuses is stated under no other control", async () => {
   assert.equal(await words("stage-error"), "");
   await enter("format", "fx16");
   await enter("light-beam-number", "1");
-  assert.match(await words("light-error"), /outer angle/);
+  assert.match(await words("light-error"), /^beam angle = 1: expected .* in 16-bit fixed point$/);
   const isUnder = () => document.getElementById("light-error").previousElementSibling.contains(document.getElementById("light-beam-number"));
   assert.ok(await ask(isUnder), "the refusal stands elsewhere");
 });

@@ -62,7 +62,7 @@ more("a refused cone has a message, with a remedy", async () => {
   await enter("form-1", "fx16");
   assert.equal(await refusal(), "");
   await enter("half-angle-number", 0.1);
-  assert.match(await refusal(), /Fx16.*expected at least 1\./);
+  assert.match(await refusal(), /Fx16.*expected a half angle of at least 0\.6/);
   assert.deepEqual([await shows("refusal-1"), await shows("widen-1"), await words("refusal-0"), await words("largest-1")], [true, true, "", "refused"]);
   await redraw("the remedy", () => press("widen-1"));
   assert.equal(await refusal(), "");
@@ -81,7 +81,7 @@ more("bad values leave the comparison alone", async () => {
   await open("#compare?left=f16&right=&half=wide");
   assert.match(await words("refusal-0"), /form = "f16"/);
   assert.match(await words("refusal-1"), /form = ""/);
-  assert.match(await words("half-angle-error"), /NaN/);
+  assert.match(await words("half-angle-error"), /is no number: expected/);
   must(await largest(0), (error) => error >= 0, "a picture");
 });
 

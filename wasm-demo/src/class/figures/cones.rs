@@ -94,6 +94,9 @@ pub(super) const CONES: Figure = Figure {
 };
 
 fn dual<P: Falloff>(falloff: P, inner: f32, outer: f32) -> Result<Cone<P>, Refusal> {
+    if inner > outer {
+        return Err(Refusal::outside(INNER.label, inner, [0.0, outer], "degrees"));
+    }
     Ok(Cone::from_outer(falloff, HalfAngle::degrees(outer))?.with_inner(HalfAngle::degrees(inner))?)
 }
 

@@ -274,6 +274,29 @@ fn a_light_of_a_file_keeps_its_shape_and_the_place_of_the_light() {
     assert!(stage.put_light(0, ":oknots/0/0.1/0.1/1/2", 1.0, false).is_err());
 }
 
+/// The second of two typed angles keeps the first, by another edge if it must; else the pair is the nearest.
+#[test]
+fn a_pair_of_angles_has_an_edge_or_is_the_nearest() {
+    let mut stage = stage(Example::BareSpot);
+    for (first, second, edge, expected) in [
+        (("field", 22.0), ("pair-beam", 12.0), "fitted", [12.0, 22.0]),
+        (("beam", 12.0), ("pair-field", 22.0), "fitted", [12.0, 22.0]),
+        (("field", 40.0), ("pair-beam", 10.0), "fitted-soft", [10.0, 40.0]),
+        (("field", 22.0), ("pair-beam", 40.0), "fitted", [40.0, 40.0]),
+    ] {
+        choice(&mut stage, "edge", "own").unwrap();
+        for (name, degrees) in [first, second] {
+            number(&mut stage, name, degrees).unwrap();
+        }
+        let found = light(&stage, 0);
+        let is_near = [found.beam, found.field]
+            .iter()
+            .zip(expected)
+            .all(|(found, expected)| (found - expected).abs() < 1e-2);
+        assert!(is_near && found.edge == edge, "{second:?}: {}, {}, {}", found.beam, found.field, found.edge);
+    }
+}
+
 #[test]
 fn a_refused_value_changes_nothing() {
     let mut stage = stage(Example::BareSpot);
@@ -287,6 +310,12 @@ fn a_refused_value_changes_nothing() {
         refused(number(&mut stage, "field", degrees), "field angle");
         refused(number(&mut stage, "beam", degrees), "beam angle");
     }
+    refused(number(&mut stage, "beam", 1e-9), "beam angle = 1e-9: expected 0.7");
+    refused(number(&mut stage, "pair-beam", f32::NAN), "degrees in 16-bit fixed point");
+    refused(stage.aim_light(0, 0.0, f32::INFINITY, 0.0), "aim y = inf: expected -");
+    refused(stage.place_light(0, 0.0, 0.0, -1e9), "position z = -1000000000: expected -");
+    let [x, y, z] = light(&stage, 0).position[..] else { panic!("no position") };
+    refused(stage.aim_light(0, x, y, z), "aim = the position of the light");
     refused(number(&mut stage, "intensity", -1.0), "intensity");
     refused(number(&mut stage, "intensity", f32::NAN), "intensity");
     refused(number(&mut stage, "zoom", 20.0), "fixture");
