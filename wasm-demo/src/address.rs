@@ -13,6 +13,7 @@ use crate::{
     fixture,
     kind::KINDS,
     model::Chosen,
+    name::Name,
     own_cone,
     parameter::{self, Kind, PARAMETERS},
     refusal::Refusal,
@@ -33,16 +34,21 @@ const VERSION: &str = "1";
 /// is no such setting.
 type Letter = (char, fn(&Setting) -> Option<String>, fn(&str, &mut Setting) -> Option<()>);
 
-/// The settings of a light: `x` off, `k` kind, `a` law of distance and `e` edge, by their names and numbers,
+/// The settings of a light: `x` off, `n` name, `k` kind, `a` law of distance and `e` edge, by their names and numbers,
 /// `o` own cone, `b` and `f` beam and field angle, `l` fixture, `c` colour, `w` white of a colour temperature, `i`
 /// intensity as a multiple of full scale at 1 metre, `p` position, `t` target. Three numbers without a name are a
 /// polynomial of the distance, as in older addresses. The edge is before the angles, because a soft one has pairs of
 /// angles that no other has.
-const SETTINGS: [Letter; 13] = [
+const SETTINGS: [Letter; 14] = [
     (
         'x',
         |light| (!light.is_on).then(String::new),
         |text, light| text.is_empty().then(|| light.is_on = false),
+    ),
+    (
+        'n',
+        |light| Some(light.name?.to_string()),
+        |text, light| Name::of(text).map(|name| light.name = Some(name)),
     ),
     (
         'k',
@@ -276,6 +282,7 @@ mod tests {
             let outer = random.f32().max(1e-6);
             Cone::from_versines(falloff, [random.f32() * outer, outer, outer]).unwrap()
         });
+        setting.name = random.bool().then(|| Name::of(&format!("{:x}", random.u64(..))).unwrap());
         setting.kind = random.bool().then(|| random.choice(KINDS).unwrap());
         setting.law = random.bool().then(|| any(random));
         let mark = if random.bool() { Beam } else { Field };

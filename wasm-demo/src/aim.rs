@@ -87,7 +87,7 @@ impl Stage {
         let fixtures = self.rig().fixtures_at(self.state().seconds[0])?;
         let listed = self.state().lights.iter().zip(&fixtures).map(|(setting, fixture)| {
             Ok(LightState {
-                name: self.rig().original(setting)?.name.to_owned(),
+                name: setting.name_of(&self.rig().original(setting)?),
                 on: setting.is_on,
                 color: hex_of(fixture.light().color()),
                 position: coordinates(position_of(fixture.light())),
@@ -117,7 +117,7 @@ impl Stage {
         let strongest = full_scale * on.intensity();
         let candela = setting.kelvin.map_or(strongest, |_| strongest * on.color().luminance());
         let mut state = LightState {
-            name: original.name.to_owned(),
+            name: setting.name_of(&original),
             on: setting.is_on,
             kind: setting.kind.map_or("own", |kind| kind.name()).to_owned(),
             law: setting.law.map_or("own", |law| law.name()).to_owned(),

@@ -1,6 +1,6 @@
 //! The JavaScript class of a file of another tool: its lights, for the page.
 
-use crate::{light::hex_of, own_cone, refusal::Refusal};
+use crate::{light::hex_of, name::Name, own_cone, refusal::Refusal};
 use luminaire::{Cone, dynamic::AnyLight, falloff::AnyFalloff, projector::Projection};
 use luminaire_exchange::{
     Curve, Definition, Lamp, Lamps, Reading, Residual, Use, fits, number, parameters, read, share,
@@ -95,7 +95,8 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
     let staged = cone.map(|cone| table.and_then(ended).unwrap_or(cone));
     let cut = staged.filter(|cone| cone.outer_versine() > widest.versine());
     let cut = cut.and_then(|cone| cone.with_cutoff(widest).ok());
-    let settings = |cone: Cone<_>| format!(":o{}{color}", own_cone::write(&cone));
+    let name = Name::of(&lamp.name).map_or_else(String::new, |name| format!(":n{name}"));
+    let settings = |cone: Cone<_>| format!("{name}:o{}{color}", own_cone::write(&cone));
     json!({
         "name": lamp.name,
         "fit": fit.map(|fit| fit.name),

@@ -77,6 +77,8 @@ mod model;
 #[cfg(feature = "comparison")]
 mod museum;
 #[cfg(feature = "state")]
+mod name;
+#[cfg(feature = "state")]
 mod own_cone;
 #[cfg(feature = "painter")]
 mod painter;

@@ -5,6 +5,7 @@ use crate::{
     fixture,
     kind::{AnySpot, BRIGHTEST, KINDS, as_bright, kept},
     model::Chosen,
+    name::Name,
     refusal::{Refusal, choose},
 };
 use luminaire::{
@@ -30,6 +31,8 @@ pub(crate) struct Setting {
     pub(crate) kind: Option<Effect>,
     /// The law of distance.
     pub(crate) law: Option<AnyAttenuation>,
+    /// The name of a light of a file.
+    pub(crate) name: Option<Name>,
     /// The cone of a light of a file, in place of that of the scene.
     pub(crate) own: Option<Cone<AnyFalloff>>,
     pub(crate) design: Design,
@@ -51,6 +54,11 @@ impl Setting {
     /// A light as the scene has it.
     pub(crate) fn of(light: usize) -> Self {
         Self { of: light, is_on: true, ..Self::default() }
+    }
+
+    /// The name of the light: that of its file, or of the scene.
+    pub(crate) fn name_of(&self, original: &MovingLight) -> String {
+        self.name.map_or_else(|| original.name.to_owned(), |name| name.to_string())
     }
 
     /// Sets a value by its name, for the `original` light of a scene that shows `full_scale` lux as

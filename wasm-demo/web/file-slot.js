@@ -1,4 +1,5 @@
-// The lights of a file that is picked by a button, or dropped on the page. What reads it is loaded with the first one.
+// The lights of files that are picked by a button, or dropped on the page: one file is shown, and a list has the others. What reads
+// them is loaded with the first one.
 import { element } from "./elements.js";
 import { words } from "./failure.js";
 import { built } from "./parts.js";
@@ -12,6 +13,9 @@ export function takeFiles(stage) {
   const round = element("file-round");
   /** @type {ReturnType<typeof import("./file-panel.js").openPanel> | undefined} */
   let panel;
+  const which = element("file-which", HTMLSelectElement);
+  /** @type {File[]} */
+  let files = [];
   /** @type {File | undefined} */
   let newest;
 
@@ -47,16 +51,27 @@ export function takeFiles(stage) {
     told.scrollIntoView({ block: "nearest" });
   }
 
+  /** @param {FileList | null} found */
+  function take(found) {
+    // A picker that is closed without a choice leaves the files as they are.
+    if (!found?.length) return;
+    files = [...found];
+    which.replaceChildren(...files.map(({ name }, i) => new Option(`${i + 1} of ${files.length}: ${name}`, String(i))));
+    element("file-files").hidden = files.length === 1;
+    open(files[0]);
+  }
+
+  which.addEventListener("input", () => open(files[which.selectedIndex]));
   round.addEventListener("click", () => open(newest, true));
   element("file-pick").addEventListener("click", () => input.click());
-  input.addEventListener("change", () => open(input.files?.[0]));
+  input.addEventListener("change", () => take(input.files));
   for (const type of /** @type {const} */ (["dragover", "dragleave", "drop"])) {
     document.addEventListener(type, (event) => {
       if (!event.dataTransfer?.types.includes("Files")) return;
       // Else the browser would show the file in place of the page.
       event.preventDefault();
       document.body.classList.toggle("dropping", type === "dragover");
-      if (type === "drop") open(event.dataTransfer.files[0]);
+      if (type === "drop") take(event.dataTransfer.files);
     });
   }
 }

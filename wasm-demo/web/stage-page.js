@@ -132,9 +132,12 @@ export class StagePage {
     takeFiles({
       throwOf: () => (stage.lightCount > 0 ? plain(stage.light(this.#lights.selected)).throw : undefined) ?? 4,
       put: ({ settings, intensity, isCandela }) => {
-        const refusal = refusalOf(() => stage.putLight(this.#lights.selected, settings ?? "", intensity, isCandela));
+        const { selected } = this.#lights;
+        const refusal = refusalOf(() => stage.putLight(selected, settings ?? "", intensity, isCandela));
+        const isDark = refusal || refusalOf(() => stage.exposeFor(selected));
         this.#changed();
-        return refusal || `Light ${element("panel-title").textContent} has it, and so has the link. “Expose for it” below shows it at full scale.`;
+        const exposed = isDark ? "It lights no surface." : `The picture is exposed for it, by ${tidy(stage.get("exposure"))} EV.`;
+        return refusal || `It is light ${element("panel-title").textContent}, here and in the link. ${exposed}`;
       },
     });
     joinTabs();

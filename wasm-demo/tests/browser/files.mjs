@@ -1,6 +1,8 @@
 // A light of a file of another tool: dropped, shown with its curve and its parameters, and put on the stage.
+import { readFileSync } from "node:fs";
+
 import {
-  ask, assert, change, count, enter, exists, give, isDisabled, isWritten, number, open, press, quick, requests, shows, sum,
+  ask, assert, change, count, enter, exists, give, isDisabled, isWritten, must, number, open, press, quick, requests, shows, sum,
   until, value, words, works,
 } from "./visit.mjs";
 
@@ -24,6 +26,10 @@ quick("a measured light is shown, its parameters are copied, and it lights the s
   const before = await sum();
   await change("the light of the file", () => press("file-put"));
   assert.deepEqual([await number("light-intensity-number"), await number("light-beam-number")], [2000, 10.79]);
+  // It has its name, and is in the picture at full scale.
+  assert.deepEqual([await words("panel-title"), await ask(() => document.querySelector("#lights .name").textContent)], ["1 Spot-12", "1 Spot-12"]);
+  assert.match(await words("file-put-told"), /^It is light 1 Spot-12, here and in the link\. The picture is exposed for it, by -?[\d.]+ EV\.$/);
+  must(Number((await words("light-photometry")).match(/([\d.]+) times full scale/)[1]), (shown) => shown > 0.85 && shown < 1.15, "a light at full scale");
   const [address, after] = [await isWritten(/:oknots\/0\//), await sum()];
   await change("a narrower beam", () => enter("light-beam-number", 5));
   for (let step = 0; step < 2; step += 1) await change("undo", () => press("undo"));
@@ -73,6 +79,27 @@ quick("a wide light with a colour temperature goes on the stage", async () => {
   await open(address);
   assert.equal(await sum(), after);
   assert.notEqual(before, after);
+});
+
+quick("several files that are dropped become a list", async () => {
+  await open(ONE);
+  const text = readFileSync(new URL("../../../exchange/tests/files/spot.ies", import.meta.url), "utf8");
+  await ask((text) => {
+    const dataTransfer = new DataTransfer();
+    for (const [name, content] of [["spot.ies", text], ["broken.ies", "TILT=NONE"], ["again.ies", text]]) dataTransfer.items.add(new File([content], name));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, text);
+  const told = (start) => until((start) => document.getElementById("file-told").textContent.startsWith(start), start);
+  await told("spot.ies: 1 light.");
+  const listed = await ask(() => Array.from(document.getElementById("file-which").options, ({ textContent }) => textContent));
+  assert.deepEqual([await shows("file-which"), listed], [true, ["1 of 3: spot.ies", "2 of 3: broken.ies", "3 of 3: again.ies"]]);
+  for (const [place, words, isRead] of [[1, "broken.ies: line", false], [2, "again.ies: 1 light.", true]]) {
+    await enter("file-which", place);
+    await told(words);
+    assert.equal(await shows("file"), isRead);
+  }
+  await give("spot.ies");
+  assert.equal(await shows("file-which"), false, "a list of one file");
 });
 
 /** A photometric file that takes a while. */

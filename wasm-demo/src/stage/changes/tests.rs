@@ -259,7 +259,8 @@ fn a_light_of_a_file_keeps_its_shape_and_the_place_of_the_light() {
     let mut stage = stage(Example::ThreePoint);
     stage.place_light(0, 1.0, 2.0, 3.0).unwrap();
     let cone = "knots/0.01/0.03/0.03/0/65535/-2000000000/30000/56379/-51984";
-    stage.put_light(0, &format!(":o{cone}:cff8000"), 5000.0, true).unwrap();
+    stage.put_light(0, &format!(":nSpot-12:o{cone}:cff8000"), 5000.0, true).unwrap();
+    assert_eq!([&light(&stage, 0).name, &stage.listed_lights().unwrap()[0].name], ["Spot-12"; 2]);
     let put = light(&stage, 0);
     assert_eq!((put.own_edge, put.intensity, put.position[2]), ("table with a hotspot".into(), 5000.0, 3.0));
     stage.zoom_light(0, 0.5).unwrap();
