@@ -79,7 +79,7 @@ export class ChipView {
     // Black until it receives pixels.
     const { data } = this.#image;
     for (let alpha = 3; alpha < data.length; alpha += 4) data[alpha] = 255;
-    this.#canvas.putImageData(this.#image, 0, 0);
+    this.restore();
     new ResizeObserver(() => this.#fit()).observe(board());
     input("run").checked = true;
     element("run").addEventListener("input", () => {
@@ -90,6 +90,11 @@ export class ChipView {
     for (const step of ["row", "picture"]) element(step).addEventListener("click", () => this.#step(step));
     document.addEventListener("visibilitychange", () => this.#order());
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.#last = 1;
+  }
+
+  /** Draws on a canvas that is empty. */
+  restore() {
+    this.#canvas.putImageData(this.#image, 0, 0);
   }
 
   /** Called when the view is shown. */

@@ -122,6 +122,11 @@ export class ClassView {
     this.#dials[0].tell(refused);
   }
 
+  /** Draws on canvases that the browser has emptied. */
+  restore() {
+    this.#frame.draw();
+  }
+
   /** Called when the view is hidden. */
   hide() {
     this.#frame.cancel();

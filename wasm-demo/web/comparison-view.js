@@ -107,6 +107,11 @@ export class ComparisonView {
     this.#frame.draw();
   }
 
+  /** Draws on canvases that the browser has emptied. */
+  restore() {
+    this.#frame.draw();
+  }
+
   /** Called when the view is hidden. */
   hide() {
     this.#frame.cancel();

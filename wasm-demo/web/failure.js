@@ -60,6 +60,12 @@ export function refusalOf(act) {
 export const words = (cause) => (cause instanceof Error ? cause.message : String(cause));
 
 /**
+ * Ends a text as a sentence ends.
+ * @param {string} text
+ */
+export const sentence = (text) => (/[.?!]$/.test(text) ? text : `${text}.`);
+
+/**
  * Returns whether an error is a trap of the module, after which it can't be called any more.
  * @param {unknown} cause
  */
@@ -70,10 +76,10 @@ export const isTrap = (cause) => /** @type {any} */ (cause)?.name === "RuntimeEr
  */
 export function watch() {
   /** @type {(what: unknown) => void} */
-  const broken = (what) => fail(`The demo has stopped: ${what}. Reload the page to start again.`);
+  const broken = (what) => fail(`The demo has stopped: ${sentence(String(what))} Reload the page to start again.`);
   /** @type {(cause: unknown) => void} */
   const judge = (cause) =>
-    isTrap(cause) ? broken(cause) : tell("trouble", `A part of this page has failed: ${cause}. The rest still works.`);
+    isTrap(cause) ? broken(cause) : tell("trouble", `A part of this page has failed: ${sentence(String(cause))} The rest still works.`);
   // The message of a panic precedes its trap and is more specific.
   window.addEventListener("luminaire-panic", (event) => broken(/** @type {CustomEvent} */ (event).detail));
   window.addEventListener("error", (event) => judge(event.error ?? event.message));

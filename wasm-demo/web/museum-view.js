@@ -94,6 +94,12 @@ export class MuseumView {
     if (this.drawn === 0) this.#frame.draw();
   }
 
+  /** Draws on canvases that the browser has emptied. */
+  restore() {
+    this.#frame.draw();
+    this.#drawThumbnails([...this.#exhibits.keys()]);
+  }
+
   /** Called when the view is hidden. */
   hide() {
     this.#frame.cancel();

@@ -4,10 +4,16 @@ import { isTrap, words } from "./failure.js";
 import { compile } from "./module.js";
 import { built } from "./parts.js";
 import { now, Share } from "./share.js";
-import { hire } from "./workers.js";
+import { Ended, hire } from "./workers.js";
 
 /** Counts of an account that belong to the whole picture. All others are sums over the shares. */
 const COMMON = ["triangles", "lights", "lightsDropped", "leds", "ledCurrent", "ledLimit"];
+
+/** How often workers that end are replaced before a picture is refused. */
+const REPLACED = 2;
+
+/** How the refusal of a picture in 32 bits begins, if what draws it is missing. */
+export const MISSING = "What draws in 32 bits could not be loaded";
 
 /** The passes of a share. */
 const PASSES = /** @type {const} */ (["shadows", "geometry", "lighting", "encode"]);
@@ -27,7 +33,12 @@ const PASSES = /** @type {const} */ (["shadows", "geometry", "lighting", "encode
 let wide;
 
 export class Pool {
-  #helpers;
+  #module;
+  #count;
+  /** @type {Helper[]} */
+  #helpers = [];
+  /** How often workers have been replaced since the last picture. */
+  #replaced = 0;
   /** Whether the workers have started that module. */
   #isEquipped = false;
   /**
@@ -35,12 +46,12 @@ export class Pool {
    * @type {Share | undefined}
    */
   #local;
-  #opening;
+  #opening = Promise.resolve();
   /**
    * For each helper, arrays for pixels to use again.
    * @type {Uint8ClampedArray[][]}
    */
-  #spares;
+  #spares = [];
   /** Whether the last picture was refused: then the shares may differ in what they have drawn. */
   #isFresh = false;
   /** Resolves with the time when the last picture was drawn or refused, and whether it was refused. */
@@ -53,11 +64,9 @@ export class Pool {
    * @param {number} count how many workers; with 0 the page itself draws
    */
   constructor(module, count) {
-    this.#helpers = hire(count);
-    this.#spares = this.#helpers.map(() => []);
-    this.#opening = this.#open(module);
-    // A module that can't be loaded is reported by those who wait for a picture.
-    this.#opening.catch(() => {});
+    this.#module = module;
+    this.#count = count;
+    this.#start();
   }
 
   /** How many workers draw a picture; 0 if the page draws it. */
@@ -78,6 +87,24 @@ export class Pool {
    * @returns {Promise<Drawn>}
    */
   async draw(job, onfree = () => {}) {
+    try {
+      const drawn = await this.#draw(job, onfree);
+      this.#replaced = 0;
+      return drawn;
+    } catch (error) {
+      if (!(error instanceof Ended)) throw error;
+      if (this.#replaced > REPLACED) throw `The browser has ended what draws, ${this.#replaced} times: expected memory for ${this.#count} workers. Close other pages, and choose the scene again.`;
+      return this.draw(job, onfree);
+    }
+  }
+
+  /**
+   * Draws a picture by the workers of now.
+   * @param {string} job
+   * @param {() => void} onfree
+   * @returns {Promise<Drawn>}
+   */
+  async #draw(job, onfree) {
     await this.#equip([job]);
     const start = now();
     const isFresh = this.#isFresh;
@@ -97,7 +124,7 @@ export class Pool {
     Promise.all([before, Promise.race(shares).catch(() => {})]).then(onfree);
     const parts = await whole;
     const { end, isRefused } = await before;
-    if (isRefused && !isFresh) return this.draw(job);
+    if (isRefused && !isFresh) return this.#draw(job, () => {});
     const span = now() - Math.max(start, end);
     /** @type {(part: Part) => number} */
     const busy = ({ times }) => PASSES.reduce((sum, pass) => sum + (times[pass] ?? 0), 0);
@@ -160,12 +187,30 @@ export class Pool {
     for (const helper of this.#helpers) helper.end();
   }
 
-  /** @param {Promise<WebAssembly.Module>} module */
-  async #open(module) {
-    const compiled = await module;
-    const count = this.#helpers.length;
+  /** Starts workers. */
+  #start() {
+    this.#helpers = hire(this.#count);
+    this.#spares = this.#helpers.map(() => []);
+    this.#isEquipped = false;
+    for (const helper of this.#helpers) helper.onended = () => this.#replace();
+    this.#opening = this.#open();
+    // A module that can't be loaded is reported by those who wait for a picture.
+    this.#opening.catch(() => {});
+  }
+
+  /** Replaces all workers when one has ended: the others may wait for its shadow maps. */
+  #replace() {
+    this.#replaced += 1;
+    for (const helper of this.#helpers) helper.end(new Ended("A worker has ended."));
+    this.#start();
+  }
+
+  async #open() {
+    const helpers = this.#helpers;
+    const compiled = await this.#module;
+    const count = helpers.length;
     /** @type {MessagePort[][]} */
-    const ports = this.#helpers.map(() => []);
+    const ports = helpers.map(() => []);
     for (let one = 0; one < count; one += 1) {
       for (let other = one + 1; other < count; other += 1) {
         const { port1, port2 } = new MessageChannel();
@@ -174,11 +219,12 @@ export class Pool {
       }
     }
     /** @type {(helper: Helper, share: number) => Promise<void>} */
-    const open = (helper, share) =>
-      helper.ask("open", { module: compiled, share, count, ports: ports[share] }, ports[share]);
+    const open = (helper, share) => helper.open({ module: compiled, share, count }, ports[share] ?? []);
     try {
-      await Promise.all(this.#helpers.map(open));
+      await Promise.all(helpers.map(open));
     } catch (error) {
+      // Others have taken their place.
+      if (helpers !== this.#helpers) return;
       console.info(`The page draws by itself: ${words(error)}`);
       this.end();
       this.#helpers = [];
@@ -205,8 +251,8 @@ export class Pool {
       if (isTrap(error)) throw error;
       const reason = words(error instanceof Error ? (error.cause ?? error) : error);
       throw (
-        `What draws in 32 bits could not be loaded (${reason}). The picture stays as it was. ` +
-        "Choose a number format again once the connection is up."
+        `${MISSING} (${reason}). The picture is in 16 bits. ` +
+        "Choose the number format again once the connection is up."
       );
     }
   }

@@ -15,6 +15,7 @@ import { MapLegend } from "./map-legend.js";
 import { tidy, whole } from "./numbers.js";
 import { isBuilt } from "./parts.js";
 import { plain } from "./plain.js";
+import { MISSING } from "./pool.js";
 import { PriceSlot } from "./price-slot.js";
 import { Readout } from "./readout.js";
 import { ScenePicker } from "./scene-picker.js";
@@ -215,7 +216,17 @@ export class StagePage {
     if (!isFirst) return;
     await this.#view.draw(now());
     this.#loadLater();
-    this.#scenes.draw(this.#module).catch((error) => reportError(new Error(words(error))));
+    this.#drawScenes();
+  }
+
+  /** Shows all pictures again on canvases that the browser has emptied. */
+  restore() {
+    if (this.drawn === 0) return;
+    this.#isShown = false;
+    const isShown = this.#show();
+    this.#legend.draw();
+    this.#divided.show(this.#screen.pixels, isShown, this.#screen.width);
+    this.#drawScenes();
   }
 
   /** Called when the view is hidden. */
@@ -241,6 +252,10 @@ export class StagePage {
   /** Lights the picture with the needed effects and with all, and compares the two bit for bit. */
   compare() {
     return this.#pool.compare(this.#jobs()[0]);
+  }
+
+  #drawScenes() {
+    this.#scenes.draw(this.#module).catch((error) => reportError(new Error(words(error))));
   }
 
   #join() {
@@ -562,7 +577,16 @@ export class StagePage {
     if (typeof refusal !== "string") throw refusal;
     clearTimeout(this.#timer);
     this.#stage.play(false, false);
-    element("stage-error").textContent = refusal;
+    // The format of the state is that of the picture. A beam may be too narrow for 16 bits.
+    const isLost = refusal.startsWith(MISSING) ? refusalOf(() => this.#takeShort()) : "";
+    element("stage-error").textContent = isLost ? `${refusal} ${isLost}` : refusal;
+  }
+
+  /** Draws in 16 bits, as the page can do from the start. */
+  #takeShort() {
+    this.#stage.set("with", undefined);
+    this.#stage.set("format", "fx16");
+    this.#changed();
   }
 
   /**

@@ -1,10 +1,11 @@
 // The views of the page, one at a time. The address selects the view after its #.
 import { follow, requestedView } from "./address.js";
 import { element } from "./elements.js";
-import { isTrap, words } from "./failure.js";
+import { isTrap, sentence, words } from "./failure.js";
+import { Frame } from "./frame.js";
 import { built } from "./parts.js";
 
-/** @typedef {{ show: (query: string) => void, hide: () => void }} Shown an opened view */
+/** @typedef {{ show: (query: string) => void, hide: () => void, restore?: () => void }} Shown an opened view */
 /**
  * What opens a view once its part of the demo is built.
  * @typedef {{ element: HTMLElement, part?: import("./parts.js").Name, open: () => Promise<Shown> }} Source
@@ -63,6 +64,10 @@ class View {
     this.onwait();
   }
 
+  restore() {
+    this.#opened?.restore?.();
+  }
+
   hide() {
     this.element.hidden = true;
     this.#opened?.hide();
@@ -91,6 +96,9 @@ export class Views {
     this.#views = new Map([...views].map(([name, view]) => [name, new View(view)]));
     for (const [name, view] of this.#views) view.onwait = () => name === this.#chosen && this.#place(view);
     window.addEventListener("hashchange", ({ newURL }) => this.#follow(newURL));
+    // A lost graphics processor takes the pictures of all canvases. The event does not bubble.
+    const restoring = new Frame(() => this.#views.get(this.#chosen ?? "")?.restore());
+    document.addEventListener("contextrestored", () => restoring.request(), true);
     element("absent-retry").addEventListener("click", () => this.show());
   }
 
@@ -157,7 +165,7 @@ export class Views {
   #tell(view, error) {
     const hasFocus = view.element.contains(document.activeElement);
     view.hide();
-    this.#reason.textContent = `This view can't be shown: ${words(error)} The other views still work.`;
+    this.#reason.textContent = `This view can't be shown: ${sentence(words(error))} The other views still work.`;
     this.#absent.hidden = false;
     if (hasFocus) lead(this.#absent);
   }

@@ -13,9 +13,10 @@ let memory;
  * @type {Record<string, (order: any) => any>}
  */
 const acts = {
-  open({ module, share: number, count, ports }) {
+  async open({ module, share: number, count, ports, lock }) {
     ({ memory } = initSync({ module }));
     share = new Share(number, count, ports);
+    await hold(lock);
   },
   equip: (order) => share.equip(order),
   draw: (order) => share.draw(order),
@@ -28,6 +29,18 @@ const acts = {
     return thumbnail(order);
   },
 };
+
+/**
+ * Resolves when this worker has a lock, which the browser takes from it when it ends: no event tells that. A page without
+ * HTTPS has no locks.
+ * @param {string} name
+ */
+const hold = (name) =>
+  new Promise((resolve) => {
+    if (!navigator.locks) return resolve(undefined);
+    const held = () => (resolve(undefined), new Promise(() => {}));
+    navigator.locks.request(name, held).catch(resolve);
+  });
 
 /** @type {(message: Partial<import("./workers.js").Answer>, transferred?: Transferable[]) => void} */
 const tell = (message, transferred = []) => postMessage(message, { transfer: transferred });

@@ -12,6 +12,12 @@ export const cores = () => Math.max(1, Math.min(navigator.hardwareConcurrency ??
  * @typedef {{ number: number, result?: unknown, refusal?: string, error?: string, isTrap?: boolean, panic?: string }} Answer
  */
 
+/** Why a question to a worker that has ended has no answer. */
+export class Ended extends Error {}
+
+/** How many workers have been started. */
+let started = 0;
+
 export class Helper {
   #worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
   /**
@@ -22,6 +28,11 @@ export class Helper {
   #number = 0;
   /** @type {Error | undefined} */
   #broken;
+  /** The name of what the worker holds while it lives, as no other page does. */
+  #lock = `worker ${performance.timeOrigin} ${Math.random()} ${(started += 1)}`;
+
+  /** Called when the worker has ended by itself, as for want of memory. */
+  onended = () => {};
 
   constructor() {
     this.#worker.onmessage = ({ data }) => this.#take(data);
@@ -47,9 +58,25 @@ export class Helper {
     });
   }
 
-  /** Ends the worker. What it was asked for stays unanswered. */
-  end() {
+  /**
+   * Gives the worker its share of the pictures.
+   * @param {object} order
+   * @param {MessagePort[]} ports
+   */
+  async open(order, ports) {
+    await this.ask("open", { ...order, ports, lock: this.#lock }, ports);
+    // It is granted when the worker has ended.
+    navigator.locks?.request(this.#lock, () => this.#broken ?? this.onended()).catch(() => {});
+  }
+
+  /**
+   * Ends the worker. What it was asked for stays unanswered unless there is a reason to reject it.
+   * @param {Error} [why]
+   */
+  end(why) {
     this.#worker.terminate();
+    if (why) this.#break(why);
+    this.#broken ??= new Error("A worker was asked after its end.");
   }
 
   /** @param {Answer} answer */

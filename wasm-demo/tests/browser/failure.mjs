@@ -6,9 +6,12 @@ import { gzipSync } from "node:zlib";
 
 import { serveParts } from "./building.mjs";
 import {
-  EXPECT, STILL, VIEWS, ask, assert, change, enter, exists, follow, go, isLit, isOpen, isShown, more, must, open, press, quick,
-  requests, settle, shows, sum, tab, until, words, works,
+  EXPECT, STILL, VIEWS, ask, assert, change, enter, exists, follow, go, hash, isLit, isOpen, isShown, more, must, open, pause, press,
+  quick, requests, settle, shows, sum, tab, until, value, words, works, written,
 } from "./visit.mjs";
+
+/** A small picture, which the page draws itself. */
+const SMALL = "?workers=0&rest=0&width=64&height=36";
 
 const MAY_COMPLAIN = { fails: true };
 
@@ -71,12 +74,14 @@ more(
     await open(STILL, { script: "window.setTimeout = ((wait) => (act, time) => time === 600 ? 0 : wait(act, time))(window.setTimeout.bind(window))" });
     assert.deepEqual(requests.filter((name) => name.includes("wide")), [], "files that are loaded before a picture in 32 bits");
     await tab.setOfflineMode(true);
+    const before = await sum();
     await enter("format", "f32");
     await until(() => document.getElementById("stage-error").textContent);
     assert.match(await words("stage-error"), LOST);
     await works();
-    await enter("format", "fx16");
-    assert.equal(await words("stage-error"), "", "fx16");
+    // The control, the address and the picture agree.
+    await written();
+    assert.deepEqual([await value("format"), (await hash()).includes("format"), await sum()], ["fx16", false, before]);
     await change("a beam, offline", () => enter("light-beam-number", 15));
     await tab.setOfflineMode(false);
     await change("32 bits, with a connection", () => enter("format", "f32"));
@@ -85,6 +90,44 @@ more(
   },
   MAY_COMPLAIN,
 );
+
+quick(
+  "a link in 32 bits is drawn in 16 where their module is missing, and says so",
+  async () => {
+    const script = `{ const { fetch } = window; window.fetch = (what, ...more) => String(what).endsWith("wide_bg.wasm") ? Promise.reject(new TypeError("no module")) : fetch(what, ...more); }`;
+    await open(`${STILL}&format=f32&with=fx32`, { script });
+    await until(() => document.getElementById("stage-error").textContent);
+    await works();
+    assert.match(await words("stage-error"), /could not be loaded \(no module\)\. The picture is in 16 bits\./);
+    assert.deepEqual([await value("format"), await value("divided-format"), await shows("divided")], ["fx16", "", false]);
+    await written();
+    assert.equal((await hash()).includes("fx32"), false);
+  },
+  MAY_COMPLAIN,
+);
+
+quick("pictures are drawn again on canvases that the browser has emptied", async () => {
+  /** Empties all canvases as a browser that has lost its graphics processor does. Returns those that stay empty. */
+  const lose = () =>
+    ask(async () => {
+      // A view may put other canvases in their place.
+      const shown = () => [...document.querySelectorAll("canvas")].filter((canvas) => canvas.checkVisibility() && canvas.width > 0);
+      const sum = (canvas) => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, code) => (31 * sum + code) % 4294967291, 7);
+      const before = shown().map(sum);
+      for (const canvas of shown()) canvas.getContext("2d").clearRect(0, 0, canvas.width, canvas.height);
+      for (const canvas of shown()) canvas.dispatchEvent(new Event("contextrestored"));
+      const lost = () => shown().filter((canvas, i) => sum(canvas) !== before[i]);
+      for (let tries = 0; tries < 200 && lost().length > 0; tries += 1) await new Promise((resolve) => setTimeout(resolve, 50));
+      return lost().map((canvas) => canvas.id || canvas.parentElement.textContent);
+    });
+  for (const view of ["stage?scene=three-point&play=none&map=lights&with=fx16&difference=1", ...VIEWS.filter((view) => !["stage", "use", "chip"].includes(view))]) {
+    await open(`${SMALL}#${view}`);
+    await isOpen(view.split("?")[0]);
+    // Small pictures are drawn one at a time.
+    await pause(1000);
+    assert.deepEqual(await lose(), [], view);
+  }
+});
 
 // The page while the demo is still being built.
 

@@ -1,7 +1,7 @@
 // The picture is drawn by workers: by any number of them with the same bits, or by the page itself, never so that the
 // page is in the way of its visitor, and without more and more memory.
 import {
-  VIEWS, ask, assert, change, draws, enter, long, more, must, open, pause, press, quick, settle, shows, tab, until,
+  VIEWS, ask, assert, change, draws, enter, long, more, must, open, pause, press, quick, settle, shows, sum, tab, until, words,
 } from "./visit.mjs";
 
 /** Pictures that need all passes: with haze, gobos, shadows, dither, fixed point and maps. */
@@ -51,6 +51,40 @@ quick("the page draws by itself where workers do not start", async () => {
     await until(() => window.probe.visible("scene-show"));
   }
 }, { fails: true });
+
+/** A browser whose workers can be ended as it ends them for want of memory: no event tells that. */
+const KEEPS = "window.Worker = class extends Worker { constructor(...given) { super(...given); (window.workers ??= []).push(this); } }";
+
+quick("workers that end are replaced, or the page says that they end", async () => {
+  await open("?width=320&height=200&workers=2#stage?play=none&scene=three-point", { script: KEEPS });
+  const expected = await sum();
+  const count = () => ask(() => window.workers.length);
+  const before = await count();
+  // While nothing is drawn, and while a picture is being drawn.
+  await ask(() => window.workers[0].terminate());
+  await until((before) => window.workers.length === before + 2, before);
+  for (let step = 0; step < 2; step += 1) await change("a light", () => press("light-1-on"));
+  assert.equal(await sum(), expected);
+  await ask(() => {
+    document.getElementById("light-1-on").click();
+    requestAnimationFrame(() => setTimeout(() => window.workers.at(-1).terminate()));
+  });
+  await until((before) => window.workers.length === before + 4, before);
+  await settle();
+  await change("a light", () => press("light-1-on"));
+  assert.deepEqual([await sum(), await words("stage-error"), await shows("trouble")], [expected, "", false]);
+  // Each one that starts ends before it has drawn.
+  await ask(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message, ...given) {
+      if (message.act === "draw") this.terminate();
+      else postMessage.call(this, message, ...given);
+    };
+    document.getElementById("light-1-on").click();
+  });
+  await until(() => document.getElementById("stage-error").textContent);
+  assert.match(await words("stage-error"), /^The browser has ended what draws, 3 times: expected memory for 2 workers\./);
+});
 
 /** Drags a slider from a value on. */
 const slide = (id, from) =>
