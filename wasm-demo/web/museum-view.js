@@ -148,8 +148,6 @@ export class MuseumView {
     const exhibit = this.#exhibit;
     const chosen = input(`of-${exhibit.name}`);
     chosen.checked = true;
-    // On narrow screens the list is a row that scrolls.
-    element("list").scrollLeft = held(chosen).offsetLeft - THUMBNAIL;
     for (const name of TEXTS) element(name).textContent = exhibit[name];
     element("thread").replaceChildren(...linked(exhibit.thread));
     held(element("thread")).hidden = exhibit.thread === "";

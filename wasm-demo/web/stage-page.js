@@ -339,6 +339,10 @@ export class StagePage {
       this.#isHeld = true;
       this.#grip();
     }, true);
+    // Of a small window the picture takes the rest.
+    page.addEventListener("focusin", ({ target }) => {
+      if (target instanceof HTMLInputElement && matchMedia("(max-height: 299px)").matches) target.scrollIntoView({ block: "end" });
+    });
     // A field is changed before it loses the focus, and that is where the next gesture begins.
     for (const turn of ["focusin", "focusout"]) page.addEventListener(turn, () => this.#grip());
     window.addEventListener("pointercancel", ({ isPrimary }) => {

@@ -71,6 +71,41 @@ quick("the picture is in view beside every part of the desk, and Verify in the f
   }
 });
 
+quick("beside every dial most of the picture is in view, in twelve windows", async () => {
+  await open(`${SMALL}#stage?scene=three-point&play=none&lights=0:w3000:apolynomial/1/2/3`);
+  await exists("#curve .handle");
+  const sizes = [[844, 390], [667, 375], [915, 412], [740, 360], [640, 400], [320, 200], [390, 844], [360, 640], [768, 1024], [1023, 768], [1024, 768], [1200, 700]];
+  const areas = new Map();
+  for (const [width, height] of sizes) {
+    await resize(width, height);
+    await until((width) => innerWidth === width, width);
+    let dials = 0;
+    for (const panel of ["picture", "lights"]) {
+      await press(`tab-${panel}`);
+      await ask(() => scrollTo(0, 0));
+      const seen = await ask(async () => {
+        const found = [];
+        for (const dial of document.querySelectorAll(".desk input[type=range]")) {
+          if (!dial.checkVisibility()) continue;
+          dial.focus();
+          for (let i = 0; i < 2; i += 1) await new Promise(requestAnimationFrame);
+          const [frame, box] = [document.getElementById("frame"), dial].map((element) => element.getBoundingClientRect());
+          const tall = Math.min(frame.bottom, innerHeight) - Math.max(frame.top, 0);
+          const on = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+          found.push({ id: dial.id, isSeen: on === dial, tall: Math.round(tall), share: tall / frame.height, area: frame.width * frame.height });
+        }
+        document.activeElement.blur();
+        return found;
+      });
+      dials += seen.length;
+      areas.set(width, seen[0].area);
+      for (const one of seen) must(one, ({ isSeen, tall, share }) => isSeen && tall >= 160 && share >= 0.4, `a dial and most of the picture, in ${width} x ${height}`);
+    }
+    must(dials, (dials) => dials >= 8, `at least 8 dials in ${width} x ${height}`);
+  }
+  must(areas.get(1024) / areas.get(1023), (ratio) => ratio > 0.6, "a picture that hardly shrinks from 1,023 to 1,024 pixels");
+});
+
 quick("the tabs of the desk follow the arrow keys", async () => {
   await open(`${SMALL}#stage?scene=bare-spot&play=none`);
   const seen = () => ask(() => [...document.querySelectorAll("[role=tabpanel]")].filter((panel) => panel.checkVisibility()).map(({ id }) => id).join());
