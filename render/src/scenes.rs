@@ -39,9 +39,6 @@ pub enum Example {
     ThreePoint,
     /// A floor under 64 narrow spotlights.
     Grid,
-    /// The floor of `Grid` under 8 wide spotlights, whose cones cover the same area as the 64
-    /// narrow spotlights.
-    WideGrid,
     /// Pictures and sculptures in the light of many kinds of lights.
     Gallery,
     /// Moving heads in a dark theatre.
@@ -62,7 +59,6 @@ impl Example {
         Self::Tree,
         Self::ThreePoint,
         Self::Grid,
-        Self::WideGrid,
         Self::Turntable,
         Self::Show,
         Self::Gallery,
@@ -74,7 +70,6 @@ impl Example {
             Self::BareSpot => "bare-spot",
             Self::ThreePoint => "three-point",
             Self::Grid => "grid",
-            Self::WideGrid => "wide-grid",
             Self::Gallery => "gallery",
             Self::Show => "show",
             Self::Pocket => "pocket",
@@ -89,7 +84,6 @@ impl Example {
             Self::BareSpot => "One bare spot",
             Self::ThreePoint => "Three-point lighting",
             Self::Grid => "A grid of 64 spots",
-            Self::WideGrid => "A grid of 8 wide spots",
             Self::Gallery => "A gallery",
             Self::Show => "A show",
             Self::Pocket => "A pocket display",
@@ -108,7 +102,6 @@ impl Example {
                 "Key, fill and back light with the edges that two angles of a data sheet ask for, ambient light, and two shadows."
             }
             Self::Grid => "64 narrow spots with a soft edge: each lights a sixty-fourth of the floor.",
-            Self::WideGrid => "8 wide spots with a soft edge, which light as many square metres as the 64.",
             Self::Gallery => {
                 "26 lights of every kind, falloff and distance model, and highlights on the few things that shine."
             }
@@ -155,8 +148,7 @@ impl Example {
         let setup = match self {
             Self::BareSpot => bare_spot::setup(),
             Self::ThreePoint => three_point::setup(),
-            Self::Grid => grid::narrow(),
-            Self::WideGrid => grid::wide(),
+            Self::Grid => grid::setup(),
             Self::Gallery => gallery::setup(),
             Self::Show => show::setup(),
             Self::Pocket => pocket::setup(),

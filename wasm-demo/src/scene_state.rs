@@ -15,14 +15,6 @@ plain! {
 }
 
 plain! {
-    /// An effect of the library: its name in the price list, and whether the picture needs it.
-    fn effect(effect: Effect, is_called_for: bool) -> EffectState {
-        "name": "string" = effect.name(),
-        "isCalledFor": "boolean" = is_called_for,
-    }
-}
-
-plain! {
     /// An effect with a switch: its title for people, whether the switch is enabled, because the scene has
     /// the effect or it can be added, and whether the effect is on.
     fn switch(effect: Effect, label: &str, offered: bool, on: bool) -> SwitchState {

@@ -255,14 +255,6 @@ impl Stage {
         Clamped(self.map.tile_colours().concat())
     }
 
-    /// The effects of the library, and whether the picture needs them.
-    #[wasm_bindgen(unchecked_return_type = "EffectState[]")]
-    pub fn effects(&self) -> Result<Vec<JsValue>, Refusal> {
-        let plan = self.rig.plan_of(&self.state)?;
-        let state = |&effect: &Effect| scene_state::effect(effect, plan.requires(effect));
-        Ok(Effect::ALL.iter().map(state).collect())
-    }
-
     /// The effects that have a switch.
     #[wasm_bindgen(unchecked_return_type = "SwitchState[]")]
     pub fn switches(&self) -> Vec<JsValue> {

@@ -61,11 +61,15 @@ export class AccountTable {
       element(`${part}-bar`).style.flexGrow = String(share);
     }
     element("ratio").textContent = oneIn(this.#mean("evaluated"), pairs);
-    element("pairs").textContent = `of ${whole(pairs)}`;
+    element("pairs").textContent = `of ${whole(pairs)}, a light at a pixel`;
     element("lights").textContent = `${whole(this.#mean("lightsDropped"))} of ${whole(lights)}`;
     element("triangles").textContent = whole(this.#mean("triangles"));
-    element("shining").textContent = `${(this.#mean("evaluatedShining") / pixels).toFixed(2)} a pixel`;
-    element("air").textContent = `${(this.#mean("evaluatedInAir") / pixels).toFixed(2)} a pixel`;
+    for (const [name, count] of /** @type {const} */ ([["shining", "evaluatedShining"], ["air", "evaluatedInAir"]])) {
+      const mean = this.#mean(count);
+      element(name).textContent = `${(mean / pixels).toFixed(2)} a pixel`;
+      // A scene without highlights or haze has no count of them.
+      element(name).parentElement?.toggleAttribute("hidden", mean === 0);
+    }
     element("tiles").textContent = `${whole(this.#mean("tilesRelit"))} of ${whole(this.#mean("tiles"))}`;
   }
 }

@@ -1,6 +1,5 @@
-// The intensity of a light across its axis, with a handle for each of its angles and curves to
-// compare it with.
-import { element, made } from "./elements.js";
+// The intensity of a light across its axis, with a handle for each of its angles.
+import { element } from "./elements.js";
 import { degrees, tidy } from "./numbers.js";
 import { plain } from "./plain.js";
 import { Press } from "./press.js";
@@ -23,9 +22,6 @@ const MARKS = /** @type {const} */ ([
   { name: "beam", level: 0.5, words: "Beam angle, at half the intensity" },
   { name: "field", level: 0.1, words: "Field angle, at a tenth of the intensity" },
 ]);
-
-/** Other falloffs with the same beam angle. */
-const OTHERS = { power: "power of the cosine", smooth: "smoothstep", linear: "linear" };
 
 /** Factor on an angle per key, and per key with Shift. */
 const STEPS = [1.01, 1.1];
@@ -52,7 +48,6 @@ export class Curve {
   #handles;
   #title = element("curve-title");
   #format = element("curve-format");
-  #legend = element("curve-legend");
   /** The angle at the right end of the drawing, which stays the same during a drag. */
   #reach = 1;
   /** @type {Press | undefined} */
@@ -69,17 +64,6 @@ export class Curve {
     this.#stage = stage;
     this.#handles = MARKS.map((mark) => this.#handle(mark));
     this.#svg.append(this.#drawn, ...this.#handles);
-    /** @type {(kind: string, words: string) => HTMLElement} */
-    const item = (kind, words) => {
-      const sample = shape("svg", { viewBox: "0 0 24 8", class: "sample", "aria-hidden": "true" });
-      sample.append(line(kind, 0, 4, 24, 4));
-      return made("li", {}, sample, words);
-    };
-    this.#legend.append(
-      item("trace", "this light"),
-      ...Object.entries(OTHERS).map(([name, words]) => item(`other ${name}`, words)),
-      item("reach", "angles in reach"),
-    );
   }
 
   /**
@@ -96,15 +80,11 @@ export class Curve {
     /** @type {Across} */
     const across = (angle) => MIDDLE + HALF * (angle / reach);
     this.#svg.style.setProperty("--light", state.color);
-    /** @type {(name: string) => SVGElement} */
-    const other = (name) => trace(`other ${name}`, this.#stage.otherCurve(light, SAMPLES, reach, name), across);
     this.#drawn.replaceChildren(
       ...levels(),
       ...ticks(reach, across),
-      ...reaches(state, across),
       glow(points, across),
-      ...Object.keys(OTHERS).map(other),
-      trace("trace", points, across),
+      shape("path", { class: "trace", d: path(points, across) }),
       ...MARKS.flatMap(({ name, level }) => mark(name, state[name], level, across)),
     );
     MARKS.forEach((mark, i) => tell(this.#handles[i], mark, state, across));
@@ -187,9 +167,6 @@ function path(points, across) {
   return path;
 }
 
-/** @type {(kind: string, points: Float32Array, across: Across) => SVGElement} */
-const trace = (kind, points, across) => shape("path", { class: kind, d: path(points, across) });
-
 /**
  * The light under the curve.
  * @param {Float32Array} points
@@ -197,21 +174,6 @@ const trace = (kind, points, across) => shape("path", { class: kind, d: path(poi
  */
 function glow(points, across) {
   return shape("path", { class: "glow", d: `${path(points, across)}L${BOX.right} ${BOX.bottom}L${BOX.left} ${BOX.bottom}Z` });
-}
-
-/**
- * Where each angle can be while the other one stays, at both sides.
- * @param {Light} light
- * @param {Across} across
- */
-function reaches({ reach }, across) {
-  return MARKS.flatMap(({ level }, i) => {
-    const [least, most] = [0, 1].map((end) => Math.min(across(reach[2 * i + end] / 2), BOX.right));
-    if (!(most > least)) return [];
-    return [1, -1].map((side) =>
-      line("reach", MIDDLE + side * (least - MIDDLE), height(level), MIDDLE + side * (most - MIDDLE), height(level)),
-    );
-  });
 }
 
 /**

@@ -1,5 +1,5 @@
-// The effects of the library: those that the scene needs, and switches for some of them.
-import { copyOf, element, find, made, onceSeen } from "./elements.js";
+// Switches for effects of the library, with the price of each.
+import { copyOf, element, find, onceSeen } from "./elements.js";
 import { whole } from "./numbers.js";
 import { load } from "./support.js";
 
@@ -7,13 +7,7 @@ import { load } from "./support.js";
 
 export class EffectList {
   #stage;
-  #list = element("effects");
-  #spared = element("spared");
-  #count = element("effects-count");
   #switches = element("switches");
-  /** The displayed text, so that the page is written only on a change. */
-  #shown = "";
-
   /** @type {Map<string, import("./effect-prices.js").Price>} */
   #prices = new Map();
 
@@ -23,7 +17,7 @@ export class EffectList {
   /** @param {Stage} stage */
   constructor(stage) {
     this.#stage = stage;
-    onceSeen([this.#switches, this.#count], () => this.#price().catch(reportError));
+    onceSeen([this.#switches], () => this.#price().catch(reportError));
   }
 
   /** Shows the price of each switch, once the list of prices has loaded. */
@@ -32,8 +26,6 @@ export class EffectList {
     this.#prices = await loadPrices();
     if (this.#prices.size > 0) element("switches-note").textContent = MEANING;
     for (const input of document.querySelectorAll("[id^='effect-']")) this.#tellPrice(input);
-    this.#shown = "";
-    this.show();
   }
 
   /** @param {Element} input */
@@ -46,21 +38,6 @@ export class EffectList {
   /** Shows the switches of the current scene. */
   open() {
     this.#switches.replaceChildren(...this.#stage.switches().map((state) => this.#switch(state)));
-    this.show();
-  }
-
-  /** Shows the effects that the picture needs. */
-  show() {
-    const effects = this.#stage.effects();
-    const [called, spared] = [true, false].map((isCalled) => effects.filter(({ isCalledFor }) => isCalledFor === isCalled));
-    const shown = called.map(({ name }) => name).join();
-    if (shown === this.#shown && this.#list.childElementCount > 0) return;
-    this.#shown = shown;
-    this.#count.textContent = `${called.length} of ${effects.length}`;
-    this.#list.replaceChildren(...called.map(item));
-    this.#spared.replaceChildren(...spared.map(item));
-    const saved = spared.reduce((sum, { name }) => sum + (this.#prices.get(name)?.instructions ?? 0), 0);
-    element("spared-count").textContent = `${spared.length} are left out${saved > 0 ? `, which saves over ${whole(saved)} instructions a lit point` : ""}`;
   }
 
   /** @param {import("./pkg/wasm_demo.js").SwitchState} state */
@@ -78,6 +55,3 @@ export class EffectList {
     return holder;
   }
 }
-
-/** @param {import("./pkg/wasm_demo.js").EffectState} effect */
-const item = ({ name }) => made("li", {}, name);

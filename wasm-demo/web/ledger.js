@@ -136,7 +136,6 @@ export class Ledger {
     if (list.isEmpty) {
       this.#costs.replaceChildren();
       this.#note.replaceChildren(...list.lack());
-      list.mark([]);
       return [];
     }
     const stage = forms.every((form) => form.lit.length > 0) ? "lit" : "falloff";
@@ -152,9 +151,8 @@ export class Ledger {
       ...list.targets.map((target, i) => bars(target, costs[i])),
     );
     this.#note.textContent =
-      "Numbers without a unit are exact counts of instructions, from the price list below." +
+      "Numbers without a unit are exact counts of instructions, from the project's price list." +
       (stage === "lit" ? "" : " Formulas are on it by their falloff alone.");
-    list.mark(forms.map((_, side) => [lit[side], falloff[side]]));
     return costs;
   }
 

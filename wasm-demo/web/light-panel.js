@@ -18,8 +18,8 @@ const input = (name) => find(`light-${name}`, HTMLInputElement);
 /** @param {string} name */
 const select = (name) => find(`light-${name}`, HTMLSelectElement);
 
-/** The choices whose models have dials for their numbers. */
-const CHOICES = /** @type {const} */ (["law", "edge"]);
+/** The edges that are offered at once; the others follow after a choice of more. */
+const USUAL = ["soft", "soft-pair", "hard", "smooth"];
 
 /** The units of the dials, for people who hear their values. */
 const UNITS = { beam: "°", field: "°", zoom: "°", intensity: "", kelvin: " K" };
@@ -59,9 +59,8 @@ export class LightPanel {
     this.#stage = stage;
     const count = listFixtures(element("fixtures"));
     input("fixture").placeholder = `Search ${count} fixtures`;
-    for (const choice of CHOICES) {
-      element(choice).append(...this.#models[choice].map(({ name }) => new Option(name.replaceAll("-", " "), name)));
-    }
+    element("law").append(...this.#models.law.map(option));
+    element("edge").append(...this.#models.edge.filter(({ name }) => USUAL.includes(name)).map(option), new Option("more edges …", "more"));
     const [beam, field] = [this.#dial("beam"), this.#dial("field")];
     const [zoom, intensity, kelvin] = [this.#dial("zoom"), this.#dial("intensity"), this.#dial("kelvin")];
     this.#dials = { beam, field, zoom, intensity, kelvin };
@@ -71,6 +70,7 @@ export class LightPanel {
       control.addEventListener("input", () => {
         // What is not yet the name of a fixture is a search.
         if (name === "fixture" && control.value !== "" && !findFixture(control.value)) return;
+        if (control.value === "more") return this.#unfold();
         this.#set(control, () => stage.setChoice(this.#light, name, control.value));
       });
     }
@@ -106,7 +106,15 @@ export class LightPanel {
     element("expose").hidden = !((state.lux ?? 0) > 0);
     element("own-edge").textContent = `default: ${state.ownEdge}`;
     for (const name of /** @type {const} */ (["kind", "law", "edge"])) select(name).value = state[name];
+    if (select("edge").value !== state.edge) this.#unfold();
     input("color").value = state.color;
+  }
+
+  /** Offers all edges. The one in force stays chosen. */
+  #unfold() {
+    const edge = select("edge");
+    findIn(edge, "[value=more]").replaceWith(...this.#models.edge.filter(({ name }) => !USUAL.includes(name)).map(option));
+    edge.value = plain(this.#stage.light(this.#light)).edge;
   }
 
   /**
@@ -321,6 +329,9 @@ export class LightPanel {
   }
 }
 
+/** @param {Model} model to choose */
+const option = ({ name }) => new Option(name.replaceAll("-", " "), name);
+
 /**
  * The flux of a light and what arrives where it aims, in words.
  * @param {Light} light
@@ -329,7 +340,7 @@ export class LightPanel {
 function photometry({ lumens, lux, throw: distance, unit }, fullScale) {
   const flux = lumens === undefined ? [] : [`${amount(lumens)} lm`];
   const arriving = lux === undefined || distance === undefined || unit !== "cd" ? [] : [`${amount(lux)} lx at ${tidy(distance)} m`];
-  const shown = lux === undefined ? [] : [`${amount(lux / fullScale)} times full scale, which is ${amount(fullScale)} lx`];
+  const shown = lux === undefined ? [] : [`${amount(lux / fullScale)} times full scale: a white surface is shown as white from ${amount(fullScale)} lx on`];
   const parts = [...flux, ...arriving, ...shown];
   return parts.length > 0 ? `${parts.join(", ")}.` : "";
 }

@@ -157,11 +157,11 @@ export class MuseumView {
     this.#dial.range(exact(exhibit.least), exact(exhibit.most), exhibit.unit, exhibit.isLogarithmic);
     this.#dial.show(exact(this.#museum.value));
     button("start").value = String(exact(exhibit.start));
-    element("start").textContent = `Show the fault: ${tidy(exact(exhibit.start))}${exhibit.unit}`;
+    element("start").textContent = `Show the fault: ${told(exhibit.start, exhibit.unit)}`;
     element("agrees").hidden = exhibit.agreesAt === undefined;
     if (exhibit.agreesAt === undefined) return;
     button("agrees").value = String(exact(exhibit.agreesAt));
-    element("agrees").textContent = `Both agree: ${tidy(exact(exhibit.agreesAt))}${exhibit.unit}`;
+    element("agrees").textContent = `Show where both agree: ${told(exhibit.agreesAt, exhibit.unit)}`;
   }
 
   #draw() {
@@ -187,6 +187,13 @@ export class MuseumView {
     return /** @type {Exhibit} */ (this.#exhibits.get(this.#museum.exhibit));
   }
 }
+
+/**
+ * A value with its unit: only a degree is without a space.
+ * @param {number} value
+ * @param {string} unit
+ */
+const told = (value, unit) => `${tidy(exact(value))}${unit && (unit === "°" ? "" : " ")}${unit}`;
 
 /**
  * The element that holds another.

@@ -1,5 +1,5 @@
-// The price list made by `cargo xtask measure`: error of each kernel and its cost on each target.
-import { element, made, row as line } from "./elements.js";
+// The price list made by `cargo xtask measure`: the cost of each kernel on each target.
+import { made } from "./elements.js";
 import { words } from "./failure.js";
 import { tidy, whole } from "./numbers.js";
 
@@ -14,7 +14,6 @@ import { tidy, whole } from "./numbers.js";
  * @property {string} stage
  * @property {string} kernel
  * @property {string} format
- * @property {{ codes?: number, kind?: string } | null} [error]
  * @property {Record<string, Cost>} [cost] by target
  */
 
@@ -33,18 +32,6 @@ const TARGETS = {
   host: "host",
   wasm: "browser",
   "wasm-simd": "browser, SIMD",
-};
-
-/**
- * Names of the kernels of lit points; others are named as in the list.
- * @type {Record<string, string>}
- */
-const KERNELS = {
-  away: "facing away",
-  outside: "outside the cone",
-  lit: "lit, no attenuation",
-  "lit-inverse-square": "lit, inverse square",
-  "lit-specular": "lit, with a highlight",
 };
 
 /** @type {Record<string, string>} */
@@ -87,37 +74,22 @@ export function isNumber(value) {
 }
 
 /**
- * Formats a number that spans many powers of ten, with two digits.
- * @param {number} value
- */
-const small = (value) =>
-  value > 0 && value < 0.001 ? value.toExponential(1) : String(Number(value.toPrecision(2)));
-
-/**
  * Returns the rows of the record: the kernels with an error, and their costs by target.
- * @param {Record<string, { figures: Record<string, Cost & { stage?: string, codes?: number, kind?: string }> }>} record
+ * @param {Record<string, { figures: Record<string, Cost & { stage?: string }> }>} record
  * @returns {Row[]}
  */
 function rowsOf(record) {
-  return Object.entries(record.errors?.figures ?? {}).map(([name, { stage = "", codes, kind }]) => {
+  return Object.entries(record.errors?.figures ?? {}).map(([name, { stage = "" }]) => {
     const [kernel, format] = name.split(".");
     const costs = Object.keys(TARGETS).map((target) => [target, record[target]?.figures[name]]);
     const cost = Object.fromEntries(costs.filter(([, cost]) => cost));
-    return { stage, kernel, format, error: { codes, kind }, cost };
+    return { stage, kernel, format, cost };
   });
 }
 
 export class PriceList {
   #rows;
   #problem;
-  #stage = element("stage-of-list", HTMLSelectElement);
-  #note = element("prices-note");
-  #table = element("prices");
-  /**
-   * The rows of each side.
-   * @type {(Row | undefined)[][]}
-   */
-  #marks = [];
 
   /** Loads the list. A list that is missing or can't be loaded is empty. */
   static async load() {
@@ -137,9 +109,6 @@ export class PriceList {
   constructor(rows, problem) {
     this.#rows = rows;
     this.#problem = problem;
-    this.#stage.closest(".row")?.classList.toggle("empty", this.isEmpty);
-    this.#stage.disabled = this.isEmpty;
-    this.#stage.addEventListener("input", () => this.#show());
   }
 
   /** Whether the list is missing. */
@@ -168,48 +137,5 @@ export class PriceList {
   get targets() {
     const listed = new Set(this.#rows.flatMap((row) => Object.keys(row.cost ?? {})));
     return [...new Set([...Object.keys(TARGETS), ...listed])].filter((target) => listed.has(target));
-  }
-
-  /**
-   * Shows the list with the rows of both forms marked.
-   * @param {(Row | undefined)[][]} forms
-   */
-  mark(forms) {
-    this.#marks = forms;
-    this.#show();
-  }
-
-  #show() {
-    if (this.isEmpty) {
-      this.#note.replaceChildren(...this.lack());
-      return;
-    }
-    const stage = this.#stage.value;
-    this.#note.textContent =
-      `What ${stageName(stage)} costs, and its largest error in linear steps of 1/255. Counts are instructions, ` +
-      "exact, under QEMU; times are of the machine that made the list.";
-    const targets = this.targets;
-    const head = ["Side", "Kernel", "Format", "Largest error", "error is", ...targets.map(targetName)];
-    const rows = this.#rows.filter((row) => row.stage === stage).map((row) => this.#line(row, targets));
-    this.#table.replaceChildren(line(undefined, head, "th"), ...rows);
-  }
-
-  /**
-   * @param {Row} row
-   * @param {string[]} targets
-   */
-  #line(row, targets) {
-    const names = ["A", "B"].filter((_, side) => this.#marks[side]?.includes(row));
-    const error = row.error?.codes;
-    const cells = line(undefined, [
-      names.join(" "),
-      KERNELS[row.kernel] ?? row.kernel,
-      row.format,
-      isNumber(error) ? small(error) : "–",
-      row.error?.kind ?? "–",
-      ...targets.map((target) => price(row.cost?.[target])),
-    ]);
-    cells.classList.toggle("marked", names.length > 0);
-    return cells;
   }
 }

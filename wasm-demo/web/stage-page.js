@@ -607,7 +607,6 @@ export class StagePage {
     element("leds").hidden = leds === 0;
     element("leds").textContent = `${leds} LEDs take ${(ledCurrent / 1000).toFixed(2)} A. The limit is ${ledLimit / 1000} A.`;
     this.#price.add(this.#lighting, account);
-    this.#effects.show();
     this.#handles?.follow(isPlaying);
   }
 
@@ -662,7 +661,7 @@ export class StagePage {
     const { pixels, differing, evaluated, pairs, lightingMs, everythingMs } = await this.compare();
     const same = differing === 0 ? `All ${whole(pixels)} pixels are equal, bit for bit` : `${whole(differing)} pixels differ`;
     element("equality").textContent =
-      `${same}: ${whole(evaluated)} pairs of light and pixel in ${lightingMs.toFixed(1)} ms, ` +
+      `${same}: ${whole(evaluated)} evaluations of a light at a pixel in ${lightingMs.toFixed(1)} ms, ` +
       `and all ${whole(pairs)} in ${everythingMs.toFixed(1)} ms.`;
   }
 }

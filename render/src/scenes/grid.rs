@@ -1,9 +1,4 @@
-//! A floor of 16 x 16 metres under 64 narrow spotlights, and the same floor under 8 wide
-//! spotlights. The cones cover the same area in both scenes.
-//!
-//! A spotlight that points straight down from a height h lights a circle of radius `h tan a`, where
-//! a is the outer half angle. 64 circles of 10 degrees have the area of 8 circles of 26.5 degrees,
-//! within a thousandth.
+//! A floor of 16 x 16 metres under 64 narrow spotlights.
 
 use super::{
     MovingLight, Setup,
@@ -19,27 +14,22 @@ const SIDE: f32 = 16.0;
 /// The height of the spotlights above the floor, in metres.
 const HEIGHT: f32 = 4.0;
 
-pub(super) fn narrow() -> Result<Setup, Error> {
-    setup(8, 8, HalfAngle::degrees(10.0))
-}
+/// The number of spotlights along each side of the floor.
+const ROWS: usize = 8;
 
-pub(super) fn wide() -> Result<Setup, Error> {
-    setup(4, 2, HalfAngle::degrees(26.5))
-}
-
-fn setup(columns: usize, rows: usize, outer: HalfAngle) -> Result<Setup, Error> {
+pub(super) fn setup() -> Result<Setup, Error> {
     let mut scene = Scene::new();
     // The floor is larger than the lit area, so that the floor's edges stay out of the picture.
     scene.add(floor(SIDE + 6.0, SIDE + 6.0), Material::srgb(212, 208, 202))?;
     // The camera is far away, so that the floor is almost a parallelogram in the picture: the
     // floor's depth of 16 m appears as long as 9 m of its width.
     let camera = Camera::new(Vec3::new(0.0, 0.0, 0.2), 90.0, 0.0, 0.61, 0.108);
-    let cone = Cone::from_outer(Soft, outer)?;
-    let turns = columns * rows;
+    let cone = Cone::from_outer(Soft, HalfAngle::degrees(10.0))?;
+    let turns = ROWS * ROWS;
     let mut fixtures = Vec::with_capacity(turns);
     for turn in 0..turns {
-        let place = |number: usize, count: usize| SIDE * ((number as f32 + 0.5) / count as f32 - 0.5);
-        let (x, z) = (place(turn % columns, columns), place(turn / columns, rows));
+        let [x, z] =
+            [turn % ROWS, turn / ROWS].map(|number| SIDE * ((number as f32 + 0.5) / ROWS as f32 - 0.5));
         let spot = aimed(Vec3::new(x, HEIGHT, z), Vec3::new(x, 0.0, z), cone)?
             .with_color(gel(x / SIDE + 0.5, z / SIDE + 0.5))?
             .with_intensity(0.86 * HEIGHT * HEIGHT)?;

@@ -72,22 +72,6 @@ impl Stage {
         let angles = curve::angles(reach.unwrap_or_else(|| curve::reach(&cone)), samples)?;
         Ok(paired(&angles, &self.state.format.intensities(&cone, &angles)?))
     }
-
-    /// Evaluates another falloff with the beam angle of a light: `power` of the cosine, `smooth` for
-    /// smoothstep or `linear` over the cosine. Returns the same pairs as `curve`; nothing if there is no
-    /// such falloff.
-    #[wasm_bindgen(js_name = otherCurve)]
-    pub fn other_curve(
-        &self,
-        light: usize,
-        samples: usize,
-        reach: f32,
-        name: &str,
-    ) -> Result<Vec<f32>, Refusal> {
-        let angles = curve::angles(reach, samples)?;
-        let Some(cone) = self.cone(light)? else { return Ok(Vec::new()) };
-        Ok(paired(&angles, &curve::other(name, cone.beam().to_degrees(), &angles)?))
-    }
 }
 
 impl Stage {

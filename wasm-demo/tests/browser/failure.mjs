@@ -207,7 +207,7 @@ more(
       [
         "#compare?half=10",
         `window.fetch = ((fetch) => (what, ...more) => String(what).endsWith(".json") ? Promise.reject(new TypeError("no list")) : fetch(what, ...more))(window.fetch.bind(window))`,
-        "prices-note",
+        "costs-note",
         "no list",
       ],
       [STILL, "Object.defineProperty(window, 'performance', { get: () => undefined })", "failure", ""],

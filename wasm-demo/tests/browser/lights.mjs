@@ -30,6 +30,10 @@ for (const [mine, other, end, register] of [["field", "beam", "min", quick], ["b
 quick("12 and 22 degrees are typed in both orders, with every edge", async () => {
   await open(`${SMALL}${ONE}`);
   const numbers = { beam: 12, field: 22 };
+  const usual = await options("light-edge");
+  await enter("light-edge", "more");
+  assert.deepEqual([usual.length, usual.at(-1), await value("light-edge")], [8, "more", "own"], "the edges that are offered at once");
+  must(await options("light-edge"), (all) => all.length === usual.length + 8 && !all.includes("more"), "all edges after more");
   for (const edge of await options("light-edge")) {
     for (const order of [["beam", "field"], ["field", "beam"]]) {
       await press("reset");
@@ -296,6 +300,7 @@ quick("the law of distance, the kind of a light and the highlights are set and u
 quick("an edge has a dial for each of its numbers", async () => {
   await open(`${SMALL}#stage?scene=three-point&play=none`);
   assert.ok(!(await shows("light-edge-numbers")), "the light's own edge has dials");
+  await enter("light-edge", "more");
   await change("an edge with a number", () => enter("light-edge", "power"));
   await change("its exponent", () => enter("light-edge-0", Math.log10(20)));
   await isWritten(/lights=0:epower\/20[:_]/);
