@@ -6,6 +6,7 @@ use crate::{
     refusal::Refusal,
     setting::Setting,
     state::{SWITCHABLE, State},
+    viewpoint::Reach,
 };
 use luminaire::{
     Angle, Cone, Error, Rgb, SpotLight, Vec3,
@@ -229,7 +230,7 @@ impl Rig {
 
     /// Returns the camera of a state.
     pub(crate) fn camera_of(&self, state: &State) -> Camera {
-        state.viewpoint.of(self.camera_at(state.seconds[1]))
+        state.viewpoint.of(self.camera_at(state.seconds[1]), Reach::of(state.scene))
     }
 
     /// Returns the fixtures at a time in seconds. A fixture that is switched off stays in the list

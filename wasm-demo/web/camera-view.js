@@ -10,8 +10,8 @@ const NEARER = 0.9;
 /** Largest number of notches in one turn of the wheel. */
 const MOST = 10;
 
-/** A drag across the whole width of the canvas is one full turn, within the camera's limits. */
-const TURN = 2 * Math.PI;
+/** Turn of a drag across the whole width of the canvas, within the camera's limits: a full one, or less than a quarter by a finger. */
+const [TURN, SWIPE] = [2 * Math.PI, 0.45 * Math.PI];
 
 /**
  * What is drawn: `orbit` turns by angles in radians, `zoom` returns whether the camera has moved,
@@ -160,7 +160,7 @@ export class CameraView {
     if (!last) return;
     const here = { x: event.clientX, y: event.clientY };
     if (this.#pointers.size === 1) {
-      const scale = TURN / this.#canvas.clientWidth;
+      const scale = (event.pointerType === "touch" ? SWIPE : TURN) / this.#canvas.clientWidth;
       this.#camera.orbit((last.x - here.x) * scale, (here.y - last.y) * scale);
     } else {
       const before = this.#spread();

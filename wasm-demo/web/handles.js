@@ -44,6 +44,8 @@ export class Handles {
   #sides = [line("side", 0, 0, 0, 0), line("side", 0, 0, 0, 0)];
   #area = shape("path", { class: "area" });
   #outline = shape("path", { class: "outline" });
+  /** What the outline is. */
+  #name = shape("text", { class: "middle" });
   #aim = slider("aim", [shape("circle", { class: "target", r: 22 }), shape("path", { class: "mark", d: "M-9 0H-3M3 0H9M0-9V-3M0 3V9" }), shape("circle", { class: "ring", r: 6 })]);
   /** @type {SVGElement[]} */
   #bodies = [];
@@ -73,9 +75,11 @@ export class Handles {
     this.#stage = stage;
     this.#lights = lights;
     this.#aim.id = "handle-aim";
-    this.#svg.append(this.#area, this.#outline, ...this.#sides, this.#aim);
+    this.#svg.append(this.#area, this.#outline, ...this.#sides, this.#name, this.#aim);
+    this.#name.textContent = "field, 10 %";
     this.#join(this.#aim, () => this.#aiming());
-    this.#join(this.#area, () => this.#aiming());
+    // An area cannot have the focus, by which the wheel zooms.
+    this.#join(this.#area, () => this.#aiming(), this.#aim);
     for (const target of [this.#aim, this.#area]) {
       target.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     }
@@ -186,7 +190,7 @@ export class Handles {
     const { isSpot, aim } = plain(this.#stage.light(light));
     const place = this.#pixels(2 * light + 1);
     const isSeen = isSpot && !Number.isNaN(place.x);
-    for (const part of [this.#aim, this.#area, this.#outline, ...this.#sides]) part.toggleAttribute("hidden", !isSeen);
+    for (const part of [this.#aim, this.#area, this.#outline, this.#name, ...this.#sides]) part.toggleAttribute("hidden", !isSeen);
     this.#aim.setAttribute("aria-label", `Aim of light ${light + 1}`);
     tellPlace(this.#aim, aim);
     if (!isSeen) return;
@@ -194,15 +198,20 @@ export class Handles {
     const pool = this.#stage.pool(light, aspect);
     const [ends, outline] = [pool.slice(0, 4), pool.slice(4)];
     const { width, height } = this.#size;
-    let [path, lines, isCut] = ["", "", true];
+    let [path, lines, isCut, top] = ["", "", true, { x: 0, y: Infinity }];
     for (let i = 0; i < outline.length; i += 2) {
       const isEnd = Number.isNaN(outline[i]);
-      const point = `${(outline[i] * width).toFixed(1)} ${(outline[i + 1] * height).toFixed(1)}`;
+      const [x, y] = [outline[i] * width, outline[i + 1] * height];
+      const point = `${x.toFixed(1)} ${y.toFixed(1)}`;
+      if (y < top.y) top = { x, y };
       if (!isEnd) [path, lines] = [`${path}${path && "L"}${point}`, `${lines}${isCut ? "M" : "L"}${point}`];
       isCut = isEnd;
     }
     this.#area.setAttribute("d", path && `M${path}Z`);
     this.#outline.setAttribute("d", lines && `${lines}${isCut ? "" : "Z"}`);
+    // Above the outline, within the picture.
+    this.#name.setAttribute("x", String(Math.max(44, Math.min(top.x, width - 44))));
+    this.#name.setAttribute("y", String(Math.max(16, Math.min(top.y - 6, height - 8))));
     const from = this.#pixels(2 * light);
     for (const [i, side] of this.#sides.entries()) {
       side.toggleAttribute("hidden", Number.isNaN(ends[2 * i]));
@@ -223,15 +232,16 @@ export class Handles {
    * Lets a target be dragged and moved by keys.
    * @param {SVGElement} target
    * @param {() => Start} start
+   * @param {SVGElement} [focused] what a press gives the focus
    */
-  #join(target, start) {
+  #join(target, start, focused = target) {
     target.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
       const { from, act } = start();
       const at = this.#pointer(event);
       this.#drag = { act, offset: { x: from.x - at.x, y: from.y - at.y }, press: new Press(event) };
       target.setPointerCapture(event.pointerId);
-      target.focus();
+      focused.focus();
       event.preventDefault();
     });
     target.addEventListener("pointermove", (event) => {

@@ -10,6 +10,7 @@ use crate::{
     rig::Rig,
     setting::Setting,
     state::{LIGHTS, State, switch_of, switchable},
+    viewpoint::Reach,
 };
 use luminaire_render::scenes::MovingLight;
 use wasm_bindgen::prelude::*;
@@ -229,13 +230,13 @@ impl Stage {
     /// Turns the camera around its target, by angles in radians.
     pub fn orbit(&mut self, yaw: f32, pitch: f32) {
         let camera = self.own_camera();
-        self.state.viewpoint.orbit(camera, yaw, pitch);
+        self.state.viewpoint.orbit(camera, Reach::of(self.state.scene), yaw, pitch);
     }
 
     /// Moves the camera to `factor` times its distance. Returns whether it moved.
     pub fn zoom(&mut self, factor: f32) -> bool {
         let camera = self.own_camera();
-        self.state.viewpoint.zoom(camera, factor)
+        self.state.viewpoint.zoom(camera, Reach::of(self.state.scene), factor)
     }
 
     /// Takes the state of an address. Returns what was refused in words; the rest is taken.

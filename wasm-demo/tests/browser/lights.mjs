@@ -1,6 +1,6 @@
 // A light on the desk and in the picture: its angles, its values and what refuses them, its place, its code and its price.
 import {
-  EXPECT, STILL, ask, assert, change, count, drag, enter, exists, focus, isDisabled, isShown, isWritten, more, must, number, open, openPrice, options,
+  EXPECT, STILL, ask, assert, change, count, drag, enter, exists, focus, hash, isDisabled, isShown, isWritten, more, must, number, open, openPrice, options,
   place, press, quick, requests, settle, shows, sum, tab, type, until, value, words, written,
 } from "./visit.mjs";
 
@@ -227,14 +227,50 @@ quick("a light is aimed by mouse, as one step", async () => {
   assert.ok(await isDisabled("undo"), "a drag takes more than one undo");
 });
 
-more("the wheel over the pool zooms its light", async () => {
-  await open(ONE);
-  const aim = await handle("handle-aim");
-  const before = await number("light-field-number");
-  await focus("handle-aim");
-  await tab.mouse.move(...aim);
-  await change("the wheel", () => tab.mouse.wheel({ deltaY: 100 }));
-  must(await number("light-field-number"), (field) => field > before, `a field angle over ${before}`);
+quick("press, wheel and drag do what the hint says, on every target in the picture", async () => {
+  await open("#stage?scene=three-point&play=none&with=f32");
+  await isShown("handle-aim");
+  const targets = ["#view", "#handles .area", "#handle-aim", "#handle-0", "#divided .divider"];
+  /** A place at which a target is on top, in the window; none if it is covered or beside the picture. */
+  const top = (selector) =>
+    ask((selector) => {
+      const target = document.querySelector(selector);
+      const { left, top, width, height } = document.getElementById("frame").getBoundingClientRect();
+      for (let i = 0; i < 60 * 34; i += 1) {
+        const place = [left + (width * ((i % 60) + 0.5)) / 60, top + (height * (Math.floor(i / 60) + 0.5)) / 34];
+        const found = document.elementFromPoint(...place);
+        if (found && (found === target || (target.localName === "g" && target.contains(found)))) return place;
+      }
+      return undefined;
+    }, selector);
+  const acts = new Map();
+  for (const target of targets) {
+    await press("reset");
+    await ask(() => (document.activeElement.blur(), scrollTo(0, 0)));
+    await settle();
+    const at = await top(target);
+    if (!at) continue;
+    await tab.mouse.move(...at);
+    await tab.mouse.down();
+    await tab.mouse.up();
+    assert.ok(await ask(() => document.getElementById("frame").contains(document.activeElement)), `${target}: a press takes no focus`);
+    const state = async () => (await written(), (await hash()).match(/view=[^&]*|lights=[^&]*/g)?.join() ?? "");
+    const opened = await state();
+    await tab.mouse.wheel({ deltaY: 100 });
+    await until((opened) => (location.hash.match(/view=[^&]*|lights=[^&]*/g)?.join() ?? "") !== opened, opened);
+    assert.equal(await ask(() => scrollY), 0, `${target}: the wheel scrolls the page`);
+    const zoomed = await state();
+    await drag(at, [40, 12]);
+    const dragged = await state();
+    acts.set(target, [zoomed.split("=")[0], dragged !== zoomed]);
+  }
+  assert.deepEqual(Object.fromEntries(acts), {
+    "#view": ["view", true],
+    "#handles .area": ["lights", true],
+    "#handle-aim": ["lights", true],
+    "#handle-0": ["view", true],
+    "#divided .divider": ["view", false],
+  });
 });
 
 quick("a light is selected in the picture and moved by keys", async () => {

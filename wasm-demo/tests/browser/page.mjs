@@ -143,7 +143,7 @@ quick("the wheel scrolls the page, unless the picture has the focus or with Ctrl
   // At the limit of the zoom the page scrolls, and a swipe always does.
   let taken = 0;
   while (taken < 20 && (await turns({ deltaY: 1000 }))) taken += 1;
-  must(taken, () => taken > 1 && taken < 20, "a limit after some turns");
+  must(taken, () => taken > 0 && taken < 20, "a limit after some turns");
   assert.ok(await turns({ deltaY: -100 }), "the wheel does not zoom back");
   assert.equal(await ask(() => getComputedStyle(document.getElementById("view")).touchAction), "pan-y");
 });
