@@ -180,7 +180,7 @@ impl Setting {
             Mark::Beam => Design { beam: Some(degrees), ..asked },
             Mark::Field => Design { field: Some(degrees), ..asked },
         };
-        let first = Design::edge_of(self.edge);
+        let first = Both::of(self.edge);
         let nearest = |edge| asked.with(mark, degrees, edge);
         let found = [first, Both::Fitted, Both::Soft].into_iter().find(|&edge| nearest(edge) == asked);
         let edge = found.unwrap_or(first);

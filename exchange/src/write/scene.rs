@@ -7,8 +7,11 @@ use super::{gltf, usd};
 use crate::refusal::Refusal;
 use crate::system::System;
 
+/// What writes a scene.
+type Writer = fn(&[Node]) -> String;
+
 /// Returns what a scene of a tool is called behind its name, and what writes it; `None` for a tool without one.
-fn kind(tool: System) -> Option<(&'static str, fn(&[Node]) -> String)> {
+fn kind(tool: System) -> Option<(&'static str, Writer)> {
     match tool {
         System::Usd => Some(("usda", usd::text)),
         System::Gltf => Some(("gltf", gltf::text)),
