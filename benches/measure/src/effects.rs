@@ -90,10 +90,36 @@ pub(crate) fn has_price(entry: &Entry, format: Format) -> bool {
     format == FX16 || entry.name != "lit_quick"
 }
 
-/// Whether a kernel is on record of every processor: a lit point by an evaluation, or an early-out.
-fn is_priced(name: &str) -> bool {
+/// The kernels beside lit points of which the demo counts a picture, on one processor and in every format.
+const OF_PICTURES: [&str; 19] = [
+    "lit-gobo",
+    "lit-shadow",
+    "haze",
+    "matte",
+    "clip",
+    "keep-hue",
+    "gray1",
+    "gray2",
+    "gray4",
+    "gray8",
+    "rgb332",
+    "rgb444",
+    "rgb555",
+    "rgb565",
+    "rgb565-dithered",
+    "rgb666",
+    "srgb",
+    "dither",
+    "palette",
+];
+
+/// Whether a kernel is on record of a processor in every format: a lit point by an evaluation, or an early-out; and
+/// what else pictures take on the smallest processor.
+fn is_priced(name: &str, board: &Board) -> bool {
     let kernel = name.split('.').next().unwrap_or_default();
-    ["away", "lit-specular"].contains(&kernel) || kernels().any(|own| own == kernel)
+    ["away", "lit-specular"].contains(&kernel)
+        || kernels().any(|own| own == kernel)
+        || (board.name == SUITED[0].0 && OF_PICTURES.contains(&kernel))
 }
 
 /// The costs of every kernel on a board.
@@ -129,7 +155,10 @@ pub(crate) fn counted(board: &'static Board, progress: &Progress) -> Result<Grou
     for format in FORMATS {
         let is_suited = SUITED.contains(&(board.name, format));
         let costs = of_format(format, board, progress)?;
-        costs.iter().filter(|cost| is_suited || is_priced(&cost.name)).for_each(|cost| add(&mut group, cost));
+        costs
+            .iter()
+            .filter(|cost| is_suited || is_priced(&cost.name, board))
+            .for_each(|cost| add(&mut group, cost));
         if is_suited {
             for_size(format, board, &mut group, progress)?;
         }
