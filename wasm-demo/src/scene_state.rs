@@ -39,6 +39,8 @@ plain! {
         "pairs": "number" = account.pairs() as f64,
         "evaluated": "number" = account.evaluated as f64,
         "evaluatedShining": "number" = account.evaluated_shining as f64,
+        "evaluatedThroughGobos": "number" = account.evaluated_through_gobos as f64,
+        "evaluatedInShadows": "number" = account.evaluated_in_shadows as f64,
         "evaluatedInAir": "number" = account.evaluated_in_air as f64,
         "dropped": "number" = account.dropped as f64,
         "kept": "number" = account.kept as f64,

@@ -15,7 +15,10 @@ const PATIENCE = 5000;
 /** The formats in fixed point, in words. */
 const NAMES = /** @type {const} */ ({ fx16: "16 bits", fx32: "32 bits" });
 
-/** @typedef {Record<"light" | "highlight", number>} Work */
+/**
+ * @typedef {Record<"light" | "colours" | "highlight" | "gobo" | "shadow" | "clip" | "hue" | "haze", number>
+ *   & { displays: Record<string, Record<"nearest" | "dithered", number>> }} Work instructions on a chip
+ */
 
 export class Verdict {
   #stage;
@@ -26,7 +29,7 @@ export class Verdict {
   /** The jobs of the last measurement. */
   #measured = "";
   /**
-   * The instructions for each light and pixel, by the format, once they are known.
+   * The instructions of the parts of a picture, by the format, once they are known.
    * @type {Promise<Record<string, Work>> | undefined}
    */
   #work;
@@ -71,6 +74,7 @@ export class Verdict {
     const stage = this.#stage;
     const format = this.#format;
     const jobs = [format, "f32"].map((name) => stage.jobIn(name));
+    const display = this.#display;
     const asked = jobs.join();
     if (asked === this.#measured) return;
     this.#measured = asked;
@@ -94,7 +98,7 @@ export class Verdict {
       const { differing, beyond, largest: most } = divided;
       divided.free();
       const difference = apart({ pixels: pictures[0].length / 4, differing, beyond, most }, "32-bit floats");
-      const price = await this.#price(format, account);
+      const price = await this.#price(format, { account, pixels: pictures[0].length / 4, ...display });
       // A later picture may have been measured in the meantime.
       if (asked === this.#measured) this.#tell(`${NAMES[format]}: ${difference}; ${price}.`, most > 0);
     } catch (refusal) {
@@ -131,21 +135,30 @@ export class Verdict {
     element("verdict-where").hidden = !differs;
   }
 
+  /** What the picture is encoded for. */
+  get #display() {
+    const isDithered = this.#stage.switches().some(({ effect, on }) => effect === "dither" && on);
+    return { name: String(this.#stage.get("display")), isDithered, keepsHue: this.#stage.get("tone") === true };
+  }
+
   /**
-   * What share of the instructions in floats the lights of this picture take.
+   * What share of the instructions in floats this picture takes.
    * @param {string} format
-   * @param {import("./pool.js").Account | undefined} account
+   * @param {{ account: import("./pool.js").Account | undefined, pixels: number, name: string, isDithered: boolean, keepsHue: boolean }} picture
    */
-  async #price(format, account) {
+  async #price(format, { account, pixels, name, isDithered, keepsHue }) {
     this.#work ??= fetchText("chips.json").then((text) => JSON.parse(text).work);
     const work = await this.#work;
     if (!account) throw new Error("the picture has no account");
-    const { evaluated, evaluatedShining, evaluatedInAir } = account;
-    const [own, floats] = [format, "f32"].map(
-      (name) => evaluated * work[name].light + evaluatedShining * work[name].highlight,
-    );
+    const { evaluated, evaluatedShining, evaluatedThroughGobos, evaluatedInShadows, evaluatedInAir } = account;
+    const [own, floats] = [format, "f32"].map((of) => {
+      const { light, colours, highlight, gobo, shadow, clip, hue, haze, displays } = work[of];
+      const code = displays[name][isDithered ? "dithered" : "nearest"];
+      const filters = evaluatedThroughGobos * gobo + evaluatedInShadows * shadow;
+      const lights = evaluated * (light + colours) + evaluatedShining * highlight + filters;
+      return lights + evaluatedInAir * haze + pixels * (code + (keepsHue ? hue : clip));
+    });
     const haze = evaluatedInAir > 0 ? "; haze in floats" : "";
-    if (floats === 0) return `no light is evaluated${haze}`;
     return `${Math.round((100 * own) / floats)} % of the best floats' instructions on an M0${haze}`;
   }
 }

@@ -25,6 +25,10 @@ pub struct Account {
     pub evaluated: u64,
     /// The pairs of `evaluated` that were evaluated with a highlight.
     pub evaluated_shining: u64,
+    /// The pairs of `evaluated` whose light has a gobo.
+    pub evaluated_through_gobos: u64,
+    /// The pairs of `evaluated` whose light has a shadow map.
+    pub evaluated_in_shadows: u64,
     /// The view rays along which the in-scattering of a beam was evaluated: those between the two
     /// planes through the eye that touch the beam.
     pub evaluated_in_air: u64,
@@ -54,14 +58,16 @@ impl Account {
 
     /// Adds one row of a re-lit tile.
     ///
-    /// `reached` is the number of lights that may reach the tile, `evaluated` the number of
-    /// evaluated lights, and `shining` the number of lights evaluated with a highlight.
-    pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: usize, shining: usize) {
-        let [pixels, reached, evaluated, shining] =
-            [pixels, reached, evaluated, shining].map(|count| count as u64);
+    /// `reached` is the number of lights that may reach the tile; `evaluated` the number of evaluated
+    /// lights, of those with a highlight, with a gobo and with a shadow map.
+    pub(crate) fn enter(&mut self, pixels: usize, reached: usize, evaluated: [usize; 4]) {
+        let [pixels, reached] = [pixels, reached].map(|count| count as u64);
+        let [evaluated, shining, gobos, shadows] = evaluated.map(|count| count as u64);
         let missed = u64::from(self.lights - self.lights_dropped) - reached;
         self.evaluated += evaluated * pixels;
         self.evaluated_shining += shining * pixels;
+        self.evaluated_through_gobos += gobos * pixels;
+        self.evaluated_in_shadows += shadows * pixels;
         self.missed_by_row += (reached - evaluated) * pixels;
         self.missed_by_tile += missed * pixels;
         self.kept -= (reached + missed) * pixels;

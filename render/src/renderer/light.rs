@@ -182,7 +182,11 @@ impl<S: Format> Renderer<S> {
             self.evaluated[block] = reaching.len().try_into().unwrap_or(u16::MAX);
             let column = block % self.geometry.columns;
             let pixels = LANES.min(self.width - column * LANES);
-            self.account.enter(pixels, reached.len(), reaching.len(), shining);
+            let count =
+                |has: fn(&Prepared<S>) -> bool| reaching.iter().filter(|fixture| has(fixture)).count();
+            let [gobos, shadows] =
+                [count(|fixture| fixture.gobo.is_some()), count(|fixture| fixture.shadow.is_some())];
+            self.account.enter(pixels, reached.len(), [reaching.len(), shining, gobos, shadows]);
         }
         if !seen.is_empty() {
             self.add_air(tile, rig.plan(), &seen);

@@ -5,7 +5,7 @@ use luminaire::{
     specular::SpecularLobe as _,
 };
 use luminaire_render::{
-    Format, Highlight, Material, Mesh, Renderer, Scene,
+    Account, Format, Highlight, Material, Mesh, Renderer, Scene,
     scenes::{Example, Setup, turntable},
 };
 use std::ops::Range;
@@ -188,6 +188,30 @@ fn a_highlight_is_evaluated_little_beyond_its_lobe() {
         (0.31..0.32).contains(&share) && (1.95..1.97).contains(&surplus),
         "{share}, {surplus}, expected share in 0.31..0.32 and surplus in 1.95..1.97"
     );
+}
+
+/// What gobos and shadow maps attenuate is what their lights evaluate alone.
+#[test]
+fn account_of_gobos_and_shadows_is_that_of_their_lights() {
+    let gobos = |account: Account| account.evaluated_through_gobos;
+    let shadows = |account: Account| account.evaluated_in_shadows;
+    check(Example::Show, |fixture| fixture.gobo().is_some(), gobos);
+    check(Example::ThreePoint, |fixture| fixture.shadow().is_some(), shadows);
+
+    fn check(example: Example, has: fn(&Fixture) -> bool, count: fn(Account) -> u64) {
+        let setup = example.setup().unwrap();
+        let account = |fixtures: &[Fixture]| {
+            let mut renderer = Renderer::<f32>::new(SIZE.0, SIZE.1).unwrap();
+            renderer.draw_geometry(&setup.scene, &setup.camera);
+            renderer.draw_light(fixtures).unwrap();
+            renderer.account()
+        };
+        let fixtures = setup.fixtures_at(0.0).unwrap();
+        let own: Vec<_> = fixtures.iter().copied().filter(has).collect();
+        let (all, own) = (account(&fixtures), account(&own));
+        assert!(0 < own.evaluated && own.evaluated < all.evaluated, "{}: {own:?}", example.name());
+        assert_eq!([count(all), count(own)], [own.evaluated; 2], "{}", example.name());
+    }
 }
 
 /// Draws a picture after another, and compares the re-lit pixels with the changed ones. Both ranges

@@ -91,6 +91,8 @@ impl<S: Format> Team<S> {
             (Account::pairs as fn(&Account) -> u64, "pairs"),
             (|account| account.evaluated, "evaluated"),
             (|account| account.evaluated_shining, "shining"),
+            (|account| account.evaluated_through_gobos, "through gobos"),
+            (|account| account.evaluated_in_shadows, "in shadows"),
             (|account| account.evaluated_in_air, "in air"),
             (|account| account.kept, "kept"),
             (|account| account.tiles.into(), "tiles"),

@@ -37,6 +37,22 @@ const EVALUATIONS: [&str; 4] = ["fx16-quick", "fx16", "fx32", "f32"];
 /// "Floats in software" in `docs/PRICES.md`.
 const FLOATS: f64 = 1733.0;
 
+/// The displays of the demo, each with the kernels of its codes without and with dither. Where one was counted, it stands
+/// for both.
+const DISPLAYS: [(&str, [&str; 2]); 11] = [
+    ("gray1", ["gray1"; 2]),
+    ("gray2", ["gray2"; 2]),
+    ("gray4", ["gray4"; 2]),
+    ("gray8", ["gray8"; 2]),
+    ("rgb332", ["rgb332"; 2]),
+    ("rgb444", ["rgb444"; 2]),
+    ("rgb555", ["rgb555"; 2]),
+    ("rgb565", ["rgb565", "rgb565-dithered"]),
+    ("rgb666", ["rgb666"; 2]),
+    ("rgb888", ["srgb", "dither"]),
+    ("acep", ["palette"; 2]),
+];
+
 /// The stage of the recorded picture that depends on the evaluation of the light.
 const LIGHT: &str = "frame.light";
 
@@ -53,7 +69,7 @@ fn read(docs: &Path, name: &str) -> Result<Value> {
 }
 
 /// The chips, each with the instructions and cycles of the recorded picture but for its lit points, and the
-/// [`work`] of the lights of any picture.
+/// [`work`] of any picture.
 /// `reached` is the number of lit points: what a shadow covers is lit before the shadow is known.
 fn list(record: &Value) -> Result<Value> {
     let pixels = |name: &str| {
@@ -80,18 +96,37 @@ fn list(record: &Value) -> Result<Value> {
     }))
 }
 
-/// Instructions on a Cortex-M0 for each light and pixel of a picture, in each format and in the best floats: of a
-/// lit point, and of its highlight.
+/// Instructions on a Cortex-M0 of a picture, in each format and in the best floats. For each light and pixel: of a lit
+/// point, of its colours, and what its highlight, gobo and shadow map add. For each pixel: of the two ways to limit
+/// light, and of the codes of each display without and with dither. For each view ray through a beam: of haze, which
+/// pictures of all formats have in floats.
 ///
-/// Of the best floats a lit point was counted; their highlight is that of Rust's floats by the same factor.
+/// Of the best floats a lit point was counted; the others are those of Rust's floats by the same factor.
 fn work(figures: &Value) -> Result<Value> {
     let counted = |kernel: &str, format: &str| price(figures, kernel, format, "instructions");
     let best = FLOATS / counted("lit-inverse-square", "f32")?;
+    let haze = best * counted("haze", "f32")?;
     let mut work = BTreeMap::new();
     for (format, factor) in [("fx16", 1.0), ("fx32", 1.0), ("f32", best)] {
-        let light = factor * counted("lit-inverse-square", format)?;
-        let highlight = factor * (counted("lit-specular", format)? - counted("lit", format)?);
-        work.insert(format, json!({ "light": light, "highlight": highlight }));
+        let of = |kernel: &str| Ok::<_, anyhow::Error>(factor * counted(kernel, format)?);
+        let over = |kernel: &str, base: &str| Ok::<_, anyhow::Error>(of(kernel)? - of(base)?);
+        let displays = DISPLAYS.iter().map(|(name, [nearest, dithered])| {
+            Ok((*name, json!({ "nearest": of(nearest)?, "dithered": of(dithered)? })))
+        });
+        work.insert(
+            format,
+            json!({
+                "light": of("lit-inverse-square")?,
+                "colours": over("matte", "directional")?,
+                "highlight": over("lit-specular", "lit")?,
+                "gobo": over("lit-gobo", "lit")?,
+                "shadow": over("lit-shadow", "lit")?,
+                "clip": of("clip")?,
+                "hue": of("keep-hue")?,
+                "displays": displays.collect::<Result<BTreeMap<_, _>>>()?,
+                "haze": haze,
+            }),
+        );
     }
     Ok(json!(work))
 }
@@ -149,6 +184,36 @@ mod tests {
                 assert!((-0.1..0.35).contains(&error), "{name}: {estimated} {unit}, {counted} were counted");
             }
         }
+    }
+
+    /// Every part of a picture in floats takes more instructions than in 16 bits.
+    #[test]
+    fn the_parts_of_a_picture_take_more_in_floats() {
+        fn compare(part: &str, fixed: &Value, floats: &Value) {
+            match (fixed.as_object(), fixed.as_f64(), floats.as_f64()) {
+                (Some(parts), ..) => {
+                    parts.iter().for_each(|(name, fixed)| compare(name, fixed, &floats[name]));
+                }
+                (_, Some(fixed), Some(floats)) if part == "haze" => assert_eq!(fixed, floats),
+                (_, Some(fixed), Some(floats)) => {
+                    assert!(0.0 < fixed && fixed < floats, "{part}: {fixed}, {floats} in floats");
+                }
+                _ => panic!("{part} is no number: {fixed}, {floats}"),
+            }
+        }
+        let record = read(&project::root().join("docs"), "prices.json").unwrap();
+        let work = work(&record[CHIPS[0].name]["figures"]).unwrap();
+        compare("all", &work["fx16"], &work["f32"]);
+        assert_eq!(work["f32"]["light"], FLOATS);
+    }
+
+    #[test]
+    fn the_displays_are_those_of_the_renderer() {
+        let source = fs::read_to_string(project::root().join("render/src/renderer/display.rs")).unwrap();
+        let (_, list) = source.split_once("\noutputs! {").unwrap();
+        let (list, _) = list.split_once("\n}").unwrap();
+        let names = list.lines().filter_map(|line| Some(line.split_once(" = \"")?.1.split_once('"')?.0));
+        assert_eq!(names.chain(["acep"]).collect::<Vec<_>>(), DISPLAYS.map(|(name, _)| name));
     }
 
     #[test]
