@@ -1,7 +1,8 @@
 //! Pictures of the renderer, lit again pixel by pixel by the kernel alone.
 //!
 //! The build script draws them in `Fx16`. The program has the points, normals and materials of their pixels,
-//! their shadow maps and compiled lights, and no float.
+//! their shadow maps and compiled lights, and no float. The renderer has its haze in floats: the pixels of a picture in
+//! haze are those that the build script draws with the kernel on the host.
 
 use bytemuck::cast_slice;
 use luminaire::{
@@ -9,6 +10,7 @@ use luminaire::{
     attenuation::AnyAttenuation,
     display::{Pixel as _, Rgb565, clip, compress_keep_hue, encode_srgb},
     falloff::AnyFalloff,
+    haze::BeamScattering16,
     light::{CompiledSpotLight, LightModel as _, SurfacePoint},
     number::Light16,
     projector::{CompiledGobo, CompiledProjection, Shadow},
@@ -20,11 +22,12 @@ use crate::board::{begin, end, println};
 /// The highlight of all surfaces.
 type Highlight = DifferenceForm<MirroredPhong, 3>;
 
-/// A light with its gobo, and its shadow map: projection, side in texels and depths.
+/// A light with its gobo, its shadow map: projection, side in texels and depths; and its beam in haze.
 struct Fixture {
     light: CompiledSpotLight<Fx16, AnyFalloff, AnyAttenuation>,
     gobo: Option<CompiledGobo<'static, Fx16>>,
     shadow: Option<(CompiledProjection<Fx16>, u32, &'static [u8])>,
+    beam: Option<BeamScattering16<AnyFalloff>>,
 }
 
 /// A material: its albedo, and the colour and the constants of its highlight.
@@ -61,7 +64,7 @@ macro_rules! file {
     }};
 }
 
-static PICTURES: [Picture; 7] = include!(concat!(env!("OUT_DIR"), "/pictures.rs"));
+static PICTURES: [Picture; 8] = include!(concat!(env!("OUT_DIR"), "/pictures.rs"));
 
 /// Lights every pixel of every picture, and prints for each picture the number of pixels, how many of them
 /// differ from the renderer's, and the place of the first of these.
@@ -86,7 +89,8 @@ impl Picture {
         let codes = self.codes.chunks_exact(3);
         let (mut different, mut first) = (0, None);
         for (index, (((point, normal), material), expected)) in pixels.zip(codes).enumerate() {
-            let light = self.light(*point, *normal, &self.finishes[usize::from(*material)]);
+            let light =
+                self.light(*point, *normal, &self.finishes[usize::from(*material)]) + self.air(*point);
             let color = if self.keeps_hue { compress_keep_hue(light) } else { clip(light) };
             let place = [index % self.width, index / self.width].map(|place| place as u32);
             let Rgb { red, green, blue } = (self.encode)(color, place[0], place[1]);
@@ -96,6 +100,17 @@ impl Picture {
             }
         }
         (different, first)
+    }
+
+    /// Returns the light that the haze scatters to the eye before a surface point.
+    fn air(&self, point: Vec3<Length>) -> Rgb<Light16> {
+        let mut light = Rgb::default();
+        for fixture in self.fixtures {
+            if let Some(beam) = &fixture.beam {
+                light += Rgb::lit(beam.in_scattering(self.eye, point), fixture.light.color());
+            }
+        }
+        light
     }
 
     /// Returns the light that a surface point reflects to the eye.
