@@ -1,6 +1,6 @@
 // The stage: its pictures, its scenes and effects, its state and the address, and the camera.
 import {
-  EXPECT, STILL, account, ask, assert, change, choose, count, drag, draws, drawn, enter, follow, go, isChecked, isDisabled, isLit,
+  EXPECT, STILL, account, ask, assert, change, choose, count, drag, draws, drawn, enter, follow, go, hash, isChecked, isDisabled, isLit,
   isShown, isWritten, more, must, number, open, options, pause, place, press, quick, redraw, resize, scenes, settle, shows, sum, survey,
   tab, until, value, words, written,
 } from "./visit.mjs";
@@ -255,13 +255,15 @@ quick("every setting is kept by the address", async () => {
 
 quick("an address that was passed on opens the same picture", async () => {
   await open(`?workers=0&rest=0&width=64&height=36${LINK}`);
-  const [expected, address] = [await sum(), await isWritten(/lights=/)];
+  await written();
+  const [expected, address] = [await sum(), await hash()];
   for (const [name, change] of Object.entries(CHANGES)) {
     await go("stage?scene=bare-spot&play=none");
     await redraw(name, () => ask((hash) => void (location.hash = hash), change(LINK)));
     assert.deepEqual([await sum(), await words("stage-error")], [expected, ""], name);
   }
-  assert.equal(await isWritten(/lights=/), address);
+  await written();
+  assert.equal(await hash(), address);
   await open(`?fbclid=IwAR0&workers=0&rest=0&width=64&height=36&utm_source=x${LINK}`);
   assert.deepEqual([await sum(), await shows("trouble")], [expected, false], "with parameters before the #");
 });
