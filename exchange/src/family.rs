@@ -35,11 +35,12 @@ impl Family {
         matches!(self, Self::Inverted { .. } | Self::Cosine | Self::Power)
     }
 
-    /// Returns whether an inner angle at the outer one is a step: the full intensity up to there.
-    pub(crate) fn has_step(self) -> bool {
+    /// Returns the parameters of a step at a half angle in radians; `None` for a family without one.
+    pub(crate) fn step(self, end: f64) -> Option<Free> {
         match self {
-            Self::SmoothCosine | Self::SmoothAngle | Self::Power => true,
-            Self::SquareCosine { .. } | Self::Inverted { .. } | Self::Cosine => false,
+            Self::SmoothCosine | Self::SmoothAngle | Self::Power => Some([end, end, 1.0]),
+            Self::Cosine => Some([end, 0.0, 0.0]),
+            Self::SquareCosine { .. } | Self::Inverted { .. } => None,
         }
     }
 
@@ -56,7 +57,7 @@ impl Family {
             _ => 1e-3..=64.0,
         };
         (NARROWEST..=widest).contains(&outer)
-            && ((0.0..outer).contains(&inner) || self.has_step() && inner == outer)
+            && ((0.0..outer).contains(&inner) || self.step(outer) == Some([outer, inner, exponent]))
             && outer - inner >= self.apart()
             && exponents.contains(&exponent)
     }

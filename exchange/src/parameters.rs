@@ -165,9 +165,8 @@ impl<'a> Target<'a> {
         };
         let found = (free, residual(free));
         // A search that compares places does not end at a step between two of them.
-        let step = [end, end, 1.0];
-        let step = (family.has_step() && family.accepts(step, widest)).then(|| (step, residual(step)));
-        step.filter(|(_, own)| own.bound <= found.1.bound).unwrap_or(found)
+        let step = family.step(end).filter(|&step| family.accepts(step, widest));
+        step.map(|step| (step, residual(step))).filter(|(_, own)| own.bound <= found.1.bound).unwrap_or(found)
     }
 }
 

@@ -6,6 +6,8 @@ use luminaire_exchange::{Lamp, Lamps, Reading, read_beside};
 /// A file that shines down and up: 1,000 cd on the axis, 100 cd up.
 const BOTH: &str =
     "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 5 1 1 2 0 0 0\n1 1 0\n0 45 90 135 180\n0\n1000 500 0 50 100\n";
+/// A file of LM-63-1986, which begins with its tilt and ends with its last intensity.
+const EDGED: &str = "TILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 0\n0 20 40\n0\n1000 500 100";
 const UNEVEN: &str =
     "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 2 1 2 0 0 0\n1 1 0\n0 90\n0 180\n1000 0 1000 500\n";
 
@@ -20,7 +22,8 @@ fn beside(name: &str) -> Result<Vec<u8>, String> {
             Ok(format!("{head}{angles}0\n{}", "9\n".repeat(20_001)).into())
         }
         "none.ies" => Ok(b"no photometry".to_vec()),
-        "all.bin" => Ok([b"before", &include_bytes!("files/spot.ies")[..], b"after"].concat()),
+        "edged.ies" => Ok(EDGED.into()),
+        "all.bin" => Ok([b"before", EDGED.as_bytes(), b"after"].concat()),
         "short.bin" => Ok(b"before".to_vec()),
         other => Err(format!("no file {other}")),
     }
@@ -151,11 +154,12 @@ fn glb(text: &str, bytes: &[u8]) -> Vec<u8> {
 /// Wherever a profile is, its light is that of the same file beside the scene.
 #[test]
 fn profile_within_a_file_of_gltf_is_that_of_a_file_beside_it() {
-    let spot = include_bytes!("files/spot.ies");
-    let expected = scene("a.gltf", &node(r#"{"uri":"spot.ies"}"#, "")).lamps;
+    // Without its first or its last byte it is no file, or another one.
+    let spot = EDGED.as_bytes();
+    let expected = scene("a.gltf", &node(r#"{"uri":"edged.ies"}"#, "")).lamps;
     assert!(expected[0].measured.is_some());
     let (coded, length) = (base64(spot), spot.len());
-    let (all, view) = (base64(&[b"before", &spot[..], b"after"].concat()), r#"{"bufferView":1}"#);
+    let (all, view) = (base64(&[b"before", spot, b"after"].concat()), r#"{"bufferView":1}"#);
     let views = format!(r#","bufferViews":[{{}},{{"buffer":0,"byteOffset":6,"byteLength":{length}}}]"#);
     for (profile, members) in [
         (format!(r#"{{"uri":"data:application/x-ies-lm-63;base64,{coded}"}}"#), String::new()),
@@ -165,7 +169,7 @@ fn profile_within_a_file_of_gltf_is_that_of_a_file_beside_it() {
         assert_eq!(scene("a.gltf", &node(&profile, &members)).lamps, expected, "{profile}{members}");
     }
     let text = node(view, &format!(r#"{views},"buffers":[{{}}]"#));
-    let binary = glb(&text, &[b"before", &spot[..], b"after"].concat());
+    let binary = glb(&text, &[b"before", spot, b"after"].concat());
     let read =
         |bytes: &[u8]| read_beside("a.glb", bytes, None, Reading::default(), &beside).expect("a scene");
     assert_eq!(read(&binary).lamps, expected);
