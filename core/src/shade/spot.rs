@@ -1,15 +1,13 @@
 //! Spotlights, compiled.
 
-use super::{
-    Incident, LightModel, fill_in_vectors, has_vectors, lobe, reaches, sealed::Sealed, spot_in_vectors,
-};
+use super::{Incident, LightModel, lobe, reaches, sealed::Sealed, spot_in_vectors};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
     falloff::{Falloff, Soft},
     number::{Fraction, Lamp, Offset, Ray, Scalar, Share},
-    points::{Points, SurfacePoint, SurfacePoints},
+    points::{SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -253,25 +251,6 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
         };
         let light = (&lamp, self.cone.curve);
         A::IS_INVERSE_SQUARE && spot_in_vectors::<S, S::Offset, P, H, N>(light, surfaces, highlight, arrivals)
-    }
-
-    #[inline]
-    fn fill<F: Points<S>>(
-        &self,
-        points: &F,
-        normal: impl Fn(usize) -> Vec3<S>,
-        arrived: &mut [S::Irradiance],
-    ) {
-        let each = |first: usize, arrived: &mut [S::Irradiance]| {
-            for (i, arrived) in (first..).zip(arrived) {
-                *arrived = self.irradiance(points.at(i), normal(i));
-            }
-        };
-        if has_vectors::<S, S::Offset, P, A>(self.cone.curve) {
-            fill_in_vectors(self, points, &normal, arrived, each);
-        } else {
-            each(0, arrived);
-        }
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {
