@@ -87,6 +87,21 @@ export class Pool {
    * @returns {Promise<Drawn>}
    */
   async draw(job, onfree = () => {}) {
+    // Each picture has its own attempts.
+    if (this.#replaced > REPLACED) {
+      this.#replaced = 0;
+      this.#start();
+    }
+    return this.#attempt(job, onfree);
+  }
+
+  /**
+   * Draws a picture, again if a worker ends.
+   * @param {string} job
+   * @param {() => void} onfree
+   * @returns {Promise<Drawn>}
+   */
+  async #attempt(job, onfree) {
     try {
       const drawn = await this.#draw(job, onfree);
       this.#replaced = 0;
@@ -94,7 +109,7 @@ export class Pool {
     } catch (error) {
       if (!(error instanceof Ended)) throw error;
       if (this.#replaced > REPLACED) throw `The browser has ended what draws, ${this.#replaced} times: expected memory for ${this.#count} workers. Close other pages, and choose the scene again.`;
-      return this.draw(job, onfree);
+      return this.#attempt(job, onfree);
     }
   }
 
@@ -177,7 +192,7 @@ export class Pool {
 
   /** The memory of all workers' modules in bytes. */
   async memory() {
-    await this.#opening;
+    await this.#isOpen();
     const sizes = await all(this.#helpers.map((helper) => helper.ask("memory")));
     return sizes.reduce((sum, size) => sum + size, 0);
   }
@@ -198,11 +213,17 @@ export class Pool {
     this.#opening.catch(() => {});
   }
 
-  /** Replaces all workers when one has ended: the others may wait for its shadow maps. */
+  /**
+   * Replaces all workers when one has ended: the others may wait for its shadow maps. If too many have ended, the next
+   * picture starts others.
+   */
   #replace() {
     this.#replaced += 1;
-    for (const helper of this.#helpers) helper.end(new Ended("A worker has ended."));
-    this.#start();
+    const ended = new Ended("A worker has ended.");
+    for (const helper of this.#helpers) helper.end(ended);
+    if (this.#replaced <= REPLACED) return this.#start();
+    this.#opening = Promise.reject(ended);
+    this.#opening.catch(() => {});
   }
 
   async #open() {
@@ -232,13 +253,18 @@ export class Pool {
     if (this.#helpers.length === 0) this.#local = new Share(0, 1);
   }
 
+  /** Waits for the workers, and for those that replace them meanwhile. */
+  async #isOpen() {
+    for (let opening; opening !== this.#opening; ) await (opening = this.#opening);
+  }
+
   /**
    * Waits for the workers, and for the painters in 32 bits if any of these jobs needs them.
    * Rejects with a string if those can't be loaded; the next job tries again.
    * @param {string[]} jobs
    */
   async #equip(jobs) {
-    await this.#opening;
+    await this.#isOpen();
     if (this.#isEquipped || jobs.every((job) => Painter.draws(job))) return;
     await built("wide");
     try {

@@ -13,10 +13,10 @@ let memory;
  * @type {Record<string, (order: any) => any>}
  */
 const acts = {
-  async open({ module, share: number, count, ports, lock }) {
+  hold: ({ lock }) => hold(lock),
+  open({ module, share: number, count, ports }) {
     ({ memory } = initSync({ module }));
     share = new Share(number, count, ports);
-    await hold(lock);
   },
   equip: (order) => share.equip(order),
   draw: (order) => share.draw(order),

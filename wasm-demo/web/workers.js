@@ -64,9 +64,11 @@ export class Helper {
    * @param {MessagePort[]} ports
    */
   async open(order, ports) {
-    await this.ask("open", { ...order, ports, lock: this.#lock }, ports);
-    // It is granted when the worker has ended.
-    navigator.locks?.request(this.#lock, () => this.#broken ?? this.onended()).catch(() => {});
+    const isHeld = this.ask("hold", { lock: this.#lock });
+    // It is granted when the worker has ended, as it may for want of memory while it opens.
+    const watch = () => navigator.locks?.request(this.#lock, () => this.#broken ?? this.onended());
+    isHeld.then(watch).catch(() => {});
+    await Promise.all([isHeld, this.ask("open", { ...order, ports }, ports)]);
   }
 
   /**

@@ -52,38 +52,54 @@ quick("the page draws by itself where workers do not start", async () => {
   }
 }, { fails: true });
 
-/** A browser whose workers can be ended as it ends them for want of memory: no event tells that. */
-const KEEPS = "window.Worker = class extends Worker { constructor(...given) { super(...given); (window.workers ??= []).push(this); } }";
+/**
+ * A browser whose workers can be ended as it ends them for want of memory: no event tells that. Those of the picture are the
+ * only two that share one. Those that are ruined end when they get this order, and hold their lock by then.
+ */
+const KEEPS = `
+  window.workers = [];
+  const { postMessage } = Worker.prototype;
+  const isHeld = async (name) => (await navigator.locks.query()).held.some((lock) => lock.name === name);
+  Worker.prototype.postMessage = async function (message, ...given) {
+    if (message.act === "hold") this.lock = message.lock;
+    if (message.act === "open" && message.count === 2) window.workers.push(this);
+    if (message.act !== window.ruined) return postMessage.call(this, message, ...given);
+    while (!(await isHeld(this.lock)));
+    this.terminate();
+  };`;
 
 quick("workers that end are replaced, or the page says that they end", async () => {
   await open("?width=320&height=200&workers=2#stage?play=none&scene=three-point", { script: KEEPS });
   const expected = await sum();
-  const count = () => ask(() => window.workers.length);
-  const before = await count();
   // While nothing is drawn, and while a picture is being drawn.
   await ask(() => window.workers[0].terminate());
-  await until((before) => window.workers.length === before + 2, before);
+  await until(() => window.workers.length === 4);
   for (let step = 0; step < 2; step += 1) await change("a light", () => press("light-1-on"));
   assert.equal(await sum(), expected);
   await ask(() => {
     document.getElementById("light-1-on").click();
-    requestAnimationFrame(() => setTimeout(() => window.workers.at(-1).terminate()));
+    requestAnimationFrame(() => setTimeout(() => window.workers[3].terminate()));
   });
-  await until((before) => window.workers.length === before + 4, before);
+  await until(() => window.workers.length === 6);
   await settle();
   await change("a light", () => press("light-1-on"));
   assert.deepEqual([await sum(), await words("stage-error"), await shows("trouble")], [expected, "", false]);
-  // Each one that starts ends before it has drawn.
-  await ask(() => {
-    const { postMessage } = Worker.prototype;
-    Worker.prototype.postMessage = function (message, ...given) {
-      if (message.act === "draw") this.terminate();
-      else postMessage.call(this, message, ...given);
-    };
-    document.getElementById("light-1-on").click();
-  });
-  await until(() => document.getElementById("stage-error").textContent);
-  assert.match(await words("stage-error"), /^The browser has ended what draws, 3 times: expected memory for 2 workers\./);
+  // Each one that starts ends before it has drawn, or before it could draw.
+  for (const act of ["draw", "open"]) {
+    await ask((act) => {
+      window.ruined = act;
+      window.workers.at(-1).terminate();
+      document.getElementById("light-1-on").click();
+    }, act);
+    await until(() => document.getElementById("stage-error").textContent);
+    assert.match(await words("stage-error"), /^The browser has ended what draws, 3 times: expected memory for 2 workers\./);
+    // The next picture has its own attempts.
+    await ask(() => (window.ruined = undefined));
+    await press("light-1-on");
+    await settle();
+    for (let step = 0; step < 2; step += 1) await change("a light", () => press("light-1-on"));
+    assert.deepEqual([await sum(), await words("stage-error")], [expected, ""]);
+  }
 });
 
 /** Drags a slider from a value on. */
