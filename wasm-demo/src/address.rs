@@ -2,10 +2,9 @@
 //!
 //! It begins with the version and the scene, and has only what differs from the scene as it opens, in
 //! the order of [`PARAMETERS`]. Numbers of one value are separated by `/`, and lights by `_`: most programs that find
-//! addresses in a text end them at a `;`, which older addresses have. A name that is no parameter is ignored, because
-//! trackers add some. A light is
-//! its number in the scene, or a range of lights without settings, as in `3-7`; the number after the last
-//! one is a light that the visitor has added. Its [`SETTINGS`] follow, each with `:`, a letter and a value.
+//! addresses in a text end them at a `;`, which older addresses have. A name that is no parameter is
+//! ignored, because trackers add some. A light is its number in the scene, or a range of lights without
+//! settings, as in `3-7`; the number after the last one is a light that the visitor has added. Its [`SETTINGS`] follow, each with `:`, a letter and a value.
 
 use crate::{
     decimal::{numbers, read, read_numbers},

@@ -249,15 +249,8 @@ impl Rig {
     }
 
     /// Returns the plan of the effects that the scene and these fixtures need.
-    fn plan(&self, fixtures: &[Fixture]) -> RenderPlan {
+    pub(crate) fn plan(&self, fixtures: &[Fixture]) -> RenderPlan {
         fixtures.iter().fold(self.scene.plan(), RenderPlan::with_fixture)
-    }
-
-    /// Returns the plan of the effects that the picture of a state needs.
-    #[cfg(test)]
-    pub(crate) fn plan_of(&self, state: &State) -> Result<RenderPlan, Error> {
-        let plan = self.plan(&self.fixtures_at(state.seconds[0])?);
-        Ok(if self.has(state, Effect::Dither) { plan.with(Effect::Dither) } else { plan })
     }
 
     /// The display of the picture.

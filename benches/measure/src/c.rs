@@ -256,7 +256,7 @@ fn compiled(compiler: &str, options: &[&str], files: &[PathBuf]) -> Result<PathB
     let (root, program) = (project::root(), project::target().join(format!("calls-{compiler}")));
     let mut compile = Command::new(compiler);
     // Files that options name are relative to it.
-    compile.current_dir(&root);
+    compile.current_dir(root);
     compile.args(["-std=c99", "-Wall", "-Wextra", "-Wpedantic"]).args(options);
     compile.arg("-I").arg(root.join(LIBRARY)).args(files);
     compile.args(["-lm", "-o"]).arg(&program);

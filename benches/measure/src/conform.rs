@@ -85,7 +85,7 @@ fn cases(vectors: &str) -> usize {
 fn check(target: Target, progress: &Progress) -> Result<Vec<String>> {
     let outputs = match target {
         Target::Errors | Target::Browser { simd: false } | Target::OfC(_) => {
-            bail!("target = {}: expected host, wasm-simd or a processor", target.name())
+            bail!("target = {}: expected host, wasm-simd or a processor with kernels in Rust", target.name())
         }
         // Optimised and without overflow checks: an overflow would wrap unnoticed. The tests of
         // `cargo test` check the vectors with overflow checks.

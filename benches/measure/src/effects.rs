@@ -12,6 +12,7 @@ use crate::documents::kernels;
 use crate::program::Program;
 use crate::record::Group;
 use crate::target::Board;
+use tools::demo::chips;
 use tools::progress::Progress;
 use tools::project;
 
@@ -90,36 +91,13 @@ pub(crate) fn has_price(entry: &Entry, format: Format) -> bool {
     format == FX16 || entry.name != "lit_quick"
 }
 
-/// The kernels beside lit points of which the demo counts a picture, on one processor and in every format.
-const OF_PICTURES: [&str; 19] = [
-    "lit-gobo",
-    "lit-shadow",
-    "haze",
-    "matte",
-    "clip",
-    "keep-hue",
-    "gray1",
-    "gray2",
-    "gray4",
-    "gray8",
-    "rgb332",
-    "rgb444",
-    "rgb555",
-    "rgb565",
-    "rgb565-dithered",
-    "rgb666",
-    "srgb",
-    "dither",
-    "palette",
-];
-
 /// Whether a kernel is on record of a processor in every format: a lit point by an evaluation, or an early-out; and
 /// what else pictures take on the smallest processor.
 fn is_priced(name: &str, board: &Board) -> bool {
     let kernel = name.split('.').next().unwrap_or_default();
     ["away", "lit-specular"].contains(&kernel)
         || kernels().any(|own| own == kernel)
-        || (board.name == SUITED[0].0 && OF_PICTURES.contains(&kernel))
+        || (board.name == SUITED[0].0 && chips::kernels().any(|own| own == kernel))
 }
 
 /// The costs of every kernel on a board.

@@ -23,7 +23,7 @@ pub mod steps;
 mod target;
 mod timed;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use tools::progress::Progress;
 
 use record::Record;
@@ -51,11 +51,13 @@ pub fn run(options: &MeasureOptions) -> Result<()> {
     let progress = Progress::Live;
     let targets = if options.targets.is_empty() { Target::all() } else { options.targets.clone() };
     if let Some(kernel) = &options.by_symbol {
-        let boards = targets.into_iter().filter_map(|target| match target {
-            Target::Board(board) => Some(board),
-            _ => None,
+        // Without a name, every processor with kernels in Rust.
+        let isnt_named = options.targets.is_empty();
+        return targets.into_iter().try_for_each(|target| match target {
+            Target::Board(board) => by_symbol(kernel, board, &progress),
+            _ if isnt_named => Ok(()),
+            _ => bail!("target = {}: expected a processor with kernels in Rust", target.name()),
         });
-        return boards.into_iter().try_for_each(|board| by_symbol(kernel, board, &progress));
     }
     let mut now = Record::default();
     for target in targets {

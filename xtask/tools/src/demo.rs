@@ -1,7 +1,7 @@
 //! The browser demo: building its folder.
 
 mod chip;
-mod chips;
+pub mod chips;
 mod licenses;
 pub mod publish;
 mod shrink;

@@ -188,10 +188,10 @@ mod tests {
             ),
             (
                 &QEMU,
-                "no qemu-system-arm or qemu-system-riscv32 is found: on Debian, as root, `apt-get install \
-                 qemu-system-arm qemu-system-misc qemu-system-common qemu-system-data`",
-                "no qemu-system-arm or qemu-system-riscv32 is found: `brew install qemu`",
-                "no qemu-system-arm or qemu-system-riscv32 is found: `winget install \
+                "no qemu-system-arm or qemu-system-riscv32 or qemu-system-xtensa is found: on Debian, as root, \
+                 `apt-get install qemu-system-arm qemu-system-misc qemu-system-common qemu-system-data`",
+                "no qemu-system-arm or qemu-system-riscv32 or qemu-system-xtensa is found: `brew install qemu`",
+                "no qemu-system-arm or qemu-system-riscv32 or qemu-system-xtensa is found: `winget install \
                  SoftwareFreedomConservancy.QEMU`, then open a new terminal",
             ),
         ] {

@@ -29,7 +29,9 @@ fn in_floats(scene: Example) -> Stage {
 }
 
 fn effects(stage: &Stage) -> Effects {
-    stage.rig().plan_of(stage.state()).unwrap().effects()
+    let (rig, state) = (stage.rig(), stage.state());
+    let plan = rig.plan(&rig.fixtures_at(state.seconds[0]).unwrap());
+    if rig.has(state, Effect::Dither) { plan.with(Effect::Dither).effects() } else { plan.effects() }
 }
 
 fn light(stage: &Stage, light: usize) -> LightState {

@@ -37,6 +37,21 @@ const EVALUATIONS: [&str; 4] = ["fx16-quick", "fx16", "fx32", "f32"];
 /// "Floats in software" in `docs/PRICES.md`.
 const FLOATS: f64 = 1733.0;
 
+/// The parts of a picture beside codes and haze: the kernel of each, and the kernel without that part if it is counted
+/// within another.
+const PARTS: [(&str, &str, Option<&str>); 7] = [
+    ("light", "lit-inverse-square", None),
+    ("colours", "matte", Some("directional")),
+    ("highlight", "lit-specular", Some("lit")),
+    ("gobo", "lit-gobo", Some("lit")),
+    ("shadow", "lit-shadow", Some("lit")),
+    ("clip", "clip", None),
+    ("hue", "keep-hue", None),
+];
+
+/// The kernel of a view ray through a beam.
+const HAZE: &str = "haze";
+
 /// The displays of the demo, each with the kernels of its codes without and with dither. Where one was counted, it stands
 /// for both.
 const DISPLAYS: [(&str, [&str; 2]); 11] = [
@@ -55,6 +70,12 @@ const DISPLAYS: [(&str, [&str; 2]); 11] = [
 
 /// The stage of the recorded picture that depends on the evaluation of the light.
 const LIGHT: &str = "frame.light";
+
+/// The kernels of which pictures are counted, in every format on the first of the chips. A name may come twice.
+pub fn kernels() -> impl Iterator<Item = &'static str> {
+    let parts = PARTS.iter().flat_map(|(_, kernel, without)| [Some(*kernel), *without]).flatten();
+    parts.chain([HAZE]).chain(DISPLAYS.iter().flat_map(|(_, codes)| *codes))
+}
 
 /// Writes the list into the demo's folder, from the record in `docs`.
 pub(super) fn write(docs: &Path, site: &Path) -> Result<()> {
@@ -104,29 +125,21 @@ fn list(record: &Value) -> Result<Value> {
 /// Of the best floats a lit point was counted; the others are those of Rust's floats by the same factor.
 fn work(figures: &Value) -> Result<Value> {
     let counted = |kernel: &str, format: &str| price(figures, kernel, format, "instructions");
-    let best = FLOATS / counted("lit-inverse-square", "f32")?;
-    let haze = best * counted("haze", "f32")?;
+    let best = FLOATS / counted(PARTS[0].1, "f32")?;
+    let haze = best * counted(HAZE, "f32")?;
     let mut work = BTreeMap::new();
     for (format, factor) in [("fx16", 1.0), ("fx32", 1.0), ("f32", best)] {
         let of = |kernel: &str| Ok::<_, anyhow::Error>(factor * counted(kernel, format)?);
-        let over = |kernel: &str, base: &str| Ok::<_, anyhow::Error>(of(kernel)? - of(base)?);
+        let mut all = serde_json::Map::new();
+        for (part, kernel, without) in PARTS {
+            all.insert(part.to_owned(), json!(of(kernel)? - without.map_or(Ok(0.0), of)?));
+        }
         let displays = DISPLAYS.iter().map(|(name, [nearest, dithered])| {
             Ok((*name, json!({ "nearest": of(nearest)?, "dithered": of(dithered)? })))
         });
-        work.insert(
-            format,
-            json!({
-                "light": of("lit-inverse-square")?,
-                "colours": over("matte", "directional")?,
-                "highlight": over("lit-specular", "lit")?,
-                "gobo": over("lit-gobo", "lit")?,
-                "shadow": over("lit-shadow", "lit")?,
-                "clip": of("clip")?,
-                "hue": of("keep-hue")?,
-                "displays": displays.collect::<Result<BTreeMap<_, _>>>()?,
-                "haze": haze,
-            }),
-        );
+        all.insert("displays".to_owned(), json!(displays.collect::<Result<BTreeMap<_, _>>>()?));
+        all.insert("haze".to_owned(), json!(haze));
+        work.insert(format, all);
     }
     Ok(json!(work))
 }
