@@ -3,11 +3,12 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use luminaire::{Error, Rgb};
-use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Tolerance};
+use luminaire::Rgb;
+use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Refusal, Tolerance};
 
+use crate::model;
 use crate::source::{ELSEWHERE, Source, Spot, vector};
-use crate::words::{self, Law, Target};
+use crate::words::Target;
 
 /// What `luminaire --help` ends with.
 const EXAMPLES: &str = "\
@@ -55,9 +56,6 @@ pub(crate) struct Pick {
     /// soft or hard [default: soft]
     #[arg(long, conflicts_with_all = ELSEWHERE, conflicts_with = "falloff")]
     edge: Option<Edge>,
-    /// none or inverse-square [default: inverse-square]
-    #[arg(long, conflicts_with_all = ELSEWHERE)]
-    attenuation: Option<Attenuation>,
     /// The nearest surface [default: 1, or the farthest if that is nearer]
     #[arg(long)]
     pub(crate) near: Option<f32>,
@@ -71,7 +69,7 @@ pub(crate) struct Pick {
     /// The lights of a file of any kind, or of the example scene `show`, with one error for all
     #[arg(long, value_name = "FILE", conflicts_with_all = [
         "edge", "beam", "field", "outer", "inner", "attenuation", "intensity", "near", "far", "position", "axis",
-        "from", "values", "fixture", "lumens", "candela", "lux", "falloff",
+        "from", "values", "fixture", "lumens", "candela", "lux", "falloff", "cutoff", "range", "window",
     ])]
     pub(crate) scene: Option<OsString>,
     /// Pick each light of the scene by itself: the tolerance is that of each light
@@ -128,17 +126,6 @@ pub(crate) struct Export {
     pub(crate) spot: Spot,
     #[command(flatten)]
     pub(crate) source: Source,
-    /// A full angle in degrees that ends the light before its falloff does
-    #[arg(long, conflicts_with_all = ELSEWHERE)]
-    pub(crate) cutoff: Option<f32>,
-    #[arg(long, conflicts_with_all = ELSEWHERE, help = words::laws())]
-    pub(crate) attenuation: Option<Law>,
-    /// The distance at which the light ends
-    #[arg(long, conflicts_with_all = ELSEWHERE)]
-    pub(crate) range: Option<f32>,
-    /// How the light ends at its range: cut, gltf or square [default: cut]
-    #[arg(long, requires = "range")]
-    pub(crate) window: Option<String>,
     /// The linear colour [default: 1,1,1]
     #[arg(long, value_name = "R,G,B", value_parser = vector, conflicts_with = "kelvin")]
     pub(crate) color: Option<[f32; 3]>,
@@ -155,10 +142,21 @@ impl Pick {
         self.edge.is_some() && self.spot.beam.is_some() && self.spot.field.is_some()
     }
 
-    /// The light.
-    pub(crate) fn light(&self) -> Result<Light, Error> {
+    /// The light: its angles and edge, or as a whole if these do not tell it.
+    pub(crate) fn light(&self) -> Result<Light, Refusal> {
         let standard = Light::default();
-        let attenuation = self.attenuation.unwrap_or(standard.attenuation);
+        let near = self.near.unwrap_or(self.far.map_or(standard.near, |far| far.min(standard.near)));
+        let far = self.far.unwrap_or(self.near.map_or(standard.far, |near| near.max(standard.far)));
+        let Spot { beam, field, outer, inner, falloff, cutoff, range, .. } = self.spot;
+        let law = self.spot.attenuation.as_ref().map(|law| law.name.as_str());
+        let attenuation = law.map_or(Ok(standard.attenuation), str::parse);
+        let (Ok(attenuation), None, None, None) = (attenuation, falloff, cutoff, range) else {
+            let edge = self.edge.filter(|_| !self.has_idle_edge());
+            let falloff = falloff.or(edge.map(Edge::falloff));
+            let spot = Spot { falloff, ..self.spot.clone() };
+            let light = model::light(&spot, None, self.source.kelvin)?;
+            return Ok(Light { near, far, ..Light::of(&standard.name, &light.into()) });
+        };
         let intensity = if attenuation == Attenuation::None { 1.0 } else { standard.intensity };
         let (mut color, mut intensity) = (standard.color, self.spot.intensity.unwrap_or(intensity));
         if let Some(kelvin) = self.source.kelvin {
@@ -170,15 +168,15 @@ impl Pick {
             position: self.spot.position.unwrap_or(standard.position),
             axis: self.spot.axis.unwrap_or(standard.axis),
             edge: self.edge.unwrap_or(standard.edge),
-            beam: self.spot.beam,
-            field: self.spot.field,
-            outer: self.spot.outer,
-            inner: self.spot.inner,
+            beam,
+            field,
+            outer,
+            inner,
             attenuation,
             intensity,
             color,
-            near: self.near.unwrap_or(self.far.map_or(standard.near, |far| far.min(standard.near))),
-            far: self.far.unwrap_or(self.near.map_or(standard.far, |near| near.max(standard.far))),
+            near,
+            far,
             ..standard
         })
     }

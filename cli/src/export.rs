@@ -19,9 +19,8 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
     let found = match options.source.load(&options.spot, has_throw)? {
         Some(found) => found,
         None => {
-            let throw = options.source.throw.unwrap_or(4.0);
-            let usage = Use { throw, full_scale: 1.0, is_photometric: false };
-            Found { lamps: vec![(Lamp::new("light", model::light(options)?), usage)], is_whole: true }
+            let light = model::light(&options.spot, options.color, options.source.kelvin)?;
+            options.source.own(light)?
         }
     };
     let Found { mut lamps, mut is_whole } = found;

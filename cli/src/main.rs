@@ -122,13 +122,6 @@ fn lights(source: &source::Source, pick: &Pick) -> Result<(Scene, bool), Refusal
         expected: refusal.expected,
     };
     let Some(Found { lamps, is_whole }) = source.load(&pick.spot, false).map_err(told)? else {
-        if let Some(falloff) = pick.spot.falloff {
-            return Err(Refusal {
-                parameter: "falloff".to_owned(),
-                value: falloff.row().name.to_owned(),
-                expected: "--edge soft or hard, or a falloff beside --lumens, --candela or --lux".to_owned(),
-            });
-        }
         if pick.has_idle_edge() {
             text::say("note", "--edge has no effect: --beam and --field together determine the falloff");
         }

@@ -5,6 +5,8 @@ use std::fs;
 use std::io::{self, IsTerminal, Read, Write, stderr};
 use std::path::{Component, Path, PathBuf};
 
+use luminaire::SpotLight;
+use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::AnyFalloff;
 use luminaire_exchange::{
@@ -12,14 +14,14 @@ use luminaire_exchange::{
 };
 
 use crate::text::say;
-use crate::words;
+use crate::words::{self, Law};
 
 /// The options and words by which a light comes from elsewhere. An option of its shape beside one
 /// of these would have no effect.
 pub(crate) const ELSEWHERE: [&str; 6] = ["from", "values", "fixture", "lumens", "candela", "lux"];
 
-/// The angles, the intensity and the place of a spotlight.
-#[derive(Debug, clap::Args)]
+/// A spotlight: its angles, how it falls off over the angle and the distance, its intensity and its place.
+#[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Spot {
     /// The full angle of 50 % intensity in degrees; with --field, the falloff is fitted to both
     #[arg(long, conflicts_with_all = ["from", "values", "fixture"])]
@@ -35,6 +37,17 @@ pub(crate) struct Spot {
     pub(crate) inner: Option<f32>,
     #[arg(long, value_parser = words::falloff, conflicts_with_all = ["from", "values"], help = words::falloffs())]
     pub(crate) falloff: Option<AnyFalloff>,
+    /// A full angle in degrees that ends the light before its falloff does
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
+    pub(crate) cutoff: Option<f32>,
+    #[arg(long, conflicts_with_all = ELSEWHERE, help = words::laws())]
+    pub(crate) attenuation: Option<Law>,
+    /// The distance at which the light ends
+    #[arg(long, conflicts_with_all = ELSEWHERE)]
+    pub(crate) range: Option<f32>,
+    /// How the light ends at its range: cut, gltf or square [default: cut]
+    #[arg(long, requires = "range")]
+    pub(crate) window: Option<String>,
     /// The intensity; 1 is full scale on the axis, at a distance of 1 [default: 16, or 1 without
     /// attenuation]
     #[arg(long)]
@@ -137,6 +150,12 @@ impl Source {
             }
         }
         Ok(Some(found))
+    }
+
+    /// Returns the light that a command describes by other options, in units of full scale.
+    pub(crate) fn own(&self, light: SpotLight<AnyFalloff, AnyAttenuation>) -> Result<Found, Refusal> {
+        let usage = Use { throw: self.throw()?, full_scale: 1.0, is_photometric: false };
+        Ok(Found { lamps: vec![(Lamp::new("light", light), usage)], is_whole: true })
     }
 
     /// Returns what the words and options name; nothing if the command describes its light by other
@@ -259,14 +278,14 @@ impl Source {
 
     /// Returns how the lights are used, with the illuminance of full scale.
     fn usage(&self, lamps: &Lamps) -> Result<Use, Refusal> {
-        let positive = |name, value: f64| {
-            let refusal = || Refusal::new(name, value, "a number over 0 and at most 1e9");
-            (value > 0.0 && value <= 1e9).then_some(value).ok_or_else(refusal)
-        };
-        let throw = positive("throw", self.throw.unwrap_or(4.0))?;
-        let usage = lamps.usage(throw);
+        let usage = lamps.usage(self.throw()?);
         let lux = self.full_scale.map(|lux| positive("full-scale", lux)).transpose()?;
         Ok(Use { full_scale: lux.unwrap_or(usage.full_scale), ..usage })
+    }
+
+    /// The distance of the surface that counts.
+    fn throw(&self) -> Result<f64, Refusal> {
+        positive("throw", self.throw.unwrap_or(4.0))
     }
 
     /// How measured intensities are read.
@@ -310,6 +329,12 @@ impl Source {
             }
         }
     }
+}
+
+/// Returns a number that an option accepts, or its refusal.
+fn positive(option: &str, value: f64) -> Result<f64, Refusal> {
+    let refusal = || Refusal::new(option, value, "a number over 0 and at most 1e9");
+    (value > 0.0 && value <= 1e9).then_some(value).ok_or_else(refusal)
 }
 
 /// Returns whether a file is of the system, or of any: by its extension, or by the line that begins

@@ -7,6 +7,7 @@ use luminaire::{Rgb, Vec3};
 use luminaire_exchange::Refusal;
 
 use crate::arguments::Still;
+use crate::model;
 use crate::source::save;
 
 /// The side of the picture in pixels.
@@ -14,13 +15,10 @@ const SIDE: usize = 512;
 
 /// Writes the picture of a light. Returns whether none was refused.
 pub(crate) fn still(options: &Still) -> Result<bool, Refusal> {
-    let found = options.source.load(&options.spot, true)?.ok_or_else(|| {
-        Refusal::new(
-            "light",
-            "none",
-            "a file, --from, --fixture, or angles with --lumens, --candela or --lux",
-        )
-    })?;
+    let found = match options.source.load(&options.spot, true)? {
+        Some(found) => found,
+        None => options.source.own(model::light(&options.spot, None, options.source.kelvin)?)?,
+    };
     match &found.lamps[..] {
         [] => {}
         [(lamp, usage)] => {

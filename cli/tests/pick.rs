@@ -35,6 +35,38 @@ fn pick_options_reach_the_light() {
     assert_eq!(light["position"][0], -1.0);
 }
 
+/// Options that describe a light describe the same one to every command that takes them.
+#[test]
+fn pick_takes_the_light_that_export_takes() {
+    for options in [
+        "--beam 15 --field 40 --falloff soft",
+        "--beam 15 --field 26 --attenuation none",
+        "--outer 40 --falloff cubic=0.5,1.5 --inner 9 --intensity 3",
+        "--field 20 --edge hard --cutoff 15 --position -1,2,3",
+        "--falloff power=3 --outer 90 --attenuation decay=1,2 --range 9 --window square --kelvin 3000",
+    ] {
+        let run = |command: &[&str], words: &str| {
+            let mut run = Command::new(env!("CARGO_BIN_EXE_luminaire"));
+            let output = run.args(command).args(words.split(' ')).output().expect("the program runs");
+            assert!(output.status.success(), "{words}: {}", String::from_utf8_lossy(&output.stderr));
+            serde_json::from_slice::<serde_json::Value>(&output.stdout).expect("JSON")
+        };
+        let picked = ["pick", "--chip", "cortex-m0", "--display", "rgb565", "--json", "--steps", "1e9"];
+        let picked: luminaire_pick::Light =
+            serde_json::from_value(run(&picked, options)["light"].take()).unwrap();
+        let exported = run(&["export", "--to", "json"], &options.replace("--edge", "--falloff")).to_string();
+        let exported = luminaire_export::json::read(&exported).unwrap()[0].light;
+        assert_eq!(picked.any().unwrap(), exported, "{options}");
+    }
+}
+
+#[test]
+fn a_bright_light_is_refused_with_a_larger_full_scale_as_remedy() {
+    let told = String::from_utf8(pick(&["--from", "bevy"]).stderr).unwrap();
+    assert!(told.contains("or a larger illuminance as full scale: the nearest surface has 79"), "{told}");
+    assert!(pick(&["--from", "bevy", "--full-scale", "5000"]).status.success());
+}
+
 #[test]
 fn pick_refusal_is_named_and_fails() {
     let output = pick(&["--outer", "400"]);

@@ -25,6 +25,16 @@ named! {
     }
 }
 
+impl Edge {
+    /// The falloff of the edge.
+    pub fn falloff(self) -> AnyFalloff {
+        match self {
+            Self::Soft => Soft.into(),
+            Self::Hard => Hard.into(),
+        }
+    }
+}
+
 named! {
     /// The attenuation: the intensity as a function of the distance.
     Attenuation {
@@ -198,8 +208,7 @@ impl Light {
         let falloff: AnyFalloff = match (self.slopes, self.edge) {
             (Some([edge, full]), _) if edge + full == 2.0 => Quadratic::new(edge)?.into(),
             (Some([edge, full]), _) => Cubic::with_slopes(edge, full)?.into(),
-            (None, Edge::Soft) => Soft.into(),
-            (None, Edge::Hard) => Hard.into(),
+            (None, edge) => edge.falloff(),
         };
         let mut angles = [self.beam, self.field, self.outer].map(|angle| angle.map(Angle::degrees));
         if angles.iter().all(Option::is_none) {

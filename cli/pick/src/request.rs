@@ -110,10 +110,11 @@ impl Request {
             "tolerance",
             self.tolerance.to_string(),
             format!(
-                "at least {} {}, the bound of {}",
+                "at least {} {}, the bound of {}{}",
                 rounded_up(nearest.bound()),
                 self.tolerance.unit(self.display),
-                nearest.evaluation
+                nearest.evaluation,
+                remedy(std::slice::from_ref(light))?
             ),
         ))
     }
@@ -203,6 +204,22 @@ fn farthest(light: &Light, any: &AnyLight) -> f32 {
         AnyLight::Directional(_) => return 0.0,
     };
     <[f32; 3]>::from(position).iter().fold(light.far, |most, c| most.max(c.abs() + light.far))
+}
+
+/// Returns what else keeps a tolerance, if a light is so bright that little of its error is clipped away.
+pub(crate) fn remedy(lights: &[Light]) -> Result<String, Refusal> {
+    /// Illuminance of a bright light at the nearest surface, in units of full scale.
+    const BRIGHT: f64 = 100.0;
+    let mut brightest = 0.0_f64;
+    for light in lights {
+        brightest = brightest.max(Truth::of(light.any()?).most(light.near.into()));
+    }
+    Ok(if brightest < BRIGHT {
+        String::new()
+    } else {
+        let times = brightest.round();
+        format!(", or a larger illuminance as full scale: the nearest surface has {times} times that")
+    })
 }
 
 /// The seed of the searches of answers.

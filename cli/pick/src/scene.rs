@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::evaluation::Evaluation;
 use crate::light::Light;
 use crate::refusal::Refusal;
-use crate::request::{Answer, Offer, Request, rounded_up};
+use crate::request::{Answer, Offer, Request, remedy, rounded_up};
 use crate::target::Tolerance;
 
 /// The lights of a scene. Any of these lights may light the same point.
@@ -95,9 +95,10 @@ impl Request {
                 "tolerance",
                 self.tolerance.to_string(),
                 format!(
-                    "at least {} {} for these lights",
+                    "at least {} {} for these lights{}",
                     rounded_up(least),
-                    self.tolerance.unit(self.display)
+                    self.tolerance.unit(self.display),
+                    remedy(&scene.lights)?
                 ),
             ));
         };

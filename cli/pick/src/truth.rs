@@ -101,6 +101,11 @@ impl Truth {
         }
     }
 
+    /// Returns the light on the axis that arrives at a surface that faces the light at a distance.
+    pub(crate) fn most(&self, distance: f64) -> f64 {
+        self.arriving(self.position + distance * self.axis)
+    }
+
     /// Returns the light that arrives at a surface point, by Lambert's cosine.
     pub(crate) fn irradiance(&self, point: DVec3, normal: DVec3) -> f64 {
         self.arriving(point) * self.incidence(point, normal).1
