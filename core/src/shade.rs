@@ -208,6 +208,49 @@ fn spot_in_vectors<S: Scalar, O: Vectors<S>, P: Falloff, H: SpecularLobe, const 
     O::in_vectors(lamp, point, normal, |t| t.cubic(g, h), H::SHINES, lobe, arrivals)
 }
 
+/// Returns whether a spotlight may be evaluated in vectors by the offsets of an evaluation.
+#[inline(always)]
+fn has_vectors<S: Scalar, O: Vectors<S>, P: Falloff, A: Attenuation>(curve: P::Compiled<S>) -> bool {
+    O::IS_VECTORISED && A::IS_INVERSE_SQUARE && (P::Compiled::<S>::IN_VECTORS || curve.as_cubic().is_some())
+}
+
+/// Sets the irradiance at points of matte surfaces in vectors, in blocks of [`RUN`] points. `each` sets that of the
+/// others: of part of the points, from an index on.
+#[inline(always)]
+fn fill_in_vectors<S: Scalar, L: LightModel<S>, F: Points<S>>(
+    light: &L,
+    points: &F,
+    normal: impl Fn(usize) -> Vec3<S>,
+    arrived: &mut [S::Irradiance],
+    each: impl Fn(usize, &mut [S::Irradiance]),
+) {
+    for (part, first) in arrived.chunks_mut(RUN).zip((0..).step_by(RUN)) {
+        let is_filled = part.first_chunk_mut().is_some_and(|whole| {
+            let mut point = Vec3::default().map(|()| [S::Length::default(); RUN]);
+            let mut normals = Vec3::default().map(|()| [S::ZERO; RUN]);
+            for i in 0..RUN {
+                let (at, facing) = (points.at(first + i), normal(first + i));
+                (point.x[i], point.y[i], point.z[i]) = (at.x, at.y, at.z);
+                (normals.x[i], normals.y[i], normals.z[i]) = (facing.x, facing.y, facing.z);
+            }
+            let views = [S::Unit::default(); RUN];
+            let surfaces = SurfacePoints {
+                point: Vec3::new(&point.x, &point.y, &point.z),
+                normal: Vec3::new(&normals.x, &normals.y, &normals.z),
+                view: Vec3::new(&views, &views, &views),
+            };
+            let mut dark = [S::Irradiance::default(); RUN];
+            light.in_vectors::<NoSpecular, RUN>(&surfaces, &(), (whole, &mut dark))
+        });
+        if !is_filled {
+            each(first, part);
+        }
+    }
+}
+
+/// Number of points of a row that are evaluated together: the smallest block of a [`Row`](crate::light::Row).
+const RUN: usize = 16;
+
 /// Number of points that a call with slices evaluates together.
 const BLOCK: usize = 32;
 

@@ -279,15 +279,27 @@ fn many(place: &Place, spots: &[Light; 2]) -> Vec<u32> {
         let lit = arrived.into_iter().enumerate();
         lit.map(|(i, light)| started(i) + Rgb::lit(light, spots[0].color())).collect::<Vec<_>>()
     };
+    // Words from elsewhere may reject points that their cone lights, which a row that is evaluated in vectors does not.
+    let each = |normal: &dyn Fn(usize) -> Vec3<Fx16>, arrived: &mut [Light16]| {
+        for (i, arrived) in (reach.start..).zip(arrived) {
+            *arrived = spots[0].irradiance(at(i), normal(i));
+        }
+    };
     let mut flat = vec![Light16::ZERO; count];
-    row.fill(&spots[0], reach.start, &mut flat[reach.clone()]);
+    match place.is_made {
+        true => row.fill(&spots[0], reach.start, &mut flat[reach.clone()]),
+        false => each(&|_| normal, &mut flat[reach.clone()]),
+    }
     let mut lit = added(flat);
     let facing = |i: usize| {
         let byte = |i: usize| (i32::from(place.bytes[i % 4]) + i as i32) as i8;
         Fx16::normal_from_unit_bytes([3 * i, 3 * i + 1, 3 * i + 2].map(byte))
     };
     let mut sprite = vec![Light16::ZERO; count];
-    row.fill_facing(&spots[0], facing, reach.start, &mut sprite[reach]);
+    match place.is_made {
+        true => row.fill_facing(&spots[0], facing, reach.start, &mut sprite[reach.clone()]),
+        false => each(&facing, &mut sprite[reach.clone()]),
+    }
     lit.extend(added(sprite));
     lit.extend((0..count).map(|i| {
         let point = lengths([0, 1, 2].map(|k| place.point[k].wrapping_add(step[k] << (i & 15))));

@@ -163,6 +163,9 @@ pub struct Lamp<S: Types> {
 /// An offset of which many are computed by vector instructions, for formats whose evaluation of a single point has
 /// branches.
 pub trait Vectors<S: Types>: Offset<S> {
+    /// Whether [`in_vectors`](Self::in_vectors) ever returns `true` on this processor.
+    const IS_VECTORISED: bool = false;
+
     /// Computes the light of a lamp at many surface points, bit-identical to that of each point. Returns `false`,
     /// and writes nothing, if the evaluation does not have this, or if a point is rare: one whose evaluation takes
     /// a branch.

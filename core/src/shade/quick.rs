@@ -2,7 +2,9 @@
 
 use core::ops::Range;
 
-use super::{Incident, LightModel, lobe, reaches, sealed::Sealed, spot_in_vectors};
+use super::{
+    Incident, LightModel, fill_in_vectors, has_vectors, lobe, reaches, sealed::Sealed, spot_in_vectors,
+};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -119,38 +121,19 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
         self.at::<H>(&offset, (surface.normal, surface.view), highlight, skips)
     }
 
-    /// The points of a stretch share most of the computation of their offsets. In the inner loop that part, and
-    /// what the evaluation computes of it, is constant.
     #[inline(always)]
     fn fill<F: Points<S>>(
         &self,
         points: &F,
         normal: impl Fn(usize) -> Vec3<S>,
-        mut arrived: &mut [S::Irradiance],
+        arrived: &mut [S::Irradiance],
     ) {
-        let light = |offset: &S::QuickOffset, normal| {
-            self.at::<NoSpecular>(offset, (normal, Vec3::default()), &(), true).diffuse
-        };
-        let single = |i| light(&S::QuickOffset::between(self.position, points.at(i)), normal(i));
-        if !F::ALONG_X {
-            return arrived.iter_mut().enumerate().for_each(|(i, to)| *to = single(i));
-        }
-        let x = |i: usize| points.at(i).x;
-        let mut start = 0;
-        while !arrived.is_empty() {
-            let stretch = S::QuickOffset::stretch(self.position, points.at(start));
-            let end = start + arrived.len();
-            let count = first_not(start..end, |i| S::QuickOffset::is_in(&stretch, x(i))) - start;
-            let Some((part, rest)) = arrived.split_at_mut_checked(count.max(1)) else { return };
-            if count == 0 {
-                part.fill_with(|| single(start));
-            } else {
-                for (i, to) in (start..).zip(part.iter_mut()) {
-                    *to = light(&S::QuickOffset::on_stretch(&stretch, x(i)), normal(i));
-                }
-            }
-            start += part.len();
-            arrived = rest;
+        if has_vectors::<S, S::QuickOffset, P, A>(self.cone.curve) {
+            fill_in_vectors(self, points, &normal, arrived, |first, arrived| {
+                self.fill_from(first, points, &normal, arrived);
+            });
+        } else {
+            self.fill_from(0, points, normal, arrived);
         }
     }
 
@@ -179,6 +162,43 @@ impl<S: Quick, P: Falloff, A: Attenuation> LightModel<S> for QuickSpotLight<S, P
 }
 
 impl<S: Quick, P: Falloff, A: Attenuation> QuickSpotLight<S, P, A> {
+    /// Sets the irradiance at points from an index on, one by one.
+    ///
+    /// The points of a stretch share most of the computation of their offsets. In the inner loop that part, and
+    /// what the evaluation computes of it, is constant.
+    #[inline(always)]
+    fn fill_from<F: Points<S>>(
+        &self,
+        mut start: usize,
+        points: &F,
+        normal: impl Fn(usize) -> Vec3<S>,
+        mut arrived: &mut [S::Irradiance],
+    ) {
+        let light = |offset: &S::QuickOffset, normal| {
+            self.at::<NoSpecular>(offset, (normal, Vec3::default()), &(), true).diffuse
+        };
+        let single = |i| light(&S::QuickOffset::between(self.position, points.at(i)), normal(i));
+        if !F::ALONG_X {
+            return (start..).zip(arrived).for_each(|(i, to)| *to = single(i));
+        }
+        let x = |i: usize| points.at(i).x;
+        while !arrived.is_empty() {
+            let stretch = S::QuickOffset::stretch(self.position, points.at(start));
+            let end = start + arrived.len();
+            let count = first_not(start..end, |i| S::QuickOffset::is_in(&stretch, x(i))) - start;
+            let Some((part, rest)) = arrived.split_at_mut_checked(count.max(1)) else { return };
+            if count == 0 {
+                part.fill_with(|| single(start));
+            } else {
+                for (i, to) in (start..).zip(part.iter_mut()) {
+                    *to = light(&S::QuickOffset::on_stretch(&stretch, x(i)), normal(i));
+                }
+            }
+            start += part.len();
+            arrived = rest;
+        }
+    }
+
     /// Computes the light at an offset.
     #[inline(always)]
     fn at<H: SpecularLobe>(

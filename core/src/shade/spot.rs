@@ -1,13 +1,15 @@
 //! Spotlights, compiled.
 
-use super::{Incident, LightModel, lobe, reaches, sealed::Sealed, spot_in_vectors};
+use super::{
+    Incident, LightModel, fill_in_vectors, has_vectors, lobe, reaches, sealed::Sealed, spot_in_vectors,
+};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     cone::CompiledCone,
     falloff::{Falloff, Soft},
     number::{Fraction, Lamp, Offset, Ray, Scalar, Share},
-    points::{SurfacePoint, SurfacePoints},
+    points::{Points, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
 };
@@ -178,7 +180,8 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
     /// `outside` is the bound for rejecting points outside the cone, and `fine_below` is the result
-    /// of `Errors::fine_below`. The colours are the diffuse and the specular colour.
+    /// of `Errors::fine_below`. A bound that rejects points which the cone lights leaves it open which of both a
+    /// [`Row`](crate::light::Row) does. The colours are the diffuse and the specular colour.
     #[expect(clippy::too_many_arguments, reason = "generated source names each part of a light once")]
     pub const fn from_parts(
         position: Vec3<S::Length>,
@@ -251,6 +254,25 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
         };
         let light = (&lamp, self.cone.curve);
         A::IS_INVERSE_SQUARE && spot_in_vectors::<S, S::Offset, P, H, N>(light, surfaces, highlight, arrivals)
+    }
+
+    #[inline]
+    fn fill<F: Points<S>>(
+        &self,
+        points: &F,
+        normal: impl Fn(usize) -> Vec3<S>,
+        arrived: &mut [S::Irradiance],
+    ) {
+        let each = |first: usize, arrived: &mut [S::Irradiance]| {
+            for (i, arrived) in (first..).zip(arrived) {
+                *arrived = self.irradiance(points.at(i), normal(i));
+            }
+        };
+        if has_vectors::<S, S::Offset, P, A>(self.cone.curve) {
+            fill_in_vectors(self, points, &normal, arrived, each);
+        } else {
+            each(0, arrived);
+        }
     }
 
     fn can_reach(&self, center: Vec3<S::Length>, radius: S::Length) -> bool {

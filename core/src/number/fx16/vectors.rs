@@ -195,6 +195,8 @@ fn bits_and_power(number: u32) -> (u32, u32) {
 }
 
 impl<O: Among> Vectors<Fx16> for O {
+    const IS_VECTORISED: bool = HAS_VECTORS;
+
     #[inline(always)]
     fn in_vectors<const N: usize>(
         lamp: &Lamp<Fx16>,
@@ -205,7 +207,7 @@ impl<O: Among> Vectors<Fx16> for O {
         lobe: impl Fn(usize, Vec3<Fx32>, Fx16) -> Fx16,
         (diffuse, specular): (&mut [Light16; N], &mut [Light16; N]),
     ) -> bool {
-        if !HAS_VECTORS {
+        if !Self::IS_VECTORISED {
             return false;
         }
         let (lamp, reach) = (*lamp, Reach::new(lamp.intensity, lamp.fine_below));
