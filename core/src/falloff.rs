@@ -25,7 +25,7 @@
 
 mod any;
 mod choice;
-mod compiled;
+pub(crate) mod compiled;
 mod cubic;
 pub(crate) mod fit;
 mod formula;

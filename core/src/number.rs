@@ -27,6 +27,8 @@ pub(crate) mod fx16;
 #[cfg(feature = "fixed")]
 pub(crate) mod fx32;
 mod knot;
+#[cfg(feature = "fixed")]
+mod lanes;
 #[cfg(all(test, feature = "fixed"))]
 #[path = "../proofs/mod.rs"]
 mod proofs;

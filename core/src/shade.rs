@@ -17,7 +17,7 @@ use crate::{
     attenuation::Attenuation,
     color::Rgb,
     cone::CompiledCone,
-    falloff::{CompiledFalloff, Falloff},
+    falloff::{CompiledFalloff, Falloff, Hard, Soft, compiled::Square},
     number::{Fraction, Lamp, Offset, Ray, Scalar, Share, Vectors},
     points::{Points, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
@@ -203,6 +203,19 @@ fn spot_in_vectors<S: Scalar, O: Vectors<S>, P: Falloff, H: SpecularLobe, const 
     };
     if P::Compiled::<S>::IN_VECTORS {
         return O::in_vectors(lamp, point, normal, |t| curve.intensity(t), H::SHINES, lobe, arrivals);
+    }
+    if !O::HAS_ONE_CUBIC {
+        match curve.as_square() {
+            Some(Square::Soft) => {
+                let soft = |t| CompiledFalloff::<S>::intensity(Soft, t);
+                return O::in_vectors(lamp, point, normal, soft, H::SHINES, lobe, arrivals);
+            }
+            Some(Square::Hard) => {
+                let hard = |t| CompiledFalloff::<S>::intensity(Hard, t);
+                return O::in_vectors(lamp, point, normal, hard, H::SHINES, lobe, arrivals);
+            }
+            None => {}
+        }
     }
     let Some([g, h]) = curve.as_cubic() else { return false };
     O::in_vectors(lamp, point, normal, |t| t.cubic(g, h), H::SHINES, lobe, arrivals)

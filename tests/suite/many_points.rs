@@ -2,11 +2,11 @@
 
 use fastrand::Rng;
 use luminaire::{
-    Cone, DirectionalLight, Fx16, Fx32, PointLight, Scalar, Vec3,
+    Cone, DirectionalLight, Fx16, Fx32, PointLight, Scalar, SpotLight, Vec3,
     attenuation::{AnyAttenuation, InverseSquare},
     dynamic::AnyLight,
     falloff::{AnyFalloff, Soft},
-    light::LightModel,
+    light::{LightModel, Row},
     number::Quick,
 };
 use support::{
@@ -180,42 +180,62 @@ fn a_quick_light_lights_many_points_as_it_lights_one() {
 }
 
 /// Points at every bit length of an offset, in cones of every zoom and in light of every shift: with both sides of
-/// each limit of what `Fx16` evaluates in vectors.
+/// each limit of what fixed point evaluates in vectors.
 #[test]
 fn many_points_are_lit_as_each_at_every_distance() {
-    let mut rng = Rng::with_seed(62);
-    let (mut lit, mut all) = (0, 0);
-    for shape in AnyShape::all() {
-        for half_degrees in [0.5, 2.0, 7.5, 30.0, 89.0] {
-            let spot = sweep::spot(&mut rng, shape.at(half_degrees));
-            for power in -17..14 {
-                let distance = f64::from(power).exp2() * (1.0 + rng.f64());
-                let intensity = distance * distance * (18.0 * rng.f64() - 4.0).exp2();
-                let Ok(spot) = spot.with_intensity(intensity.min(1e9) as f32) else { continue };
-                let stored = Fx16::exact_point(spot.position().map(Fx16::length));
-                let axis = Fx16::exact_direction(sweep::axis::<Fx16, _, _>(&spot)).normalize();
-                let sites: [_; 32] = std::array::from_fn(|_| {
-                    let distance = distance * (0.5 + rng.f64());
-                    sweep::site::<Fx16>(&mut rng, stored, axis, half_degrees.into(), distance)
-                });
-                let sites = Sites::<Fx16> {
-                    points: columns(&sites.each_ref().map(|site| site.point)),
-                    normals: columns(&sites.each_ref().map(|site| site.normal)),
-                };
-                if let Ok(light) = spot.compile::<Fx16>() {
-                    lit += assert_each::<Fx16>(light, &sites, 32, &mut rng);
-                    let any = AnyLight::from(spot).compile::<Fx16>().expect("held");
-                    assert_each::<Fx16>(any, &sites, 32, &mut rng);
-                    all += 32;
-                }
-                if let Ok(light) = spot.compile_quick::<Fx16>() {
-                    lit += assert_each::<Fx16>(light, &sites, 32, &mut rng);
-                    all += 32;
+    /// Checks 32 points of a light, and the same points as a row. Returns how many are lit, and of how many.
+    fn assert_row<S: Format, L: LightModel<S>>(light: L, sites: &Sites<S>, rng: &mut Rng) -> [usize; 2] {
+        let lit = assert_each::<S>(light, sites, 32, rng);
+        let mut lights = before::<S>(rng, 32);
+        let (at, normal) = (|i| row(&sites.points, i), |i| row(&sites.normals, i));
+        Row::new(Vec3::default(), at).fill_facing(&light, normal, 0, &mut lights);
+        for (i, found) in lights.into_iter().enumerate() {
+            assert_eq!(found, light.irradiance(at(i), normal(i)), "{i} of a row");
+        }
+        [lit, 32]
+    }
+    fn assert_distances<S: Format>(
+        quick: impl Fn(&SpotLight<AnyFalloff>, &Sites<S>, &mut Rng) -> [usize; 2],
+    ) {
+        let mut rng = Rng::with_seed(62);
+        let mut counts = [0; 2];
+        for shape in AnyShape::all() {
+            for half_degrees in [0.5, 2.0, 7.5, 30.0, 89.0] {
+                let spot = sweep::spot(&mut rng, shape.at(half_degrees));
+                for power in -17..14 {
+                    let distance = f64::from(power).exp2() * (1.0 + rng.f64());
+                    let intensity = distance * distance * (18.0 * rng.f64() - 4.0).exp2();
+                    let Ok(spot) = spot.with_intensity(intensity.min(1e9) as f32) else { continue };
+                    let stored = S::exact_point(spot.position().map(S::length));
+                    let axis = S::exact_direction(S::axis(spot.axis())).normalize();
+                    let sites: [_; 32] = std::array::from_fn(|_| {
+                        let distance = distance * (0.5 + rng.f64());
+                        sweep::site::<S>(&mut rng, stored, axis, half_degrees.into(), distance)
+                    });
+                    let sites = Sites::<S> {
+                        points: columns(&sites.each_ref().map(|site| site.point)),
+                        normals: columns(&sites.each_ref().map(|site| site.normal)),
+                    };
+                    let mut count = |[lit, all]: [usize; 2]| {
+                        counts = [counts[0] + lit, counts[1] + all];
+                    };
+                    if let Ok(light) = spot.compile::<S>() {
+                        count(assert_row::<S, _>(light, &sites, &mut rng));
+                        let any = AnyLight::from(spot).compile::<S>().expect("held");
+                        assert_each::<S>(any, &sites, 32, &mut rng);
+                    }
+                    count(quick(&spot, &sites, &mut rng));
                 }
             }
         }
+        let [lit, all] = counts;
+        assert!(lit > all / 5, "{lit} of {all} points are lit");
     }
-    assert!(lit > all / 5, "{lit} of {all} points are lit");
+    assert_distances::<Fx16>(|spot, sites, rng| match spot.compile_quick::<Fx16>() {
+        Ok(light) => assert_row::<Fx16, _>(light, sites, rng),
+        Err(_) => [0; 2],
+    });
+    assert_distances::<Fx32>(|_, _, _| [0; 2]);
 }
 
 /// Slices of different lengths: the shortest one determines the number of points, whichever

@@ -6,9 +6,9 @@
 //! second the attenuation. The number of compiled loops therefore grows with the sum of the numbers of
 //! falloffs and attenuations, instead of their product.
 //!
-//! `Fx16` computes the points in vectors where the light has this. Else fixed point computes the points one by
-//! one, and would lose bits between two loops. Its loops match the falloff at every point, and the attenuation,
-//! too, unless it is the inverse-square law: a loop for each falloff would be a hundredth faster on x86-64, and a
+//! Fixed point computes the points in vectors where the light has this. Else it computes the points one by one, and
+//! would lose bits between two loops. Its loops match the falloff at every point, and the attenuation, too,
+//! unless it is the inverse-square law: a loop for each falloff would be a hundredth faster on x86-64, and a
 //! tenth of the demo's module (both measured).
 
 use crate::{

@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{CompiledFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft};
+use super::{CompiledFalloff, Cubic, Falloff, Formula, Hard, Quadratic, Soft, compiled::Square};
 use crate::{
     number::{Fraction, Scalar},
     source::Source,
@@ -120,6 +120,13 @@ macro_rules! choice {
                     $(Self::$variant(curve) => CompiledFalloff::<S>::as_cubic(curve),)*
                 }
             }
+
+            #[inline]
+            fn as_square(self) -> Option<$crate::falloff::compiled::Square> {
+                match self {
+                    $(Self::$variant(curve) => CompiledFalloff::<S>::as_square(curve),)*
+                }
+            }
         }
     };
 }
@@ -194,5 +201,10 @@ impl<S: Scalar> CompiledFalloff<S> for SoftOrHard {
     #[inline]
     fn as_cubic(self) -> Option<[S::Weight; 2]> {
         edge!(self, falloff => CompiledFalloff::<S>::as_cubic(falloff))
+    }
+
+    #[inline]
+    fn as_square(self) -> Option<Square> {
+        edge!(self, falloff => CompiledFalloff::<S>::as_square(falloff))
     }
 }

@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Formatter};
 
-use super::{CompiledFalloff, Falloff, Formula, polynomial::Polynomial};
+use super::{CompiledFalloff, Falloff, Formula, compiled::Square, polynomial::Polynomial};
 use crate::{
     error::{Error, Parameter},
     model::{Model as _, Number, model, plain},
@@ -116,6 +116,11 @@ impl<S: Scalar> CompiledFalloff<S> for Soft {
     fn as_cubic(self) -> Option<[S::Weight; 2]> {
         Some([S::weight(-1.0), S::weight(0.0)])
     }
+
+    #[inline]
+    fn as_square(self) -> Option<Square> {
+        Some(Square::Soft)
+    }
 }
 
 impl Falloff for Hard {
@@ -157,6 +162,11 @@ impl<S: Scalar> CompiledFalloff<S> for Hard {
     #[inline]
     fn as_cubic(self) -> Option<[S::Weight; 2]> {
         Some([S::weight(1.0), S::weight(0.0)])
+    }
+
+    #[inline]
+    fn as_square(self) -> Option<Square> {
+        Some(Square::Hard)
     }
 }
 

@@ -165,6 +165,8 @@ pub struct Lamp<S: Types> {
 pub trait Vectors<S: Types>: Offset<S> {
     /// Whether [`in_vectors`](Self::in_vectors) ever returns `true` on this processor.
     const IS_VECTORISED: bool = false;
+    /// Whether [`Fraction::cubic`] has the bits of every falloff that is one, also of a soft and a hard edge.
+    const HAS_ONE_CUBIC: bool = false;
 
     /// Computes the light of a lamp at many surface points, bit-identical to that of each point. Returns `false`,
     /// and writes nothing, if the evaluation does not have this, or if a point is rare: one whose evaluation takes

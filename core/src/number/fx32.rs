@@ -29,6 +29,7 @@ mod frame;
 mod set_up;
 #[cfg(test)]
 mod tests;
+mod vectors;
 
 pub use self::frame::Frame32;
 use super::{

@@ -1,15 +1,5 @@
-//! Many points at once, for vector instructions: the stages of the format, with the same bits.
-//!
-//! A processor with vectors computes a stage of several points in one instruction, as long as the stage has
-//! no branch, no look-up, and no shift that differs from point to point. Four operations of a single point
-//! have one of these, and are replaced; all other stages are the functions that a single point takes.
-//!
-//! | operation | one point | many points |
-//! |---|---|---|
-//! | bit length of an offset | an instruction or a table | the exponent of its size as f32, exact for 24 bits |
-//! | offset of 17 and of 15 bits | a shift by the bit length | a product with `2^(31 - bits)`, then constant shifts |
-//! | nodes of the root | a look-up within the root | look-ups in a loop of their own |
-//! | light | a shift by twice the bit length | a product with the square of that power of two |
+//! Many points at once, for vector instructions: the stages of the format, with the same bits, but for the operations
+//! that [`lanes`](crate::number::lanes) replaces.
 //!
 //! Points for which a single point would take a branch are *rare*: those near the light, which may need the fine
 //! evaluation, and those so far away that a product would not fit. The points of a block with one of them are
@@ -20,12 +10,12 @@ use super::{
     Fraction16, Gain16, Light16, Offset16, QuickOffset16, QuickRay16, Ray16, WAY_BITS, product_at, root,
 };
 use crate::{
-    number::{Fraction, Fx16, Fx32, HAS_VECTORS, Lamp, Length, Offset, Ray, Share, Vectors},
+    number::{
+        Fraction, Fx16, Fx32, HAS_VECTORS, Lamp, Length, Offset, Ray, Share, Vectors,
+        lanes::{BITS, NODES, QUICK_NODES, bits_and_power},
+    },
     vec3::{Vec3, nth},
 };
-
-/// Number of bits that an offset is scaled to.
-const BITS: u32 = 31;
 
 /// An offset of the standard or of the quick evaluation, among many points.
 pub(crate) trait Among:
@@ -45,34 +35,8 @@ pub(crate) trait Among:
     fn reciprocal(ray: &Self::Ray) -> u32;
 }
 
-/// Returns a node and its difference to the next one.
-const fn pair(nodes: &[u16], place: usize) -> u32 {
-    if place + 1 < nodes.len() {
-        (nodes[place] as u32) << 16 | nodes[place].wrapping_sub(nodes[place + 1]) as u32
-    } else {
-        0
-    }
-}
-
-/// Builds a table of pairs of nodes from the place of each number of nine bits.
-macro_rules! pairs {
-    ($nodes:expr, $bits:ident => $place:expr) => {{
-        let mut pairs = [0; 512];
-        let mut $bits = 0;
-        while $bits < pairs.len() {
-            pairs[$bits] = pair(&$nodes, $place);
-            $bits += 1;
-        }
-        pairs
-    }};
-}
-
 impl Among for Offset16 {
-    const NODES: &'static [u32; 512] = {
-        // The root of a squared length below 2^30 is that of four times the squared length.
-        const PAIRS: [u32; 512] = pairs!(root::NODES, bits => if bits < 128 { bits } else { bits >> 2 });
-        &PAIRS
-    };
+    const NODES: &'static [u32; 512] = &NODES;
 
     #[inline(always)]
     fn of(way: Vec3<i32>) -> Self {
@@ -100,10 +64,7 @@ impl Among for Offset16 {
 }
 
 impl Among for QuickOffset16 {
-    const NODES: &'static [u32; 512] = {
-        const PAIRS: [u32; 512] = pairs!(root::QUICK_NODES, bits => bits >> 1);
-        &PAIRS
-    };
+    const NODES: &'static [u32; 512] = &QUICK_NODES;
 
     #[inline(always)]
     fn of(way: Vec3<i32>) -> Self {
@@ -177,25 +138,9 @@ impl Reach {
     }
 }
 
-/// Returns the bit length of a number, and `2^(31 - bits)`, for 1 to 24 bits.
-///
-/// Any other number has a bit length outside this range.
-#[inline(always)]
-fn bits_and_power(number: u32) -> (u32, u32) {
-    const BIAS: u32 = 126;
-    let exponent = (number as i32 as f32).to_bits() >> 23;
-    let bits = exponent.wrapping_sub(BIAS);
-    // WebAssembly has no vector shift that differs from lane to lane; LLVM builds this power for x86.
-    let power = if cfg!(target_arch = "wasm32") {
-        f32::from_bits((2 * BIAS + BITS + 1).wrapping_sub(exponent) << 23) as i32 as u32
-    } else {
-        1 << (BITS.wrapping_sub(bits) & 31)
-    };
-    (bits, power)
-}
-
 impl<O: Among> Vectors<Fx16> for O {
     const IS_VECTORISED: bool = HAS_VECTORS;
+    const HAS_ONE_CUBIC: bool = true;
 
     #[inline(always)]
     fn in_vectors<const N: usize>(

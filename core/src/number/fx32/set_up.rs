@@ -5,7 +5,7 @@ use super::{Fine, FineRay, Frame32, Gain32, Offset32, errors, versine};
 use crate::{
     number::{
         Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Ramps, Rise, Slopes,
-        Stages, Types, Vectors, Versine, Weight32, Word, nearest, raised,
+        Stages, Types, Versine, Weight32, Word, nearest, raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
         root::{self, high_half, wide},
         rounded, sphere,
@@ -257,8 +257,6 @@ impl Errors for Fx32 {
         f64::from(1_u32 << zoom(limit))
     }
 }
-
-impl Vectors<Fx32> for Offset32 {}
 
 impl Lights for Fx32 {
     #[inline]
