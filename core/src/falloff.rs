@@ -25,7 +25,7 @@
 
 mod any;
 mod choice;
-pub(crate) mod compiled;
+mod compiled;
 mod cubic;
 pub(crate) mod fit;
 mod formula;
@@ -38,7 +38,10 @@ mod soft_pair;
 mod step;
 mod table;
 
-pub(crate) use self::real::{STRIP, slope_beside_axis};
+pub(crate) use self::{
+    compiled::Square,
+    real::{STRIP, slope_beside_axis},
+};
 use crate::{number::Scalar, source::Source};
 
 pub use self::{

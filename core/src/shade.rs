@@ -17,7 +17,7 @@ use crate::{
     attenuation::Attenuation,
     color::Rgb,
     cone::CompiledCone,
-    falloff::{CompiledFalloff, Falloff, Hard, Soft, compiled::Square},
+    falloff::{CompiledFalloff, Falloff, Hard, Soft, Square},
     number::{Fraction, Lamp, Offset, Ray, Scalar, Share, Vectors},
     points::{Points, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
