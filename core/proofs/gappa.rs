@@ -203,27 +203,34 @@ pub(super) fn proved(name: &str, text: &str, folder: &Path) -> Result<PathBuf, S
     if output.status.success() { Ok(path) } else { Err(String::from_utf8_lossy(&output.stderr).into()) }
 }
 
-/// Returns whether Coq accepts the proof that Gappa writes for a script.
+/// Returns whether Coq accepts the proofs that Gappa writes for these scripts. They become one file, because Coq takes
+/// longer to load its libraries than to check most of the proofs.
 ///
 /// Gappa takes equations of the script for granted; here Coq has to prove each of them, too.
-pub(super) fn checked(script: &Path) -> Result<(), String> {
-    let output = Command::new("gappa").arg("-Bcoq").arg(script).output();
-    let proof =
-        String::from_utf8_lossy(&output.map_err(|error| format!("gappa: {error}"))?.stdout).to_string();
-    let mut text = String::from("Require Import Reals Field.\n");
-    for line in proof.lines() {
-        match line.strip_prefix("Hypothesis a") {
-            Some(equation) => {
-                text += &format!("Lemma a{equation}\nProof. intros; unfold Float1; simpl IZR; ");
-                text +=
-                    "first [ring | field; repeat split; auto; try apply IZR_neq; try discriminate]. Qed.\n";
-            }
-            None => text += &format!("{line}\n"),
+pub(super) fn checked<'a>(scripts: impl Iterator<Item = &'a PathBuf>, file: &Path) -> Result<(), String> {
+    let mut text = String::from("Require Import Reals Field.\nRequire Import Gappa.Gappa_library.\n");
+    for script in scripts {
+        let output = Command::new("gappa").arg("-Bcoq").arg(script).output();
+        let output = output.map_err(|error| format!("gappa: {error}"))?;
+        let name = script.file_stem().unwrap_or_default().to_string_lossy();
+        if !output.status.success() {
+            return Err(format!("{name}: {}", String::from_utf8_lossy(&output.stderr)));
         }
+        text += &format!("Module {name}.\n");
+        for line in String::from_utf8_lossy(&output.stdout).lines() {
+            match line.strip_prefix("Hypothesis a") {
+                Some(equation) => {
+                    text += &format!("Lemma a{equation}\nProof. intros; unfold Float1; simpl IZR; ");
+                    text += "first [ring | field; repeat split; auto; try apply IZR_neq; try discriminate]. Qed.\n";
+                }
+                None if line.starts_with("Require ") => {}
+                None => text += &format!("{line}\n"),
+            }
+        }
+        text += &format!("End {name}.\n");
     }
-    let path = script.with_extension("v");
-    fs::write(&path, text).map_err(|error| error.to_string())?;
-    coq(&path)
+    fs::write(file, text).map_err(|error| error.to_string())?;
+    coq(file)
 }
 
 /// Returns whether Coq accepts a file.

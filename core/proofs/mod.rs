@@ -29,7 +29,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
-use std::{format, fs, println};
+use std::{format, fs, println, thread};
 
 use self::gappa::{Script, checked, coq, proved};
 use self::model::Constants;
@@ -149,18 +149,28 @@ fn scripts_are_proved() {
     if !is_required() && !gappa::is_installed() {
         return;
     }
+    let mut proofs = Vec::new();
     for (script, text) in &scripts {
-        let outcome = proved(&script.name, text, &folder);
-        let outcome = outcome.and_then(|path| if is_required() { checked(&path) } else { Ok(()) });
-        failed.extend(outcome.err().map(|error| format!("{}: {error}", script.name)));
+        match proved(&script.name, text, &folder) {
+            Ok(path) => proofs.push(path),
+            Err(error) => failed.push(format!("{}: {error}", script.name)),
+        }
     }
     assert!(failed.is_empty(), "{} of {} scripts:\n{}", failed.len(), scripts.len(), failed.join("\n"));
-    println!("{} scripts proved", scripts.len());
     if is_required() {
         let path = folder.join("versine.v");
         fs::write(&path, include_str!("versine.v")).unwrap();
         coq(&path).unwrap();
+        let processors = thread::available_parallelism().map_or(1, usize::from);
+        thread::scope(|scope| {
+            for part in 0..processors {
+                let file = folder.join(format!("part{part}.v"));
+                let proofs = proofs.iter().skip(part).step_by(processors);
+                scope.spawn(move || checked(proofs, &file).unwrap());
+            }
+        });
     }
+    println!("{} scripts proved", scripts.len());
 }
 
 /// Each of these changes, of one constant alone, makes a proof fail: `cargo xtask prove` tries them.
