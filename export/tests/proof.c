@@ -116,14 +116,16 @@ static void pixels(void) {
     luminaire_low_first(OR_NULL(two), (uint16_t)word);
 }
 
-/* Widths over 8 are clipped to 8: one of them stands for all. */
+/* A pixel has any three widths up to 8, to which others are clipped. */
 static void formats(void) {
-    uint32_t red, green, blue;
-    for (red = 0; red < 10; ++red) {
-        for (green = 0; green < 10; ++green) {
-            for (blue = 0; blue < 10; ++blue) {
-                luminaire_pixel(word << 12 | red << 8 | green << 4 | blue, rgb());
-                luminaire_pixel_dithered(word << 12 | red << 8 | green << 4 | blue, rgb(), word, word);
+    luminaire_rgb light = rgb();
+    uint32_t red = luminaire_channel_width(word, 4 * (word & 7)), green, blue;
+    /*@ assert red <= 8; */
+    for (red = 0; red < 9; ++red) {
+        for (green = 0; green < 9; ++green) {
+            for (blue = 0; blue < 9; ++blue) {
+                luminaire_pixel(word << 12 | red << 8 | green << 4 | blue, light);
+                luminaire_pixel_dithered(word << 12 | red << 8 | green << 4 | blue, light, word, word);
             }
         }
     }

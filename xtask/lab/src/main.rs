@@ -40,8 +40,7 @@ fn main() -> ExitCode {
         Request::Full(options) => test::run_full(options),
         Request::Prove => {
             let mut suite = Suite::new(None);
-            prove::step(&mut suite);
-            eva::step(&mut suite);
+            suite.side_by_side([Box::new(prove::step), Box::new(eva::step)]);
             Ok(suite.finish())
         }
         Request::Pictures => pictures::run().map(done),

@@ -33,11 +33,15 @@ pub fn processor_seconds() -> f64 {
     PROCESSOR_SECONDS.get()
 }
 
+/// Adds the processor time, in seconds, of programs that another thread has run for this one.
+pub(crate) fn count_processor_seconds(seconds: f64) {
+    PROCESSOR_SECONDS.set(PROCESSOR_SECONDS.get() + seconds);
+}
+
 /// Waits for the end of a program, and counts its processor time.
 fn end(program: Member) -> io::Result<ExitStatus> {
     let used = program.child.wait4()?;
-    let seconds = (used.rusage.utime + used.rusage.stime).as_secs_f64();
-    PROCESSOR_SECONDS.set(PROCESSOR_SECONDS.get() + seconds);
+    count_processor_seconds((used.rusage.utime + used.rusage.stime).as_secs_f64());
     Ok(used.status)
 }
 

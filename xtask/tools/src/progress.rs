@@ -4,7 +4,10 @@ use std::cell::RefCell;
 use std::env;
 use std::fmt::Display;
 use std::io::{self, IsTerminal as _};
+use std::panic::resume_unwind;
 use std::process::Command;
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
@@ -89,8 +92,62 @@ impl Progress {
         Ok(ended.output)
     }
 
+    /// Runs programs that must succeed, as many at once as there are processors. Returns their outputs, which are
+    /// part of the progress in the order of the programs.
+    pub fn outputs(&self, commands: Vec<Command>) -> Result<Vec<String>> {
+        let left = Mutex::new(commands.into_iter().enumerate());
+        let next = || left.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let work = || {
+            let mut ended = Vec::new();
+            while let Some((place, command)) = next() {
+                let progress = Self::kept();
+                let output = progress.output(command);
+                ended.push((place, output, progress.into_text()));
+            }
+            (ended, command::processor_seconds())
+        };
+        let mut all = thread::scope(|scope| {
+            let processors = thread::available_parallelism().map_or(1, usize::from);
+            let threads: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
+            let mut all = Vec::new();
+            for thread in threads {
+                let (ended, seconds) = thread.join().unwrap_or_else(|panic| resume_unwind(panic));
+                command::count_processor_seconds(seconds);
+                all.extend(ended);
+            }
+            all
+        });
+        all.sort_by_key(|(place, ..)| *place);
+        all.iter().for_each(|(_, _, text)| self.quote(text));
+        all.into_iter().map(|(_, output, _)| output).collect()
+    }
+
     /// Runs a program that may fail. Its output is part of the progress.
     pub fn capture(&self, command: Command) -> Result<Ended> {
         command::capture(command, |text| self.quote(text))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outputs_have_the_order_of_the_programs_and_a_failure_is_named() {
+        let run = |words: &[&str]| {
+            let progress = Progress::kept();
+            let outputs = progress.outputs(words.iter().map(|word| command::cargo([*word])).collect());
+            (outputs, progress.into_text())
+        };
+        let (outputs, text) = run(&["help", "--version", "--list"]);
+        let outputs = outputs.unwrap();
+        assert_eq!(outputs.concat(), text);
+        assert!(outputs[1].starts_with("cargo 1."), "{}", outputs[1]);
+        let (outputs, text) = run(&["--version", "--no-such-option", "--version"]);
+        let error = outputs.unwrap_err().to_string();
+        assert!(
+            error.contains("--no-such-option") && text.matches("cargo 1.").count() == 2,
+            "{error}\n{text}"
+        );
     }
 }
