@@ -30,6 +30,7 @@ The laboratory, built when it is first called; `cargo xtask COMMAND --help` has 
   full          Run the tests with the long sweeps, on all boards, in all browsers, with all feature
                 sets, and from the packed crates
   prove         Prove the errors of the fixed-point stages, by Gappa and Coq, and C, by Frama-C
+  fuzz          Search inputs that break a law of the kernel or a reader of files, by libFuzzer
   board         Build the firmware of a board with a display: rp2040
   conform       Compare the results of every model, bit by bit, with the conformance vectors
   measure       Measure errors, and costs on every target; compare them with the record, or write it
@@ -157,7 +158,7 @@ mod tests {
     #[test]
     fn a_refused_word_is_named_with_what_is_expected() {
         for (line, name) in [
-            ("", "expected demo, test, full, prove, board"),
+            ("", "expected demo, test, full, prove, fuzz, board"),
             ("tset", "tset"),
             ("--fast", "fast"),
             ("demo --prot 1", "--prot"),

@@ -4,6 +4,7 @@ use measure::MeasureOptions;
 use measure::conform::ConformOptions;
 use measure::device::DeviceOptions;
 
+use crate::fuzz::FuzzOptions;
 use crate::test::{FullOptions, TestOptions};
 
 /// The commands of the laboratory.
@@ -17,6 +18,8 @@ pub(crate) enum Request {
     Full(FullOptions),
     /// Prove the errors of the fixed-point stages, by Gappa and Coq, and that C is defined, by Frama-C
     Prove,
+    /// Search inputs that break a law of the kernel or a reader of files, by libFuzzer
+    Fuzz(FuzzOptions),
     /// Take the pictures of the demo for the documents again
     Pictures,
     /// Draw the pictures of renderers that are not the project's
@@ -47,6 +50,7 @@ mod tests {
             ("tset", "tset"),
             ("measure --check --bless", "--bless"),
             ("measure --target gpu", "wasm-simd"),
+            ("fuzz law", "totality"),
             ("conform --target cortex-m1", "cortex-m1"),
         ] {
             let error = parse(line).unwrap_err().to_string();

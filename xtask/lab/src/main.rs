@@ -7,6 +7,7 @@ mod eva;
 mod expected;
 mod features;
 mod fresh;
+mod fuzz;
 mod messages;
 mod msrv;
 mod package;
@@ -43,6 +44,7 @@ fn main() -> ExitCode {
             suite.side_by_side([Box::new(prove::step), Box::new(eva::step)]);
             Ok(suite.finish())
         }
+        Request::Fuzz(options) => fuzz::run(&options).map(done),
         Request::Pictures => pictures::run().map(done),
         Request::Renderers => renderers::run().map(done),
         Request::Board(options) => device::run(&options).map(done),

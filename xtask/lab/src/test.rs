@@ -17,7 +17,7 @@ use tools::{compilers, install, project};
 
 use crate::features::{self, ALL, BARE_METAL, SETS, STD};
 use crate::{
-    browsers, contributing, eva, messages, msrv, package, portable, prove, readers, renderers, scripts,
+    browsers, contributing, eva, fuzz, messages, msrv, package, portable, prove, readers, renderers, scripts,
     semver,
 };
 
@@ -130,7 +130,7 @@ fn elsewhere(suite: &mut Suite) {
     eva::step(suite);
     bare_metal(suite);
     dependencies(suite);
-    fuzz(suite);
+    fuzz::step(suite);
     messages::run(suite);
     msrv::run(suite);
     semver::run(suite);
@@ -152,16 +152,6 @@ fn page(suite: &mut Suite, full: bool) {
     let build = if full { Build::Small } else { Build::Part };
     suite.step("browser: the demo is built", |progress| site::build(build, progress).map(drop));
     scripts::run(suite, build);
-}
-
-/// Checks that the fuzzer's targets compile. They belong to another workspace, and only the fuzzer
-/// runs them.
-fn fuzz(suite: &mut Suite) {
-    suite.step("fuzz: the targets compile", |progress| {
-        let mut check = cargo(["check", "--bins"]);
-        check.current_dir(project::root().join("tests/fuzz"));
-        progress.run(check)
-    });
 }
 
 /// Checks licences, bans and sources of the dependencies.
