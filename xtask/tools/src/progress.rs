@@ -6,7 +6,6 @@ use std::fmt::Display;
 use std::io::{self, IsTerminal as _};
 use std::panic::resume_unwind;
 use std::process::Command;
-use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Instant;
 
@@ -92,34 +91,27 @@ impl Progress {
         Ok(ended.output)
     }
 
-    /// Runs programs that must succeed, as many at once as there are processors. Returns their outputs, which are
-    /// part of the progress in the order of the programs.
+    /// Runs a few programs at once, which must succeed. Returns their outputs, which are part of the progress in the
+    /// order of the programs. The system divides its processors: a queue would leave one idle while the last runs.
     pub fn outputs(&self, commands: Vec<Command>) -> Result<Vec<String>> {
-        let left = Mutex::new(commands.into_iter().enumerate());
-        let next = || left.lock().unwrap_or_else(PoisonError::into_inner).next();
-        let work = || {
-            let mut ended = Vec::new();
-            while let Some((place, command)) = next() {
-                let progress = Self::kept();
-                let output = progress.output(command);
-                ended.push((place, output, progress.into_text()));
-            }
-            (ended, command::processor_seconds())
+        let run = |command| {
+            let progress = Self::kept();
+            let output = progress.output(command);
+            (output, progress.into_text(), command::processor_seconds())
         };
-        let mut all = thread::scope(|scope| {
-            let processors = thread::available_parallelism().map_or(1, usize::from);
-            let threads: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
-            let mut all = Vec::new();
-            for thread in threads {
-                let (ended, seconds) = thread.join().unwrap_or_else(|panic| resume_unwind(panic));
-                command::count_processor_seconds(seconds);
-                all.extend(ended);
-            }
-            all
+        let ended: Vec<_> = thread::scope(|scope| {
+            let threads: Vec<_> =
+                commands.into_iter().map(|command| scope.spawn(move || run(command))).collect();
+            let join = |thread: thread::ScopedJoinHandle<'_, _>| {
+                thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+            };
+            threads.into_iter().map(join).collect()
         });
-        all.sort_by_key(|(place, ..)| *place);
-        all.iter().for_each(|(_, _, text)| self.quote(text));
-        all.into_iter().map(|(_, output, _)| output).collect()
+        for (_, text, seconds) in &ended {
+            self.quote(text);
+            command::count_processor_seconds(*seconds);
+        }
+        ended.into_iter().map(|(output, ..)| output).collect()
     }
 
     /// Runs a program that may fail. Its output is part of the progress.
