@@ -148,9 +148,7 @@ pub trait LightModel<S: Scalar>: Copy + core::fmt::Debug + sealed::Sealed {
         normal: impl Fn(usize) -> Vec3<S>,
         arrived: &mut [S::Irradiance],
     ) {
-        for (i, arrived) in arrived.iter_mut().enumerate() {
-            *arrived = self.irradiance(points.at(i), normal(i));
-        }
+        fill_each(self, points, normal, 0, arrived);
     }
     /// Returns `false` only if no point within `radius` of `center` receives light.
     fn can_reach(&self, _center: Vec3<S::Length>, _radius: S::Length) -> bool {
@@ -225,6 +223,20 @@ fn spot_in_vectors<S: Scalar, O: Vectors<S>, P: Falloff, H: SpecularLobe, const 
 #[inline(always)]
 fn has_vectors<S: Scalar, O: Vectors<S>, P: Falloff, A: Attenuation>(curve: P::Compiled<S>) -> bool {
     O::IS_VECTORISED && A::IS_INVERSE_SQUARE && (P::Compiled::<S>::IN_VECTORS || curve.as_cubic().is_some())
+}
+
+/// Sets the irradiance at points of matte surfaces from an index on, one by one.
+#[inline(always)]
+fn fill_each<S: Scalar, L: LightModel<S>, F: Points<S>>(
+    light: &L,
+    points: &F,
+    normal: impl Fn(usize) -> Vec3<S>,
+    first: usize,
+    arrived: &mut [S::Irradiance],
+) {
+    for (i, arrived) in (first..).zip(arrived) {
+        *arrived = light.irradiance(points.at(i), normal(i));
+    }
 }
 
 /// Sets the irradiance at points of matte surfaces in vectors, in blocks of [`RUN`] points. `each` sets that of the

@@ -286,9 +286,10 @@ fn many(place: &Place, spots: &[Light; 2]) -> Vec<u32> {
         }
     };
     let mut flat = vec![Light16::ZERO; count];
-    match place.is_made {
-        true => row.fill(&spots[0], reach.start, &mut flat[reach.clone()]),
-        false => each(&|_| normal, &mut flat[reach.clone()]),
+    if place.is_made {
+        row.fill(&spots[0], reach.start, &mut flat[reach.clone()]);
+    } else {
+        each(&|_| normal, &mut flat[reach.clone()]);
     }
     let mut lit = added(flat);
     let facing = |i: usize| {
@@ -296,9 +297,10 @@ fn many(place: &Place, spots: &[Light; 2]) -> Vec<u32> {
         Fx16::normal_from_unit_bytes([3 * i, 3 * i + 1, 3 * i + 2].map(byte))
     };
     let mut sprite = vec![Light16::ZERO; count];
-    match place.is_made {
-        true => row.fill_facing(&spots[0], facing, reach.start, &mut sprite[reach.clone()]),
-        false => each(&facing, &mut sprite[reach.clone()]),
+    if place.is_made {
+        row.fill_facing(&spots[0], facing, reach.start, &mut sprite[reach.clone()]);
+    } else {
+        each(&facing, &mut sprite[reach.clone()]);
     }
     lit.extend(added(sprite));
     lit.extend((0..count).map(|i| {

@@ -1,7 +1,8 @@
 //! Spotlights, compiled.
 
 use super::{
-    Incident, LightModel, fill_in_vectors, has_vectors, lobe, reaches, sealed::Sealed, spot_in_vectors,
+    Incident, LightModel, fill_each, fill_in_vectors, has_vectors, lobe, reaches, sealed::Sealed,
+    spot_in_vectors,
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
@@ -263,11 +264,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> LightModel<S> for CompiledSpotLight<
         normal: impl Fn(usize) -> Vec3<S>,
         arrived: &mut [S::Irradiance],
     ) {
-        let each = |first: usize, arrived: &mut [S::Irradiance]| {
-            for (i, arrived) in (first..).zip(arrived) {
-                *arrived = self.irradiance(points.at(i), normal(i));
-            }
-        };
+        let each = |first, arrived: &mut [S::Irradiance]| fill_each(self, points, &normal, first, arrived);
         if has_vectors::<S, S::Offset, P, A>(self.cone.curve) {
             fill_in_vectors(self, points, &normal, arrived, each);
         } else {

@@ -37,10 +37,13 @@ const EVALUATIONS: [&str; 4] = ["fx16-quick", "fx16", "fx32", "f32"];
 /// "Floats in software" in `docs/PRICES.md`.
 const FLOATS: f64 = 1733.0;
 
+/// The kernel of a lit point.
+const LIT: &str = "lit-inverse-square";
+
 /// The parts of a picture beside codes and haze: the kernel of each, and the kernel without that part if it is counted
 /// within another.
 const PARTS: [(&str, &str, Option<&str>); 7] = [
-    ("light", "lit-inverse-square", None),
+    ("light", LIT, None),
     ("colours", "matte", Some("directional")),
     ("highlight", "lit-specular", Some("lit")),
     ("gobo", "lit-gobo", Some("lit")),
@@ -125,7 +128,7 @@ fn list(record: &Value) -> Result<Value> {
 /// Of the best floats a lit point was counted; the others are those of Rust's floats by the same factor.
 fn work(figures: &Value) -> Result<Value> {
     let counted = |kernel: &str, format: &str| price(figures, kernel, format, "instructions");
-    let best = FLOATS / counted(PARTS[0].1, "f32")?;
+    let best = FLOATS / counted(LIT, "f32")?;
     let haze = best * counted(HAZE, "f32")?;
     let mut work = BTreeMap::new();
     for (format, factor) in [("fx16", 1.0), ("fx32", 1.0), ("f32", best)] {
@@ -191,7 +194,7 @@ mod tests {
                 if counted == 0.0 {
                     continue;
                 }
-                let point = price(figures, "lit-inverse-square", "fx16-quick", unit).unwrap();
+                let point = price(figures, LIT, "fx16-quick", unit).unwrap();
                 let estimated = number(&chip["rest"]["fx16-quick"][unit]) + number(&list["reached"]) * point;
                 let error = estimated / counted - 1.0;
                 assert!((-0.1..0.35).contains(&error), "{name}: {estimated} {unit}, {counted} were counted");
