@@ -54,17 +54,17 @@ quick("the page draws by itself where workers do not start", async () => {
 
 /**
  * A browser whose workers can be ended as it ends them for want of memory: no event tells that. Those of the picture are the
- * only two that share one. Those that are ruined end when they get this order, and hold their lock by then.
+ * only two that share one. Those that are ruined end when they get this order. By then they have answered that they hold
+ * their lock, which is the first that they answer: of one that ends before, nothing can be known.
  */
 const KEEPS = `
   window.workers = [];
   const { postMessage } = Worker.prototype;
-  const isHeld = async (name) => (await navigator.locks.query()).held.some((lock) => lock.name === name);
   Worker.prototype.postMessage = async function (message, ...given) {
-    if (message.act === "hold") this.lock = message.lock;
+    if (message.act === "hold") this.answered = new Promise((resolve) => this.addEventListener("message", resolve, { once: true }));
     if (message.act === "open" && message.count === 2) window.workers.push(this);
     if (message.act !== window.ruined) return postMessage.call(this, message, ...given);
-    while (!(await isHeld(this.lock)));
+    await this.answered;
     this.terminate();
   };`;
 
