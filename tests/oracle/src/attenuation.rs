@@ -17,6 +17,8 @@ pub enum Attenuation {
     GltfRange(f64),
     /// The inverse square to a range: Filament, Bevy, three.js.
     FilamentRange(f64),
+    /// `(1 - (d/r)^2)^n` within the range, with `[r, n]`: TGX (2), embedded-3dgfx (1).
+    SquareWindow([f64; 2]),
 }
 
 impl Attenuation {
@@ -29,6 +31,7 @@ impl Attenuation {
             Self::Decay([exponent, most]) => libm::pow(d, -exponent).min(most),
             Self::SmoothRange(range) => crate::smooth((1.0 - d / range).clamp(0.0, 1.0)),
             Self::GltfRange(range) => window(d / range) / (d * d),
+            Self::SquareWindow([range, power]) => libm::pow((1.0 - d * d / (range * range)).max(0.0), power),
             Self::FilamentRange(range) => window(d / range) * window(d / range) / (d * d),
         }
     }
