@@ -11,6 +11,6 @@ pub mod pictures;
 #[cfg(feature = "effects")]
 mod price;
 
-pub use measure::{COUNT, begin_lines, measure, pass, report};
+pub use measure::{COUNT, begin_lines, measure, pass, report, rivals};
 #[cfg(feature = "effects")]
 pub use price::{choices, evaluations, price};

@@ -3,7 +3,9 @@
 use core::array;
 
 use luminaire_kernels::scene::{Site, Sites};
-use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, doubles, falloffs, oracle, truth::Point};
+use luminaire_kernels::{
+    Kernel, Rival, RivalVisitor, Row, Setting, Value, Visitor, doubles, falloffs, oracle, truth::Point,
+};
 
 use crate::board::{begin, end, opaque, println};
 
@@ -46,6 +48,27 @@ impl Visitor for Bench {
     fn point<K: Kernel<Place = Site>>(&mut self, row: Row, kernel: K, truth: &Point) {
         let mut site = Sites::new(truth.population, truth.light.cone.outer as f32);
         run(row, &kernel, &array::from_fn(|_| kernel.input(&site.next().expect("an endless sequence"))));
+    }
+}
+
+/// Runs the lit points of others over their inputs, in the same way. Their lights are constants, as those of
+/// the other lit points.
+pub fn rivals() {
+    begin_lines();
+    luminaire_kernels::rivals(Setting::standard(), &mut Constants);
+}
+
+struct Constants;
+
+impl RivalVisitor for Constants {
+    #[inline(never)]
+    fn rival<R: Rival>(&mut self, row: Row, truth: &Point) {
+        let rival = R::STANDARD;
+        let mut site = Sites::new(truth.population, truth.light.cone.outer as f32);
+        let inputs: [R::Input; COUNT] =
+            array::from_fn(|_| rival.input(&site.next().expect("an endless sequence")));
+        report("empty", row.format, pass(&inputs, R::touch));
+        report(row.kernel, row.format, pass(&inputs, |input| rival.evaluate(input).bits()));
     }
 }
 

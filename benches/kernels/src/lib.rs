@@ -1,7 +1,7 @@
 //! Every kernel with a price, and its rivals, as functions of one input.
 //!
 //! Firmware, host, browser and demo run the same code, so that the error and the cost in a row
-//! belong to the same function. [`falloffs`] and [`points`] pass every row to a [`Visitor`]. On
+//! belong to the same function. [`falloffs`], [`points`] and [`rivals`] pass every row to a [`Visitor`]. On
 //! microcontrollers the lit points that are measured are those of a light that is a constant: the crate `luminaire-effects` has them.
 //!
 //! A falloff maps the angle off axis, in the form that the kernel takes, to an intensity. A point
@@ -14,7 +14,7 @@
 //! | `fx16`, `fx32`, `f32` | the crate `luminaire` |
 //! | `fx16-quick` | the quick evaluation of the crate `luminaire` |
 //! | `f64` | the versine form in twice the width |
-//! | `rival` | the methods of others: f32, each with its own formula |
+//! | `rival` | the methods of others, each with its own formula: falloffs in f32, [lit points](rivals) in fixed point and f32 |
 //!
 //! Files, in the order in which they build on one another: `value`, `scene`, `truth`, `kernel`, `ours`,
 //! `double`, `rival`, `list`.
@@ -40,7 +40,9 @@ pub use luminaire::falloff::ListedFalloff;
 pub use ours::{Highlit, OurFalloff, OurPoint};
 #[cfg(feature = "std")]
 pub use rival::Std;
-pub use rival::{Clamp, CosineFalloff, CosineTable, Gltf, Libm, Micromath, Power, Powf, Schlick, Smoothstep};
-pub use value::{Format, Value};
+pub use rival::{
+    CosineFalloff, CosineTable, Gltf, Law, Libm, Power, Powf, RANGE, Rival, RivalVisitor, rivals,
+};
+pub use value::{Format, Green, Q16, Value};
 
 pub use luminaire_oracle as oracle;

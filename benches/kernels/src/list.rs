@@ -3,7 +3,7 @@
 use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, SpotLight,
     attenuation::NoAttenuation,
-    falloff::{FalloffVisitor, ListedFalloff, Power, Smooth, Soft, constant_falloffs},
+    falloff::{FalloffVisitor, ListedFalloff, Power, Soft, constant_falloffs},
     light::LightModel,
     number::Quick,
 };
@@ -13,7 +13,7 @@ use crate::{
     double::{DoubleFalloff, DoublePoint},
     kernel::{Row, Visitor},
     ours::{Highlit, OurFalloff, OurPoint},
-    rival::{self, cosine},
+    rival::{self, Law, RANGE, Rival, cosine},
     scene::{AXIS, EYE, POSITION, Population},
     truth::{Highlight, Point, widened},
     value::Format,
@@ -117,17 +117,11 @@ fn rivals(setting: Setting, visitor: &mut impl Visitor) {
     let (exponent, outer) = (setting.exponent(), cosine(setting.outer_versine()));
     let power = oracle::Cone::opengl(exponent.into(), 1.0);
     let soft = setting.truth::<Soft>();
-    let smooth = setting.truth::<Smooth>();
     visitor.falloff(row("powf-libm"), rival::Powf::<rival::Libm>::new(exponent), &power);
     #[cfg(feature = "std")]
     visitor.falloff(row("powf-std"), rival::Powf::<rival::Std>::new(exponent), &power);
-    visitor.falloff(row("powf-micromath"), rival::Powf::<rival::Micromath>::new(exponent), &power);
     visitor.falloff(row("table-256"), rival::CosineTable::new(exponent), &power);
-    visitor.falloff(row("schlick"), rival::Schlick::new(exponent), &power);
-    visitor.falloff(row("smoothstep"), rival::Smoothstep::new(outer), &smooth);
     visitor.falloff(row("gltf"), rival::Gltf::new(outer), &soft);
-    let cosine = oracle::Cone::opengl(1.0, 1.0);
-    visitor.falloff(row("clamp"), rival::Clamp, &cosine);
 }
 
 /// Every kernel from a position and a normal to the irradiance, early-outs included.
@@ -151,7 +145,7 @@ pub fn doubles(setting: Setting, visitor: &mut impl Visitor) {
 const REJECTS: [(&str, Population); 2] = [("away", Population::Away), ("outside", Population::Outside)];
 
 /// Intensity of the light with an inverse square: full scale at a distance of 4.
-const INTENSITY: f32 = 16.0;
+pub(crate) const INTENSITY: f32 = 16.0;
 
 /// The points by the standard evaluation of a format, with those of a highlight.
 fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
@@ -234,6 +228,18 @@ fn narrowest<S: Format, P: ListedFalloff>() -> f32 {
 
 fn spot<P: ListedFalloff>(setting: Setting) -> SpotLight<P> {
     SpotLight::new(POSITION, AXIS, setting.cone(sample::<P>())).expect("a sound place and axis")
+}
+
+/// The exact light of a rival.
+pub(crate) fn other_light<R: Rival>(setting: Setting) -> Point {
+    let point = light_of::<Soft>(setting, R::POPULATION, INTENSITY, true);
+    match R::LAW {
+        Law::InverseSquare => point,
+        Law::Window(power) => {
+            let attenuation = oracle::Attenuation::SquareWindow([RANGE.into(), power]);
+            Point { light: oracle::SpotLight { intensity: 1.0, attenuation, ..point.light }, ..point }
+        }
+    }
 }
 
 fn light_of<P: ListedFalloff>(

@@ -3,9 +3,10 @@
 use core::marker::PhantomData;
 
 use luminaire::{
-    Scalar, SpotLight, Vec3,
+    Fx16, Scalar, SpotLight, Vec3,
     falloff::{ListedFalloff, Soft},
     light::{CompiledCone, CompiledSpotLight, LightModel, SurfacePoint},
+    number::Length,
     specular::{NoSpecular, Phong, SpecularLobe},
 };
 
@@ -62,13 +63,30 @@ pub struct Stored<S: Scalar> {
 }
 
 impl<S: Format> Stored<S> {
-    fn new(site: &Site) -> Self {
+    pub(crate) fn new(site: &Site) -> Self {
         Self { point: site.point.map(S::length), normal: site.normal.map(S::from_f32) }
     }
 
     #[inline(always)]
-    fn touch(&self) -> u32 {
+    pub(crate) fn touch(&self) -> u32 {
         S::length_bits(self.point.x)
+    }
+}
+
+impl Stored<Fx16> {
+    /// The point in steps of 2^-16 and the normal in steps of 2^-14.
+    #[inline(always)]
+    pub(crate) fn words(&self) -> ([i32; 3], [i16; 3]) {
+        let (point, normal) = (self.point.map(Length::to_bits), self.normal.map(Fx16::to_bits));
+        ([point.x, point.y, point.z], [normal.x, normal.y, normal.z])
+    }
+}
+
+impl Stored<f32> {
+    /// The point and the normal.
+    #[inline(always)]
+    pub(crate) fn words(&self) -> (Vec3<f32>, Vec3<f32>) {
+        (self.point, self.normal)
     }
 }
 

@@ -30,6 +30,8 @@ pub enum Population {
     Away,
     /// It faces the light from outside the cone.
     Outside,
+    /// It is on the floor `y = 0`, in the cone or near it.
+    Floor,
 }
 
 /// The surface points about a cone, one after the other: an infinite sequence.
@@ -61,6 +63,10 @@ impl Iterator for Sites {
             across[0] = (self.tangent * (2.5 + random.number())).copysign(across[0]);
         }
         let way = sum(AXIS, sum(scaled(ACROSS[0], across[0]), scaled(ACROSS[1], across[1])));
+        if self.population == Population::Floor {
+            let point = sum(POSITION, scaled(way, -POSITION.y / way.y)).map(on_grid);
+            return Some(Site { point, normal: Vec3::new(0.0, 1.0, 0.0) });
+        }
         let distance = 4.0 + 3.0 * random.number();
         // Half a cube about the direction back to the light: no corner of it faces away.
         let tilt = Vec3::new(random.number(), random.number(), random.number());

@@ -56,6 +56,40 @@ impl Value for f64 {
     }
 }
 
+/// A number with 16 bits below the point.
+#[derive(Clone, Copy, Debug)]
+pub struct Q16(pub i32);
+
+impl Value for Q16 {
+    const STEP: f64 = 1.0 / 65_536.0;
+
+    fn exact(self) -> f64 {
+        f64::from(self.0) * Self::STEP
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0.cast_unsigned()
+    }
+}
+
+/// A grey of RGB565, whose value is that of its green channel.
+#[derive(Clone, Copy, Debug)]
+pub struct Green(pub u16);
+
+impl Value for Green {
+    const STEP: f64 = 1.0 / 63.0;
+
+    fn exact(self) -> f64 {
+        f64::from(self.0 >> 5 & 63) * Self::STEP
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0.into()
+    }
+}
+
 macro_rules! fixed_value {
     ($type:ty, $step:literal, $fold:expr) => {
         impl Value for $type {

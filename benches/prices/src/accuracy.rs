@@ -3,7 +3,7 @@
 use fastrand::Rng;
 use luminaire_kernels::scene::{Population, Site};
 use luminaire_kernels::truth::{Point, widened};
-use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, points};
+use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, points, rivals};
 use luminaire_oracle::climb::{Worst, climb, ulp_step};
 use luminaire_oracle::{Cone, half_degrees, linear_codes};
 
@@ -24,6 +24,7 @@ pub fn errors(setting: Setting) -> String {
     let mut search = Search { setting, lines: Lines(cone) };
     falloffs(setting, &mut search);
     points(setting, &mut search);
+    rivals(setting, &mut search);
     search.lines.0
 }
 

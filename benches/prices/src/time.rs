@@ -3,7 +3,9 @@
 use std::hint::black_box;
 
 use luminaire_kernels::scene::{Site, Sites};
-use luminaire_kernels::{Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, truth::Point};
+use luminaire_kernels::{
+    Kernel, Row, Setting, Value, Visitor, falloffs, oracle, points, rivals, truth::Point,
+};
 
 use crate::Lines;
 
@@ -29,6 +31,7 @@ pub fn time(number: usize, clock: &impl Clock) -> String {
     let mut stopwatch = Stopwatch { clock, outer, wanted: number, seen: 0, lines: Lines::default() };
     falloffs(setting, &mut stopwatch);
     points(setting, &mut stopwatch);
+    rivals(setting, &mut stopwatch);
     stopwatch.lines.0
 }
 

@@ -1,9 +1,6 @@
-//! The alternatives of a user: the usual formulas of the field in f32, from the cosine of the angle
-//! off axis.
+//! The usual falloffs of the field in f32, from the cosine of the angle off axis.
 
 use core::marker::PhantomData;
-
-use micromath::F32Ext;
 
 use luminaire::{falloff::ListedFalloff, light::CompiledCone};
 
@@ -36,10 +33,7 @@ macro_rules! from_cosine {
 
 from_cosine!(Powf<P>, P: Power);
 from_cosine!(CosineTable);
-from_cosine!(Smoothstep);
 from_cosine!(Gltf);
-from_cosine!(Schlick);
-from_cosine!(Clamp);
 from_cosine!(CosineFalloff<P>, P: ListedFalloff);
 
 /// The cosine nearest to a versine.
@@ -57,10 +51,6 @@ pub trait Power: Copy {
 #[derive(Clone, Copy, Debug)]
 pub struct Libm;
 
-/// The crate `micromath`: small, and coarse for the exponents of spotlights.
-#[derive(Clone, Copy, Debug)]
-pub struct Micromath;
-
 /// The platform's own library.
 #[cfg(feature = "std")]
 #[derive(Clone, Copy, Debug)]
@@ -70,13 +60,6 @@ impl Power for Libm {
     #[inline(always)]
     fn powf(x: f32, n: f32) -> f32 {
         libm::powf(x, n)
-    }
-}
-
-impl Power for Micromath {
-    #[inline(always)]
-    fn powf(x: f32, n: f32) -> f32 {
-        F32Ext::powf(x, n)
     }
 }
 
@@ -131,26 +114,6 @@ impl CosineTable {
     }
 }
 
-/// GLSL's `smoothstep(cos outer, 1, cosine)`, as the language defines it.
-#[derive(Clone, Copy, Debug)]
-pub struct Smoothstep {
-    outer: f32,
-}
-
-impl Smoothstep {
-    /// The step from the edge, given by its cosine, to the axis.
-    pub fn new(outer: f32) -> Self {
-        Self { outer }
-    }
-
-    /// The intensity at a cosine.
-    #[inline(always)]
-    pub fn at(&self, cosine: f32) -> f32 {
-        let t = ((cosine - self.outer) / (1.0 - self.outer)).clamp(0.0, 1.0);
-        t * t * (3.0 - 2.0 * t)
-    }
-}
-
 /// The spot of glTF's `KHR_lights_punctual` with an inner angle of 0, as the specification computes
 /// it: scale and offset ahead of time, the former with the 0.001 that keeps it from a division by
 /// zero.
@@ -172,39 +135,6 @@ impl Gltf {
     pub fn at(&self, cosine: f32) -> f32 {
         let t = (cosine * self.scale + self.offset).clamp(0.0, 1.0);
         t * t
-    }
-}
-
-/// The rational function that approximates a power: `x / (n - n x + x)`, of C. Schlick, *A Fast
-/// Alternative to Phong's Specular Model*, Graphics Gems IV, 1994.
-#[derive(Clone, Copy, Debug)]
-pub struct Schlick {
-    exponent: f32,
-}
-
-impl Schlick {
-    /// The approximation of the power with this exponent.
-    pub fn new(exponent: f32) -> Self {
-        Self { exponent }
-    }
-
-    /// The intensity at a cosine.
-    #[inline(always)]
-    pub fn at(&self, cosine: f32) -> f32 {
-        let x = cosine.clamp(0.0, 1.0);
-        x / (self.exponent - self.exponent * x + x)
-    }
-}
-
-/// The clamped cosine: no falloff, but the cost of a loop with almost no work.
-#[derive(Clone, Copy, Debug)]
-pub struct Clamp;
-
-impl Clamp {
-    /// The cosine, clamped.
-    #[inline(always)]
-    pub fn at(&self, cosine: f32) -> f32 {
-        cosine.clamp(0.0, 1.0)
     }
 }
 
