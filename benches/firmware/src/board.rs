@@ -3,11 +3,12 @@
 
 #[cfg(target_os = "none")]
 use core::arch::asm;
+use core::hint::black_box;
 
 #[cfg(not(target_os = "none"))]
 pub use core::hint::black_box as opaque;
 
-/// Instructions of Cortex-M: the markers, which move a register to itself, and the parts of a loop.
+/// Instructions of Cortex-M: the markers, which move a register to itself, the parts of a loop, and the stack pointer.
 #[cfg(all(target_os = "none", target_arch = "arm"))]
 macro_rules! instructions {
     (begin) => {
@@ -22,10 +23,13 @@ macro_rules! instructions {
     (turn) => {
         "1: subs {0}, {0}, #1\nbne 1b"
     };
+    (stack) => {
+        "mov {0}, sp"
+    };
 }
 
-/// Instructions of RISC-V: the markers, whose result goes to the register that is always zero, and the
-/// parts of a loop.
+/// Instructions of RISC-V: the markers, whose result goes to the register that is always zero, the
+/// parts of a loop, and the stack pointer.
 #[cfg(all(target_os = "none", target_arch = "riscv32"))]
 macro_rules! instructions {
     (begin) => {
@@ -39,6 +43,9 @@ macro_rules! instructions {
     };
     (turn) => {
         "1: addi {0}, {0}, -1\nbnez {0}, 1b"
+    };
+    (stack) => {
+        "mv {0}, sp"
     };
 }
 
@@ -81,6 +88,44 @@ pub fn countdown<const TURNS: u8>() {
     unsafe {
         asm!(instructions!(load), instructions!(turn), out(reg) _, const TURNS, options(nomem, nostack));
     }
+}
+
+/// Words below the stack pointer that [`depth`] paints.
+#[cfg(target_os = "none")]
+const PAINTED: usize = 1024;
+
+/// A word that a program seldom writes.
+#[cfg(target_os = "none")]
+const PAINT: u32 = 0x9d2c_5680;
+
+/// Returns the bytes of stack that a call takes, those of its return address and of registers that it saves
+/// included: the stack is painted, and the lowest word is found whose paint is gone. On the host zero.
+#[inline(never)]
+pub fn depth(call: impl FnOnce() -> u32) -> usize {
+    #[cfg(not(target_os = "none"))]
+    {
+        black_box(called(call));
+        0
+    }
+    #[cfg(target_os = "none")]
+    {
+        let stack: *mut u32;
+        // SAFETY: a register is read.
+        unsafe { asm!(instructions!(stack), out(reg) stack, options(nomem, nostack, preserves_flags)) };
+        // SAFETY: below the pointer are 4 kB of the board's memory that nothing uses, because this
+        // function has made its own frame, calls nothing meanwhile, and no interrupt is enabled.
+        (1..=PAINTED).for_each(|word| unsafe { stack.sub(word).write_volatile(PAINT) });
+        // The result is taken here, so that the call is made and has no stack for it.
+        black_box(called(call));
+        // SAFETY: the same words.
+        let is_gone = |word: &usize| unsafe { stack.sub(*word).read_volatile() } != PAINT;
+        size_of::<u32>() * (1..=PAINTED).rev().find(is_gone).unwrap_or_default()
+    }
+}
+
+#[inline(never)]
+fn called(call: impl FnOnce() -> u32) -> u32 {
+    call()
 }
 
 /// Returns the same reference at no cost, but the compiler no longer knows what it refers to.

@@ -10,7 +10,11 @@ mod measure;
 pub mod pictures;
 #[cfg(feature = "effects")]
 mod price;
+#[cfg(feature = "effects")]
+mod stack;
 
 pub use measure::{COUNT, begin_lines, measure, pass, report, rivals};
 #[cfg(feature = "effects")]
 pub use price::{choices, evaluations, price};
+#[cfg(feature = "effects")]
+pub use stack::stack;
