@@ -17,7 +17,7 @@
 //! | `rival` | the methods of others, each with its own formula: falloffs in f32, [lit points](rivals) in fixed point and f32 |
 //!
 //! Files, in the order in which they build on one another: `value`, `scene`, `truth`, `kernel`, `ours`,
-//! `double`, `rival`, `list`.
+//! `double`, `rival`, `list`, `others`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -27,6 +27,7 @@ extern crate std;
 mod double;
 mod kernel;
 mod list;
+mod others;
 mod ours;
 mod rival;
 pub mod scene;
@@ -37,12 +38,11 @@ pub use double::{DoubleFalloff, DoublePoint};
 pub use kernel::{Kernel, Row, Stage, Visitor};
 pub use list::{Setting, doubles, falloffs, points};
 pub use luminaire::falloff::ListedFalloff;
+pub use others::{RivalVisitor, rivals};
 pub use ours::{Highlit, OurFalloff, OurPoint};
 #[cfg(feature = "std")]
 pub use rival::Std;
-pub use rival::{
-    CosineFalloff, CosineTable, Gltf, Law, Libm, Power, Powf, RANGE, Rival, RivalVisitor, rivals,
-};
+pub use rival::{CosineFalloff, CosineTable, Gltf, Law, Libm, Power, Powf, RANGE, Rival};
 pub use value::{Format, Green, Q16, Value};
 
 pub use luminaire_oracle as oracle;

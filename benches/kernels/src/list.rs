@@ -13,8 +13,8 @@ use crate::{
     double::{DoubleFalloff, DoublePoint},
     kernel::{Row, Visitor},
     ours::{Highlit, OurFalloff, OurPoint},
-    rival::{self, Law, RANGE, Rival, cosine},
-    scene::{AXIS, EYE, POSITION, Population},
+    rival::{self, cosine},
+    scene::{AXIS, EYE, INTENSITY, POSITION, Population},
     truth::{Highlight, Point, widened},
     value::Format,
 };
@@ -144,9 +144,6 @@ pub fn doubles(setting: Setting, visitor: &mut impl Visitor) {
 
 const REJECTS: [(&str, Population); 2] = [("away", Population::Away), ("outside", Population::Outside)];
 
-/// Intensity of the light with an inverse square: full scale at a distance of 4.
-pub(crate) const INTENSITY: f32 = 16.0;
-
 /// The points by the standard evaluation of a format, with those of a highlight.
 fn format<S: Format>(setting: Setting, visitor: &mut impl Visitor) {
     let (spot, falling) = spots::<Soft>(setting);
@@ -230,19 +227,7 @@ fn spot<P: ListedFalloff>(setting: Setting) -> SpotLight<P> {
     SpotLight::new(POSITION, AXIS, setting.cone(sample::<P>())).expect("a sound place and axis")
 }
 
-/// The exact light of a rival.
-pub(crate) fn other_light<R: Rival>(setting: Setting) -> Point {
-    let point = light_of::<Soft>(setting, R::POPULATION, INTENSITY, true);
-    match R::LAW {
-        Law::InverseSquare => point,
-        Law::Window(power) => {
-            let attenuation = oracle::Attenuation::SquareWindow([RANGE.into(), power]);
-            Point { light: oracle::SpotLight { intensity: 1.0, attenuation, ..point.light }, ..point }
-        }
-    }
-}
-
-fn light_of<P: ListedFalloff>(
+pub(crate) fn light_of<P: ListedFalloff>(
     setting: Setting,
     population: Population,
     intensity: f32,

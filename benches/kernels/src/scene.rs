@@ -6,6 +6,8 @@ use luminaire::Vec3;
 pub const POSITION: Vec3<f32> = Vec3::new(1.5, 4.0, -0.75);
 /// Axis of the light, of unit length within the precision of f32.
 pub const AXIS: Vec3<f32> = Vec3::new(0.36, -0.8, 0.48);
+/// Intensity of the light with an inverse square: full scale at a distance of 4.
+pub(crate) const INTENSITY: f32 = 16.0;
 /// Position of the eye, near enough to the light to see highlights.
 pub const EYE: Vec3<f32> = Vec3::new(-0.5, 3.5, 1.0);
 /// Two directions across the axis and across one another, of length 0.88.

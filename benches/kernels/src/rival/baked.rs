@@ -2,18 +2,15 @@
 
 use luminaire::{Fx16, number::Light16};
 
-use super::{lit, nearest, root};
-use crate::{
-    list::INTENSITY,
-    scene::{AXIS, POSITION},
-};
+use super::values::{lit, nearest, root};
+use crate::scene::{AXIS, INTENSITY, POSITION};
 
 /// Texels along a side.
 const SIDE: usize = 64;
 
 /// The pool on the floor `y = 0` in a square whose side is a power of two, as irradiance in steps of 2^-14.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pool {
+pub(crate) struct Pool {
     /// The least `x` and `z`, in steps of 2^-16.
     corner: [i32; 2],
     /// The bits of the side, in the same steps.
@@ -22,7 +19,7 @@ pub(super) struct Pool {
 }
 
 impl Pool {
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         let outer = outer as f64;
         let height = POSITION.y as f64;
         // The nearest and the farthest lit point, along the direction in which the axis is tilted.

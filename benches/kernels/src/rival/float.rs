@@ -5,10 +5,9 @@ use core::hint::black_box;
 use luminaire::Vec3;
 use micromath::F32Ext;
 
-use super::{RANGE, lit, root};
+use super::values::{RANGE, lit, root};
 use crate::{
-    list::INTENSITY,
-    scene::{AXIS, POSITION},
+    scene::{AXIS, INTENSITY, POSITION},
     value::Green,
 };
 
@@ -28,12 +27,12 @@ fn between(from: Vec3<f32>, to: Vec3<f32>) -> Vec3<f32> {
 
 /// A soft spotlight as a shader has it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plain {
+pub(crate) struct Plain {
     outer: f32,
 }
 
 impl Plain {
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         Self { outer: 1.0 - outer }
     }
 
@@ -50,13 +49,13 @@ impl Plain {
 
 /// A soft spotlight by the difference of the direction and the axis, which keeps the bits of narrow cones.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Difference {
+pub(crate) struct Difference {
     /// The reciprocal of twice the outer versine.
     reciprocal: f32,
 }
 
 impl Difference {
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         Self { reciprocal: 0.5 / outer }
     }
 
@@ -80,13 +79,13 @@ impl Difference {
 /// A soft spotlight by an inner product and the reciprocal root of the crate micromath, which is off by 5 %,
 /// with two steps of Newton's method.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Micromath {
+pub(crate) struct Micromath {
     outer: f32,
     reciprocal: f32,
 }
 
 impl Micromath {
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         Self { outer: 1.0 - outer, reciprocal: 1.0 / outer }
     }
 
@@ -110,13 +109,13 @@ impl Micromath {
 
 /// The spotlight of TGX 1.1, in one channel and without its highlight: `Renderer3D.h`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tgx {
+pub(crate) struct Tgx {
     outer: f32,
     reciprocal: f32,
 }
 
 impl Tgx {
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         Self { outer: 1.0 - outer, reciprocal: 1.0 / outer }
     }
 
@@ -146,14 +145,14 @@ impl Tgx {
 /// The spotlight of embedded-3dgfx 0.7, which takes micromath's root and cosines without a standard library:
 /// `pipeline/shade/lights.rs`. Its channels are cut to the codes of RGB565.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Embedded3dgfx {
+pub(crate) struct Embedded3dgfx {
     /// The outer half angle in radians.
     outer: f32,
 }
 
 impl Embedded3dgfx {
     /// Sums the series of the arc sine of the root of half the versine.
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         let squared = outer as f64 / 2.0;
         let (mut sum, mut term, mut n) = (0.0, root(squared), 0.0);
         while n < 40.0 {
@@ -168,13 +167,13 @@ impl Embedded3dgfx {
     fn at(&self, point: Vec3<f32>, normal: Vec3<f32>) -> Green {
         let way = between(POSITION, point);
         let squared = way.dot(way);
-        if squared >= RANGE * RANGE || squared < 1e-6 {
+        if !(1e-6..RANGE * RANGE).contains(&squared) {
             return Green(0);
         }
         let length = F32Ext::sqrt(squared);
         let unit = way.map(|c| c / length);
         // A light of the crate is in memory, so that its two cosines are computed at each point.
-        let [outer, inner] = black_box([self.outer, 0.0]).map(|angle| F32Ext::cos(angle));
+        let [outer, inner] = black_box([self.outer, 0.0]).map(F32Ext::cos);
         let cosine = unit.dot(AXIS);
         if cosine <= outer {
             return Green(0);

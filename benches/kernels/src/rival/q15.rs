@@ -5,10 +5,10 @@
 
 use luminaire::{Fx16, number::Light16};
 
-use super::{AT, axis, lit, nearest, root};
+use super::values::{AT, axis, lit, nearest, root};
 
 /// Bytes of the tables of both lights.
-pub(super) const TABLES: usize = size_of_val(&ROOTS) + size_of_val(&SHIFTS);
+pub(crate) const TABLES: usize = size_of_val(&ROOTS) + size_of_val(&SHIFTS);
 
 /// The axis in steps of 2^-14.
 const AXIS: [i32; 3] = axis(16_384.0);
@@ -72,8 +72,8 @@ impl Facing {
     /// The light at this argument of the falloff, in steps of 2^-15.
     #[inline(always)]
     fn light(&self, t: u32) -> Light16 {
-        let cosine = (self.product.wrapping_neg().cast_unsigned() >> 13) * self.reciprocal >> 16;
-        let share = (t * t >> 15).wrapping_mul(cosine) >> 16;
+        let cosine = ((self.product.wrapping_neg().cast_unsigned() >> 13) * self.reciprocal) >> 16;
+        let share = ((t * t) >> 15).wrapping_mul(cosine) >> 16;
         let gain = (self.reciprocal * self.reciprocal) >> 16;
         Light16::from_bits(share.wrapping_mul(gain) >> (8 + 2 * self.shift))
     }
@@ -86,7 +86,7 @@ fn dot(a: [i32; 3], b: [i32; 3]) -> i32 {
 
 /// The versine by the difference of the direction and the axis.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Difference {
+pub(crate) struct Difference {
     /// Twice the outer versine in steps of 2^-28.
     limit: u32,
     /// The reciprocal of half the outer versine times 2^12.
@@ -94,7 +94,7 @@ pub(super) struct Difference {
 }
 
 impl Difference {
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         let outer = outer as f64;
         Self { limit: (outer * 536_870_912.0) as u32, reciprocal: nearest(2_048.0 / outer) as u32 }
     }
@@ -113,7 +113,7 @@ impl Difference {
 
 /// The cosine by the inner product of the direction and the axis.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Product {
+pub(crate) struct Product {
     /// The outer cosine in steps of 2^-16.
     outer: i32,
     /// The reciprocal of the outer versine times 2^11.
@@ -121,7 +121,7 @@ pub(super) struct Product {
 }
 
 impl Product {
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         let outer = outer as f64;
         Self { outer: (65_536.0 * (1.0 - outer)) as i32, reciprocal: nearest(2_048.0 / outer) as u32 }
     }
@@ -133,7 +133,7 @@ impl Product {
         if along <= 0 {
             return Light16::ZERO;
         }
-        let cosine = (along.cast_unsigned() >> 14) * facing.reciprocal >> 14;
+        let cosine = ((along.cast_unsigned() >> 14) * facing.reciprocal) >> 14;
         let above = cosine.cast_signed() - self.outer;
         if above <= 0 {
             return Light16::ZERO;

@@ -4,8 +4,8 @@
 use fixed::types::I16F16;
 use luminaire::Fx16;
 
-use super::{AT, axis, lit, nearest};
-use crate::{list::INTENSITY, value::Q16};
+use super::values::{AT, axis, lit, nearest};
+use crate::{scene::INTENSITY, value::Q16};
 
 /// The axis in steps of 2^-16.
 const AXIS: [i32; 3] = axis(65_536.0);
@@ -42,10 +42,10 @@ macro_rules! by_operations {
     ($(#[$doc:meta])* $name:ident: $length:ident, $over:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
-        pub(super) struct $name(Cone);
+        pub(crate) struct $name(Cone);
 
         impl $name {
-            pub(super) const fn new(outer: f32) -> Self {
+            pub(crate) const fn new(outer: f32) -> Self {
                 Self(Cone::new(outer))
             }
 
@@ -166,10 +166,10 @@ fn fixmath_quotient(a: i32, b: i32) -> i32 {
 
 /// The types of the crate `fixed`, and the root of the crate `cordic`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cordic(Cone);
+pub(crate) struct Cordic(Cone);
 
 impl Cordic {
-    pub(super) const fn new(outer: f32) -> Self {
+    pub(crate) const fn new(outer: f32) -> Self {
         Self(Cone::new(outer))
     }
 
