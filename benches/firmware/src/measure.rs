@@ -53,6 +53,7 @@ impl Visitor for Bench {
 
 /// Runs the lit points of others over their inputs, in the same way. Their lights are constants, as those of
 /// the other lit points.
+#[inline]
 pub fn rivals() {
     begin_lines();
     luminaire_kernels::rivals(Setting::standard(), &mut Constants);
