@@ -15,6 +15,8 @@ struct Task {
     architecture: Architecture,
     /// The file to write to.
     out: String,
+    /// Whether all addresses count as 0, so that a region has one line.
+    is_by_region: bool,
 }
 
 static TASK: OnceLock<Task> = OnceLock::new();
@@ -24,7 +26,7 @@ static COUNTS: Mutex<Counts> = Mutex::new(Counts::new());
 #[unsafe(no_mangle)]
 static qemu_plugin_version: c_int = qemu::VERSION;
 
-/// Installs the plugin: `-plugin FILE,out=COUNTS`. A result other than 0 makes QEMU stop.
+/// Installs the plugin: `-plugin FILE,out=COUNTS`, and `by=region` for one count a region. A result other than 0 makes QEMU stop.
 ///
 /// # Safety
 /// Only QEMU may call this: `info` must point to QEMU's description of itself, and `argv`
@@ -38,12 +40,13 @@ unsafe extern "C" fn qemu_plugin_install(
 ) -> c_int {
     // SAFETY: QEMU's description and the string in it live at least as long as this call.
     let target = unsafe { CStr::from_ptr((*info).target_name) }.to_string_lossy();
-    let mut out = None;
+    let (mut out, mut is_by_region) = (None, false);
     for index in 0..usize::try_from(argc).unwrap_or(0) {
         // SAFETY: QEMU passes `argc` arguments, which live as long as this call.
         let argument = unsafe { CStr::from_ptr(*argv.add(index)) }.to_string_lossy();
         match argument.strip_prefix("out=") {
             Some(file) => out = Some(file.to_owned()),
+            None if argument == "by=region" => is_by_region = true,
             None => return refuse(&format!("there is no argument {argument}")),
         }
     }
@@ -51,7 +54,7 @@ unsafe extern "C" fn qemu_plugin_install(
         return refuse(&format!("the instructions of {target} are not known"));
     };
     let Some(out) = out else { return refuse("the argument out=FILE is missing") };
-    if TASK.set(Task { architecture, out }).is_err() {
+    if TASK.set(Task { architecture, out, is_by_region }).is_err() {
         return refuse("it is loaded already");
     }
     // SAFETY: the callbacks are functions of the types that QEMU calls, and live as long as the
@@ -94,7 +97,8 @@ extern "C" fn translate(_: qemu::Id, block: *mut qemu::Block) {
                     // This pointer is never dereferenced: it carries the address through QEMU to
                     // the callback.
                     None => {
-                        let address = qemu::qemu_plugin_insn_vaddr(instruction);
+                        let address =
+                            if task.is_by_region { 0 } else { qemu::qemu_plugin_insn_vaddr(instruction) };
                         (execute, ptr::without_provenance_mut(address as usize))
                     }
                 };
