@@ -12,6 +12,8 @@ pub mod pictures;
 mod price;
 #[cfg(feature = "effects")]
 mod stack;
+#[cfg(feature = "worst")]
+pub mod worst;
 
 pub use measure::{COUNT, begin_lines, measure, pass, report, rivals};
 #[cfg(feature = "effects")]

@@ -5,7 +5,7 @@ use core::ptr;
 
 use luminaire::number::{Light16, Light32};
 use luminaire::{Fx16, Fx32, Rgb, Scalar, attenuation::InverseSquare};
-use luminaire_kernels::scene::{EYE, Population, Sites};
+use luminaire_kernels::scene::{EYE, Population, Site, Sites};
 use luminaire_kernels::{Format as _, Setting};
 
 use crate::constants::{MATTE, NARROW};
@@ -99,6 +99,8 @@ pub struct Inputs {
     /// The surface points in the cone that face the light, those that face away, those outside, and those
     /// in a narrow cone.
     sites: [Sites; 4],
+    /// The surface point that all of them are instead, if there is one.
+    given: Option<Site>,
     /// The bits of a number in [0, 1).
     number: u32,
     /// Number of pixels so far.
@@ -114,13 +116,18 @@ impl Default for Inputs {
             Sites::new(Population::Outside, outer),
             Sites::new(Population::Lit, NARROW),
         ];
-        Self { sites, number: 0, pixels: 0 }
+        Self { sites, given: None, number: 0, pixels: 0 }
     }
 }
 
 impl Inputs {
+    /// The inputs of one surface point.
+    pub fn at(site: Site) -> Self {
+        Self { given: Some(site), ..Self::default() }
+    }
+
     fn site(&mut self, population: usize) -> Surface {
-        let site = self.sites[population].next().expect("an endless sequence");
+        let site = self.given.or_else(|| self.sites[population].next()).expect("an endless sequence");
         let [eye, point] = [EYE, site.point].map(|place| place.map(<Format as Scalar>::length));
         Surface::seen_from(eye, point, site.normal.map(Format::from_f32))
     }

@@ -1,0 +1,4 @@
+//! Runs each lit point of the price list that is no effect at the points of a search, each between markers of its own.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+luminaire_firmware::entry!(luminaire_firmware::worst::evaluations);
