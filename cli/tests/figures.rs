@@ -111,13 +111,16 @@ impl Records {
         say("**4.0 kB of flash**".to_owned());
         say("2.4 kB by the quick evaluation".to_owned());
         for (name, title) in [
-            ("soft.fx16", "soft edge, `Fx16`"),
-            ("powf-libm.rival", "power of the cosine, libm's `powf`"),
-            ("lit-inverse-square.fx16", "lit point, `Fx16`"),
-            ("lit-inverse-square.f32", "lit point, `f32`"),
+            ("lit-inverse-square.fx16", "`Fx16`"),
+            ("lit-inverse-square.fx16-quick", "`Fx16`, quick"),
+            ("lit-inverse-square.f32", "`f32`"),
+            ("lit-q15-difference.rival", "15 bits by hand"),
+            ("lit-q16-libfixmath.rival", "Q16.16, libfixmath"),
+            ("lit-f32-difference.rival", "`f32` by hand"),
+            ("lit-baked.rival", "baked on a floor"),
         ] {
             let [widest, .., narrowest] = self.errors(name)[..] else { panic!("{name}: expected two cones") };
-            let costs = ["cortex-m0", "cortex-m4f", "cortex-m33", "hazard3", "host"]
+            let costs = ["cortex-m0", "cortex-m4f", "cortex-m33", "rv32imc", "host"]
                 .map(|target| self.cost(name, target));
             let (errors, costs) = ([widest, narrowest].map(error).join(" | "), costs.join(" | "));
             say(format!("| {title} | {errors} | {} |", costs.replace(',', "")));

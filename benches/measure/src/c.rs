@@ -18,7 +18,7 @@ use tools::suite::Suite;
 use tools::{command, compilers, project};
 
 /// The files of the library.
-const LIBRARY: &str = "export/c/src";
+pub(crate) const LIBRARY: &str = "export/c/src";
 
 /// The program that calls its functions.
 const CALLS: &str = "export/tests/calls.c";
@@ -60,20 +60,20 @@ pub(crate) const CALLS_COUNTED: [(&str, &str); 16] = [
 /// A lit point in floats, by the functions of libgcc on a processor without a floating point unit.
 const LIT: &str = "benches/firmware/src/lit.c";
 
-/// The processor that it is counted on, and the name of its figures.
-const FLOATS_OF_C: &str = "cortex-m0";
+/// The processor that it and worst cases are counted on, and the name of its figures.
+pub(crate) const SMALLEST: &str = "cortex-m0";
 const LIT_BY_LIBGCC: &str = "lit-inverse-square-libgcc.rival";
 
 /// The number of its inputs.
 const COUNT: usize = 256;
 
 /// A board that runs programs of C, and the compiler with the options for it.
-struct Machine {
-    board: &'static Board,
-    compiler: &'static str,
-    options: &'static [&'static str],
+pub(crate) struct Machine {
+    pub(crate) board: &'static Board,
+    pub(crate) compiler: &'static str,
+    pub(crate) options: &'static [&'static str],
     /// A file to compile beside the program.
-    beside: Option<&'static str>,
+    pub(crate) beside: Option<&'static str>,
 }
 
 /// No emulated board with a Cortex-M0 has room for the text output of newlib or for pictures, so one with a
@@ -163,15 +163,18 @@ fn called(machine: &'static Machine, progress: &Progress) -> Result<()> {
     prints_the_same(board, &found, &expected)
 }
 
+/// The machine with the processor of a board.
+pub(crate) fn machine(board: &Board) -> Option<&'static Machine> {
+    MACHINES.iter().find(|machine| machine.board.name == board.name)
+}
+
 /// Adds what C costs on a board, if one of the machines is it: the calls of the library, the size of a
 /// program, and the floats of C.
 pub(crate) fn add(board: &Board, group: &mut Group, progress: &Progress) -> Result<()> {
-    let Some(machine) = MACHINES.iter().find(|machine| machine.board.name == board.name) else {
-        return Ok(());
-    };
+    let Some(machine) = machine(board) else { return Ok(()) };
     compilers::find(progress)?;
     add_prices(machine, group, progress)?;
-    if board.name == FLOATS_OF_C {
+    if board.name == SMALLEST {
         add_lit_by_libgcc(group, progress)?;
     }
     Ok(())
@@ -252,7 +255,7 @@ fn add_lit_by_libgcc(group: &mut Group, progress: &Progress) -> Result<()> {
 }
 
 /// Compiles a program for C99. Returns its file.
-fn compiled(compiler: &str, options: &[&str], files: &[PathBuf]) -> Result<PathBuf> {
+pub(crate) fn compiled(compiler: &str, options: &[&str], files: &[PathBuf]) -> Result<PathBuf> {
     let (root, program) = (project::root(), project::target().join(format!("calls-{compiler}")));
     let mut compile = Command::new(compiler);
     // Files that options name are relative to it.

@@ -1,10 +1,13 @@
 //! The record beside the documents that show its figures: their check, and their update.
 
 mod effects;
+mod memory;
 mod picker;
 mod prices;
+mod rivals;
 mod summary;
 mod text;
+mod worst;
 
 use std::fs;
 

@@ -31,13 +31,13 @@ pub(crate) struct Format {
     /// Arguments of cargo that select it in the programs of one effect each.
     pub(crate) features: &'static [&'static str],
     /// Arguments of cargo that select it in the programs that run all effects.
-    effects: [&'static str; 2],
+    pub(crate) effects: [&'static str; 2],
 }
 
 pub(crate) const FX16: Format = Format { name: "fx16", features: &[], effects: ["--features", "effects"] };
 const FX32: Format =
     Format { name: "fx32", features: &["--features", "fx32"], effects: ["--features", "effects-fx32"] };
-const F32: Format =
+pub(crate) const F32: Format =
     Format { name: "f32", features: &["--features", "f32"], effects: ["--features", "effects-f32"] };
 
 pub(crate) const FORMATS: [Format; 3] = [FX16, FX32, F32];
@@ -45,6 +45,9 @@ pub(crate) const FORMATS: [Format; 3] = [FX16, FX32, F32];
 /// The processors whose bytes are counted, and of which every effect is on record: the smallest, and one
 /// with a floating point unit, each with the format that suits it.
 pub(crate) const SUITED: [(&str, Format); 2] = [("cortex-m0", FX16), ("cortex-m4f", F32)];
+
+/// The processors on which the lit points of others are counted, one of each kind.
+pub(crate) const COMPARED: [&str; 4] = ["cortex-m0", "cortex-m4f", "cortex-m33", "rv32imc"];
 
 /// A group of the catalogue.
 #[derive(Debug)]
@@ -103,6 +106,7 @@ fn is_priced(name: &str, board: &Board) -> bool {
 /// The costs of every kernel on a board.
 pub(crate) fn costs(board: &'static Board, progress: &Progress) -> Result<Vec<Cost>> {
     let (mut costs, _) = Firmware::new("cost", &[]).costs(board, progress)?;
+    costs.extend(rivals(board, progress)?);
     for format in FORMATS {
         costs.extend(of_format(format, board, progress)?);
     }
@@ -129,7 +133,7 @@ fn of_format(format: Format, board: &'static Board, progress: &Progress) -> Resu
 pub(crate) fn counted(board: &'static Board, progress: &Progress) -> Result<Group> {
     let (kernels, run) = Firmware::new("cost", &[]).costs(board, progress)?;
     let mut group = run.group();
-    kernels.iter().for_each(|cost| add(&mut group, cost));
+    kernels.iter().chain(&rivals(board, progress)?).for_each(|cost| add(&mut group, cost));
     for format in FORMATS {
         let is_suited = SUITED.contains(&(board.name, format));
         let costs = of_format(format, board, progress)?;
@@ -142,6 +146,15 @@ pub(crate) fn counted(board: &'static Board, progress: &Progress) -> Result<Grou
         }
     }
     Ok(group)
+}
+
+/// The costs of the lit points of others, where they are counted.
+fn rivals(board: &'static Board, progress: &Progress) -> Result<Vec<Cost>> {
+    if COMPARED.contains(&board.name) {
+        Ok(Firmware::new("rivals", &[]).costs(board, progress)?.0)
+    } else {
+        Ok(Vec::new())
+    }
 }
 
 fn add(group: &mut Group, cost: &Cost) {

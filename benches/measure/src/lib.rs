@@ -19,9 +19,11 @@ mod qemu;
 mod record;
 pub mod rivals;
 mod rp2040;
+mod stack;
 pub mod steps;
 mod target;
 mod timed;
+mod worst;
 
 use anyhow::{Context, Result, bail, ensure};
 use tools::progress::Progress;
@@ -84,6 +86,8 @@ fn on(target: Target, check: bool, progress: &Progress) -> Result<Record> {
         Target::Board(board) => {
             let mut group = effects::counted(board, progress)?;
             c::add(board, &mut group, progress)?;
+            stack::add(board, &mut group, progress)?;
+            worst::add(board, &mut group, progress)?;
             drawn::add(board, &mut group, progress)?;
             let picture = frame::draw(board, &mut group, check, progress)?;
             let groups = [("picture", picture), (board.name, group)];

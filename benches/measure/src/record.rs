@@ -11,6 +11,9 @@ use tools::project;
 /// The file, below the project's folder.
 pub(crate) const FILE: &str = "docs/prices.json";
 
+/// The unit of the most instructions of a call that a search has found.
+pub(crate) const MOST: &str = "most";
+
 /// Relative difference that counts may have if another compiler is used.
 const LEEWAY: f64 = 0.05;
 /// Largest number of differences that are listed for a group.
@@ -117,7 +120,7 @@ fn leeway(unit: &str, is_same_compiler: bool) -> Option<f64> {
         "instructions" | "instructions_at_o2" | "instructions_for_size" | "cycles" if !is_same_compiler => {
             Some(LEEWAY)
         }
-        "bytes" | "flash" | "kibibytes" if !is_same_compiler => None,
+        "bytes" | "flash" | "kibibytes" | "stack" if !is_same_compiler => None,
         _ => Some(0.0),
     }
 }

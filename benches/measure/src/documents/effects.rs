@@ -20,7 +20,7 @@ exactly zero, and an effect that a firmware does not name is not linked. The eff
 
 **Instructions** are those of an average pixel, counted under QEMU over 256 inputs as
 [benches/firmware/README.md](../benches/firmware/README.md#what-is-counted) describes. All surface points face the
-light and lie inside the cone, so no early-out is taken: these are worst-case figures. Colours are spread evenly;
+light and lie inside the cone, so no early-out is taken: the mean of a lit point, not the [worst case](PRICES.md#worst-case-of-a-call). Colours are spread evenly;
 the light that is exposed and fitted is that of such points, some of it over full scale. Lights and materials are
 constants of the program; one that is made at run time is loaded from memory as well. Folding three channels
 takes two instructions, which count. Instructions are exact, and not cycles: **cycles** are those of an RP2040.

@@ -1,6 +1,7 @@
 //! The page `docs/ACCURACY-VS-COST.md`, which answers, and the price list `docs/PRICES.md`.
 
 use super::text::{cells, cost, error, table};
+use super::{memory, rivals, worst};
 use crate::ladder::{ANGLES, POINTS};
 use crate::record::{Group, Record};
 use crate::target::{BOARDS, Target};
@@ -21,7 +22,8 @@ cargo run -q --bin luminaire -- pick --chip cortex-m0 --display rgb565 --steps 1
 ```
 
 The answer is the cheapest evaluation whose bound is small enough, with its instructions, cycles and bytes, the derived bound,
-the largest error that a search finds and its place, and the code to compile. This page has the short answer for all of them:
+the largest error that a search finds and its place, and the code to compile. `--worst` picks by the [most that a point
+takes](PRICES.md#worst-case-of-a-call) in place of the mean. This page has the short answer for all of them:
 
 - with a floating point unit take `f32`, which costs less and errs less;
 - without one take `Fx16` for a soft edge on a small display (RGB565), by the quick evaluation where no surface is lit beyond
@@ -134,6 +136,10 @@ const LIST: &str = "\
 
 `cargo xtask measure` writes this page of the [record](prices.json). [ACCURACY-VS-COST.md](ACCURACY-VS-COST.md) has the
 answer, and says how errors and costs are measured.
+";
+
+const KERNELS: &str = "
+## The kernels
 
 | kernel | from | to |
 |---|---|---|
@@ -143,14 +149,14 @@ answer, and says how errors and costs are measured.
 | `lit-specular` | the same | and Phong's highlight of shininess 32, the direction to the eye included |
 | `away`, `outside` | the same, facing away, or outside the cone | zero, by an early-out before the root |
 
-`fx16-quick` is the [quick evaluation](NUMERICS.md#the-quick-evaluation) of `fx16`, `f64` the versine form in twice the width of f32, and rivals the methods of others in f32: `powf-libm`, `powf-micromath` and `powf-std` the power of the cosine by the
-crates libm and micromath, of the versions in `Cargo.lock`, and by the standard library; `table-256` the same by interpolation
-in 256 entries, `schlick` by Schlick's rational function; `smoothstep` GLSL's, `gltf` the specification's code. `clamp` is a
-loop that does next to nothing.
+`fx16-quick` is the [quick evaluation](NUMERICS.md#the-quick-evaluation) of `fx16`, `f64` the versine form in twice the width of
+f32. The falloffs of others are in f32: `powf-libm` and `powf-std` are the power of the cosine by the crate libm, of the version in
+`Cargo.lock`, and by the standard library; `table-256` is the same by interpolation in 256 entries; `gltf` is the specification's
+code.
 
 ## Floats in software
 
-On a processor without a floating point unit, `f32`, `f64` and the rivals take the software floats of Rust. They are the slowest
+On a processor without a floating point unit, `f32`, `f64` and the rivals in f32 take the software floats of Rust. They are the slowest
 of three on a Cortex-M0. `lit-inverse-square-libgcc` is the lit point in [C](../benches/firmware/src/lit.c) by those of gcc (gcc
 12.2, `-O3`): 25 multiplications, 13 additions and two comparisons. Arm's own
 [routines](https://github.com/ARM-software/optimized-routines/tree/master/fp/armv6-m) are the fastest that we know: a
@@ -162,7 +168,9 @@ is one to Arm's.
 
 /// The price list.
 pub(super) fn list(record: &Record) -> String {
-    let mut text = LIST.to_owned();
+    let mut text = LIST.to_owned() + &rivals::section(record) + KERNELS;
+    text += &memory::section(record);
+    text += &worst::section(record);
     let is_here = |target: &Target| !matches!(target, Target::Errors | Target::OfC(_));
     for target in Target::all().into_iter().filter(is_here) {
         let group = record.group(target.name());
@@ -197,7 +205,8 @@ fn by_format(record: &Record, group: &Group, unit: &str) -> String {
         let prices = FORMATS.map(|format| price(&format!("{kernel}.{format}")));
         [vec![(*kernel).to_owned()], prices.into()].concat()
     });
-    let rivals: Vec<_> = group.figures.keys().filter_map(|name| name.strip_suffix(".rival")).collect();
+    let rivals = group.figures.keys().filter_map(|name| name.strip_suffix(".rival"));
+    let rivals: Vec<_> = rivals.filter(|name| !name.starts_with("lit-")).collect();
     let heads_of_rivals: Vec<_> = rivals.iter().map(|name| (*name).to_owned()).collect();
     let prices = rivals.iter().map(|name| price(&format!("{name}.rival"))).collect();
     format!("{}\n{}", table(&heads, rows), table(&heads_of_rivals, [prices]))

@@ -7,17 +7,20 @@ use crate::record::Record;
 use crate::target::{BOARDS, Board, ESP8266, Target};
 
 /// The rows of the README, and their titles.
-const ROWS: [(&str, &str); 4] = [
-    ("soft.fx16", "soft edge, `Fx16`"),
-    ("powf-libm.rival", "power of the cosine, libm's `powf`"),
-    ("lit-inverse-square.fx16", "lit point, `Fx16`"),
-    ("lit-inverse-square.f32", "lit point, `f32`"),
+const ROWS: [(&str, &str); 7] = [
+    ("lit-inverse-square.fx16", "`Fx16`"),
+    ("lit-inverse-square.fx16-quick", "`Fx16`, quick"),
+    ("lit-inverse-square.f32", "`f32`"),
+    ("lit-q15-difference.rival", "15 bits by hand"),
+    ("lit-q16-libfixmath.rival", "Q16.16, libfixmath"),
+    ("lit-f32-difference.rival", "`f32` by hand"),
+    ("lit-baked.rival", "baked on a floor"),
 ];
 
 /// The part of the README: errors in a wide and a narrow cone, and costs.
 pub(super) fn readme(record: &Record) -> String {
     let targets =
-        ["cortex-m0", "cortex-m4f", "cortex-m33", "hazard3", "host"].map(Target::named).into_iter().flatten();
+        ["cortex-m0", "cortex-m4f", "cortex-m33", "rv32imc", "host"].map(Target::named).into_iter().flatten();
     let targets: Vec<_> = targets.collect();
     let mut heads = cells(["", "error at 22°", "at 1°"]);
     heads.extend(targets.iter().map(|target| match target {
@@ -32,9 +35,17 @@ pub(super) fn readme(record: &Record) -> String {
         row.extend(targets.iter().map(|target| price(target).map_or_else(String::new, cost)));
         row
     });
-    let picture = plot::FILE;
+    let (picture, smallest) = (plot::FILE, record.group("cortex-m0"));
+    let bytes = |name, unit| smallest.number(name, unit).unwrap_or_default();
     table(&heads, rows)
-        + &format!("\n![Error against instructions on a Cortex-M0, both logarithmic]({picture})\n")
+        + &format!(
+            "\nOn a Cortex-M0 a light that moves takes {} bytes of RAM, and a lit point {} of stack, in C at most {}: \
+             [all](docs/PRICES.md#stack-and-ram).\n\
+             \n![Error against instructions on a Cortex-M0, both logarithmic]({picture})\n",
+            bytes("spotlight.fx16", "ram"),
+            bytes("lit-inverse-square.fx16", "stack"),
+            bytes("c.luminaire_spot_irradiance", "stack"),
+        )
 }
 
 /// The part of the page of C: the instructions of each call, and the bytes of a whole program.
