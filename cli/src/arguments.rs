@@ -53,6 +53,9 @@ pub(crate) struct Pick {
     /// Largest error in linear codes, 1/255 of full scale
     #[arg(long)]
     codes: Option<f64>,
+    /// Pick by the worst case of a point in place of the mean
+    #[arg(long)]
+    pub(crate) worst: bool,
     /// soft or hard [default: soft]
     #[arg(long, conflicts_with_all = ELSEWHERE, conflicts_with = "falloff")]
     edge: Option<Edge>,

@@ -83,6 +83,7 @@ fn answer(pick: &Pick) -> Result<(String, bool), Refusal> {
         Err(error) => unreachable!("answers are JSON: {error}"),
     };
     let request = Request::new(pick.chip, pick.display).tolerance(pick.tolerance());
+    let request = if pick.worst { request.worst_case() } else { request };
     let (scene, is_whole) = match &pick.scene {
         Some(scene) if scene == "show" => {
             pick.source.say_idle(&pick.spot, false, &[]);

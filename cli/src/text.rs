@@ -26,6 +26,10 @@ pub(crate) fn answer(answer: &Answer) -> String {
         Some(cycles) => format!("{cycles} on an RP2040 without wait states"),
         None => "not counted for this processor".to_owned(),
     };
+    let worst = match price.worst {
+        Some(worst) => format!("{worst} instructions, the most that a search finds"),
+        None => "not counted for this evaluation on this processor".to_owned(),
+    };
     let counted = match price.counted {
         Counted::Whole => "counted as a whole",
         Counted::Parts => "the sum of counted parts",
@@ -46,6 +50,7 @@ pub(crate) fn answer(answer: &Answer) -> String {
          target       {chip}, {display}, at most {} {unit}\n\
          evaluation   {evaluation}\n\
          instructions {} a lit point, {counted}{fine}\n\
+         worst case   {worst}\n\
          cycles       {cycles}\n\
          code         {} bytes\n\
          error        at most {} {unit} ({}; largest found {}){excepted}\n\
@@ -130,9 +135,10 @@ pub(crate) fn lights(answers: &[Answer]) -> String {
         let Answer { light, outer, evaluation, price, bound, .. } = answer;
         let (edge, instructions) = (falloff(light), price.instructions);
         let outer = outer.map_or_else(String::new, |outer| format!("{outer:.2} degrees"));
+        let worst = price.worst.map_or_else(String::new, |worst| format!("{worst} at worst, "));
         let _ = writeln!(
             text,
-            "{:24} {edge:12} {outer:14}  {evaluation:10} {instructions:8.1} instructions, at most {} {}",
+            "{:24} {edge:12} {outer:14}  {evaluation:10} {instructions:8.1} instructions, {worst}at most {} {}",
             light.name,
             digits(bound.value),
             unit(answer)

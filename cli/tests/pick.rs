@@ -25,6 +25,15 @@ fn pick_without_a_light_answers_for_the_default_and_states_it() {
     }
 }
 
+/// In `fx16` a point near the light takes two evaluations, in `fx32` one.
+#[test]
+fn pick_for_the_worst_case_takes_another_evaluation() {
+    let light = ["--steps", "3", "--edge", "hard", "--field", "20", "--json"];
+    let [mean, worst] = [&light[..], &[&light[..], &["--worst"]].concat()].map(json);
+    assert_ne!(mean["evaluation"], worst["evaluation"]);
+    assert!(worst["worst"].as_f64() < mean["worst"].as_f64(), "{mean} {worst}");
+}
+
 #[test]
 fn pick_options_reach_the_light() {
     let options = "--json --edge hard --beam 20 --field 31 --inner 4 --attenuation none --near 2 --far 3 --position -1,2,3";

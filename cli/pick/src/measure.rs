@@ -141,7 +141,7 @@ fn ratio(random: &mut SplitMix64, least: f64, most: f64) -> f32 {
 ///
 /// This search uses `effort` times as many points, and the random numbers of `seed`.
 pub fn found(answer: &Answer, seed: u64, effort: usize) -> Result<f64, Refusal> {
-    let request = Request { chip: answer.chip, display: answer.display, tolerance: answer.tolerance };
+    let request = Request::new(answer.chip, answer.display).tolerance(answer.tolerance);
     let offers = request.offers(&answer.light)?;
     let offer = offers.iter().find(|offer| offer.evaluation == answer.evaluation);
     let offer = offer.expect("the evaluation of the answer");

@@ -14,12 +14,13 @@ use crate::target::{Chip, Display, Tolerance};
 use crate::truth::Truth;
 
 /// A request: the chip, the display and the tolerance. The default tolerance is one step of the
-/// display.
+/// display. The cheapest evaluation is that with the fewest instructions in the mean, or in the worst case.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Request {
     pub(crate) chip: Chip,
     pub(crate) display: Display,
     pub(crate) tolerance: Tolerance,
+    is_worst_case: bool,
 }
 
 /// The cheapest evaluation of a light whose error is within the tolerance.
@@ -53,7 +54,7 @@ pub struct Answer {
 pub struct Cheaper {
     /// The evaluation.
     pub evaluation: Evaluation,
-    /// Mean number of instructions of a lit point.
+    /// Mean number of instructions of a lit point; those of the worst case if the request is for it.
     pub instructions: f64,
     /// The bound of the error, in the unit of the tolerance.
     pub bound: f64,
@@ -62,7 +63,13 @@ pub struct Cheaper {
 impl Request {
     /// Requests an evaluation for a chip and a display.
     pub fn new(chip: Chip, display: Display) -> Self {
-        Self { chip, display, tolerance: Tolerance::Steps(1.0) }
+        Self { chip, display, tolerance: Tolerance::Steps(1.0), is_worst_case: false }
+    }
+
+    /// Returns the request for the evaluation with the fewest instructions in the worst case: see [`Price::worst`].
+    #[must_use]
+    pub fn worst_case(self) -> Self {
+        Self { is_worst_case: true, ..self }
     }
 
     /// Returns the request with a tolerance in steps of the display.
@@ -98,7 +105,7 @@ impl Request {
             let cheaper = offers[..number].iter().min_by(|a, b| a.bound().total_cmp(&b.bound()));
             let cheaper = cheaper.map(|offer| Cheaper {
                 evaluation: offer.evaluation,
-                instructions: offer.price.instructions,
+                instructions: offer.instructions,
                 bound: offer.bound(),
             });
             return Ok(Answer { cheaper, ..self.answer(&offers[number], light)? });
@@ -126,21 +133,31 @@ impl Request {
         let search = search(light, &any, SEED, 1);
         let farthest = farthest(light, &any);
         let measure = |lit| self.tolerance.measure(self.display, lit);
-        let (mut offers, mut refused) = (Vec::new(), None);
+        let (mut offers, mut refused, mut uncounted) = (Vec::new(), None, false);
         for &evaluation in Evaluation::ALL {
             match evaluation.compile(&any) {
                 Ok(Some(kernel)) if farthest <= evaluation.farthest() => {
                     let is_steep = evaluation.is_steep(&any)?;
                     let fine = if is_steep { Fine::Steep } else { Fine::Bright(search.fine_share(&*kernel)) };
                     let price = Price::of(self.chip, &any, evaluation, fine)?;
+                    let instructions =
+                        if self.is_worst_case { price.worst } else { Some(price.instructions) };
+                    let Some(instructions) = instructions else {
+                        uncounted = true;
+                        continue;
+                    };
                     let bound = evaluation.bound(&any, [light.near, light.far], &measure)?;
-                    offers.push(Offer { evaluation, fine, price, bound });
+                    offers.push(Offer { evaluation, fine, price, instructions, bound });
                 }
                 Ok(_) => {}
                 Err(error) => refused = Some(error),
             }
         }
-        offers.sort_by(|a, b| a.price.instructions.total_cmp(&b.price.instructions));
+        offers.sort_by(|a, b| a.instructions.total_cmp(&b.instructions));
+        if uncounted && offers.is_empty() {
+            let expected = format!("a chip whose worst cases are on record: {}", Price::chips_with_worst());
+            return Err(Refusal::parameter("worst", self.chip.to_string(), expected));
+        }
         match refused {
             Some(error) if offers.is_empty() => Err(error.into()),
             _ => Ok(offers),
@@ -231,6 +248,8 @@ pub(crate) struct Offer {
     pub(crate) evaluation: Evaluation,
     pub(crate) fine: Fine,
     pub(crate) price: Price,
+    /// Its instructions by which the request compares.
+    pub(crate) instructions: f64,
     /// The bound of the error, in the unit of the tolerance.
     pub(crate) bound: ErrorBound,
 }

@@ -47,7 +47,7 @@ pub struct SceneAnswer {
     pub lights: Vec<Answer>,
     /// How the errors of the lights add up.
     pub budget: Budget,
-    /// Instructions for a point that all lights reach.
+    /// Instructions for a point that all lights reach; those of the worst cases if the request is for them.
     pub instructions: f64,
     /// Instructions for a point that all lights reach, with `Fx16` for all lights; `None` if `Fx16`
     /// cannot hold all lights.
@@ -104,7 +104,7 @@ impl Request {
         };
         let fx16 = offers.iter().map(|offers| {
             let fx16 = offers.iter().find(|offer| offer.evaluation == Evaluation::Fx16);
-            fx16.map(|offer| offer.price.instructions)
+            fx16.map(|offer| offer.instructions)
         });
         // Without lights a sum is -0.
         let instructions_fx16 = fx16.sum::<Option<f64>>().map(|sum| 0.0 + sum);
@@ -124,7 +124,7 @@ impl Request {
         offers.push(number);
         Choice {
             error: choice.error + self.with_material(offer),
-            instructions: choice.instructions + offer.price.instructions,
+            instructions: choice.instructions + offer.instructions,
             offers,
         }
     }

@@ -52,6 +52,39 @@ fn price_of_a_bright_light_includes_the_fine_evaluation() {
     assert!(dim.price.fine_share == 0.0 && bright.price.fine_share > 0.0);
 }
 
+#[test]
+fn request_for_the_worst_case_picks_by_it() {
+    let light = Light { intensity: 16.0, ..Light::default() };
+    for &chip in Chip::ALL {
+        let mean = Request::new(chip, Display::Rgb565).steps(1.0);
+        match mean.worst_case().pick(&light) {
+            Ok(answer) => {
+                let Price { instructions, worst, .. } = answer.price;
+                assert!(worst.is_some_and(|worst| worst >= instructions), "{chip}: {:?}", answer.price);
+                // No other evaluation within the tolerance takes less at worst.
+                for other in mean.survey(&light).unwrap().evaluations {
+                    let most = other.prices[chip.name()].worst;
+                    assert!(other.bound.value > 1.0 || most.is_none() || most >= worst, "{chip}: {other:?}");
+                }
+            }
+            Err(refusal) => {
+                let told =
+                    format!("worst = {chip}: expected a chip whose worst cases are on record: cortex-m0, ");
+                assert!(refusal.to_string().starts_with(&told), "{refusal}");
+                assert!(mean.pick(&light).unwrap().price.worst.is_none());
+            }
+        }
+    }
+    let worst = |light: &Light| {
+        let survey = request(1e9).survey(light).unwrap();
+        let fx16 = survey.evaluations.iter().find(|found| found.evaluation == Evaluation::Fx16);
+        fx16.unwrap().prices["cortex-m0"].worst.unwrap()
+    };
+    // Without attenuation a dim light has no point that takes both evaluations.
+    assert!(worst(&Light { intensity: 16.0, ..level(36.0) }) > 1.5 * worst(&level(36.0)));
+    assert!(worst(&light) > 1.5 * worst(&level(36.0)));
+}
+
 /// The price of a light that is bright at every distance is that of the count on record, and that of a steep cone is the
 /// fine evaluation alone.
 #[test]

@@ -5,7 +5,7 @@ use luminaire::attenuation::{AnyAttenuation, Attenuation, AttenuationVisitor, at
 use luminaire::falloff::{AnyFalloff, FalloffVisitor, ListedFalloff, constant_falloffs};
 use luminaire::models::Listed;
 
-use crate::record::{Group, Record};
+use crate::record::{Group, MOST, Record};
 use crate::target::BOARDS;
 
 /// The evaluations. Under a bright light `fx16` takes the fine evaluation at some points, so the picker
@@ -100,7 +100,7 @@ impl AttenuationVisitor for Models {
     }
 }
 
-/// Instructions, bytes, and cycles if they were counted, by board, lit point and evaluation.
+/// Instructions, bytes, and cycles and the most instructions if they were counted, by board, lit point and evaluation.
 pub(super) fn prices(record: &Record) -> Result<String> {
     let mut boards = Vec::new();
     for board in &BOARDS {
@@ -143,6 +143,10 @@ fn row(group: &Group, name: &str, kernel: &str, evaluation: &str) -> Result<Opti
     let (instructions, bytes) = figure("instructions")
         .zip(figure("bytes"))
         .with_context(|| format!("{counted} is not on record: `cargo xtask measure --bless` counts it"))?;
-    let cycles = figure("cycles").map_or("null".to_owned(), |cycles| cycles.to_string());
-    Ok(Some(format!("      \"{name}.{evaluation}\": [{instructions:?}, {bytes}, {cycles}]")))
+    // The worst case is that of any light: this kernel's or that of a brighter one.
+    let most = [&counted, &format!("{kernel}.{evaluation}")];
+    let most = most.into_iter().filter_map(|name| group.number(name, MOST)).max_by(f64::total_cmp);
+    let [cycles, most] =
+        [figure("cycles"), most].map(|count| count.map_or("null".to_owned(), |count| count.to_string()));
+    Ok(Some(format!("      \"{name}.{evaluation}\": [{instructions:?}, {bytes}, {cycles}, {most}]")))
 }
