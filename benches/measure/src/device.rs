@@ -2,6 +2,8 @@
 //! the whole chip.
 
 mod check;
+mod flash;
+mod lines;
 mod uf2;
 
 use std::fs;
@@ -14,6 +16,7 @@ use tools::suite::Suite;
 use tools::{board, project};
 
 use crate::program::Program;
+use flash::Cable;
 
 /// The options of `board`.
 #[derive(Debug, PartialEq, clap::Args)]
@@ -25,6 +28,16 @@ pub struct DeviceOptions {
     /// receives with the host's
     #[arg(long)]
     pub check: bool,
+    /// Copy the firmware to a connected board, compare the checksums that it prints on GPIO 0 with the host's, and
+    /// print its row for the table of boards
+    #[arg(long, conflicts_with = "check")]
+    flash: bool,
+    /// Folder at which the drive of the board's boot ROM is mounted [default: looked for]
+    #[arg(long, value_name = "FOLDER", requires = "flash")]
+    drive: Option<PathBuf>,
+    /// Serial port that reads GPIO 0 of the board [default: the only one]
+    #[arg(long, value_name = "FILE", requires = "flash")]
+    port: Option<PathBuf>,
 }
 
 /// Builds the firmware. Returns its file.
@@ -41,8 +54,15 @@ pub fn run(options: &DeviceOptions) -> Result<()> {
     if options.check {
         return check::check(&file, &progress).map(|lines| lines.iter().for_each(|line| println!("{line}")));
     }
+    // A port that is missing is an error before anything is written.
+    let cable = options.flash.then(|| Cable::new(options.drive.clone(), options.port.clone())).transpose()?;
     let image = project::target().join(format!("{}.uf2", options.device));
     fs::write(&image, uf2::image(&file)?).with_context(|| format!("cannot write {}", image.display()))?;
+    if let Some(cable) = cable {
+        let row = cable.run(&image, &progress)?;
+        println!("Every pixel is the host's. For the table in {}:\n{row}", lines::PAGE);
+        return Ok(());
+    }
     let bytes = Program::read(&file)?.bytes();
     println!("{}: {bytes} bytes of flash; copy it to the drive of the board's boot ROM", image.display());
     Ok(())
