@@ -11,6 +11,12 @@ import { Screen } from "./screen.js";
 /** @typedef {ReturnType<typeof plain<Divided>>} Difference */
 
 /**
+ * The formats on the two sides of the edge.
+ * @type {Record<string, string>}
+ */
+const NAMES = { fx16: "16-bit integers", fx32: "32-bit integers", f32: "32-bit floats" };
+
+/**
  * @template {Element} [T=HTMLElement]
  * @param {string} name
  * @param {abstract new (...args: any) => T} [kind]
@@ -33,6 +39,10 @@ export class DividedPicture {
    */
   #job;
   #isShown = true;
+  #names = ["", ""];
+
+  /** The edge between both halves. */
+  divider = new Divider(find("frame"));
 
   /**
    * The difference between both halves: a plain object.
@@ -47,7 +57,6 @@ export class DividedPicture {
   constructor(module, count) {
     this.#module = module;
     this.#count = count;
-    new Divider(find("frame"));
     element("-bar").style.background = `linear-gradient(90deg, ${colours(Divided.palette()).join()})`;
   }
 
@@ -92,19 +101,34 @@ export class DividedPicture {
     this.#screen.show();
     this.#screen.showMap(divided.pixels());
     this.difference = plain(divided);
-    this.#tell(this.difference, width, pixels.length / 4);
+    if (!element("-note").hidden) this.#tell(this.difference, width, pixels.length / 4);
     this.#isShown = true;
     return true;
   }
 
   /**
-   * Divides the picture or not, and covers it with the difference or uncovers it.
-   * @param {boolean} isDivided
+   * Divides the picture between two formats or not, and covers it with the difference or uncovers it.
+   * @param {string} format of the picture
+   * @param {string | undefined} other format of the other half; none for a picture that is whole
    * @param {boolean} isDifference
    */
-  cover(isDivided, isDifference) {
+  cover(format, other, isDifference) {
     element("-difference").hidden = !isDifference;
-    for (const part of ["", "-key", "-switch", "-note"]) element(part).hidden = !isDivided;
+    for (const part of ["-key", "-switch", "-note"]) element(part).hidden = other === undefined;
+    this.divide(format, other);
+  }
+
+  /**
+   * Shows the other half without what is said of it, or a picture that is whole.
+   * @param {string} format of the picture
+   * @param {string | undefined} other format of the other half
+   */
+  divide(format, other) {
+    element("").hidden = other === undefined;
+    if (other === undefined) return;
+    this.#names = [NAMES[format], NAMES[other]];
+    this.divider.left = this.#names[0];
+    element("").querySelectorAll(".badge").forEach((badge, side) => (badge.textContent = this.#names[side]));
   }
 
   /**
@@ -116,8 +140,8 @@ export class DividedPicture {
     const [x, y] = [place % width, Math.floor(place / width)];
     element("-note").textContent =
       largest === 0
-        ? "A and B are equal, pixel by pixel."
-        : `A: ${apart({ pixels, differing, beyond, most: largest }, "B")} (ring, at ${x}, ${y}).`;
+        ? "Both halves are equal, pixel by pixel."
+        : `${this.#names[0]}: ${apart({ pixels, differing, beyond, most: largest }, this.#names[1])} (ring, at ${x}, ${y}).`;
     element("-end").textContent = counted(end, "code");
     element("-bar").setAttribute("aria-label", `From no difference, dark blue, to ${counted(end, "code")}, pale yellow`);
     encircle(element("-ring"), largest > 0, place, { width, height: pixels / width });

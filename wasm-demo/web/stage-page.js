@@ -44,6 +44,8 @@ const REST = 150;
 /** What stands beside the button that verifies it. */
 const EQUAL = "Only exact zeros are skipped: the picture is the same, bit for bit.";
 
+const isMotionWanted = () => !matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 export class StagePage {
   #stage;
   #pool;
@@ -76,6 +78,15 @@ export class StagePage {
    * @type {import("./verdict.js").Verdict | undefined}
    */
   #verdict;
+  /**
+   * Moves the edge of a divided picture, once it is loaded.
+   * @type {{ sweep: import("./sweep.js").Sweep, paths: typeof import("./sweep.js") } | undefined}
+   */
+  #edge;
+  /** Whether a new visitor sees the first picture, and has not touched it. */
+  #isNew = false;
+  /** Whether the edge between integers and floats moves over that picture. */
+  #isSwept = false;
   #isOpen = false;
   /** Whether a pointer is down: what it drags is one step to undo, however long it takes. */
   #isHeld = false;
@@ -208,10 +219,10 @@ export class StagePage {
     this.#isOpen = true;
     const refused = this.#stage.recall(query);
     // Nothing moves by itself for a visitor who wants no motion.
-    const isMotionUnwanted = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    if (isMotionUnwanted && !new URLSearchParams(query).has("play")) this.#stage.play(false, false);
+    if (!isMotionWanted() && !new URLSearchParams(query).has("play")) this.#stage.play(false, false);
     if (isFirst) this.#stage.begin();
     this.#changed();
+    this.#isNew = isFirst && query === "" && isMotionWanted();
     element("stage-error").textContent = refused;
     if (!isFirst) return;
     await this.#view.draw(now());
@@ -232,6 +243,7 @@ export class StagePage {
   /** Called when the view is hidden. */
   hide() {
     clearTimeout(this.#timer);
+    this.#touch();
     this.#verdict?.stop();
     this.#view.pause(true);
   }
@@ -319,12 +331,60 @@ export class StagePage {
         this.#stage.set("with", format);
         this.#stage.set("difference", true);
       });
+      this.#verdict.onbeside = (format) => {
+        this.#set(() => {
+          this.#stage.set("with", format);
+          this.#stage.set("difference", false);
+        });
+        this.#open();
+      };
       this.#verdict.onbuilt = () => this.#changed();
+      this.#verdict.onmeasured = () => this.#introduce().catch((error) => reportError(new Error(words(error))));
+      this.#verdict.show();
       this.#verdict.later();
     };
+    /** @type {(paths: typeof import("./sweep.js")) => void} */
+    const joinSweep = (paths) => (this.#edge = { sweep: new paths.Sweep((percent) => this.#divided.divider.move(percent)), paths });
     const seen = [later("curve.js", joinCurve), later("handles.js", joinHandles)].map((loading) => loading.catch(reportError));
     // It needs a second module, which comes after what is seen at once.
-    Promise.all(seen).then(() => later("verdict.js", joinVerdict)).catch(reportError);
+    Promise.all(seen)
+      .then(() => later("sweep.js", joinSweep))
+      .then(() => later("verdict.js", joinVerdict))
+      .catch(reportError);
+  }
+
+  /** Moves the edge between integers and floats once over the first picture, which stays as it is. */
+  async #introduce() {
+    const stage = this.#stage;
+    if (!this.#isNew || stage.get("format") !== "fx16" || stage.get("with")) return;
+    const { width, height } = stage;
+    // Its workers start while the pictures go on.
+    await this.#divided.draw(stage.jobIn("f32"), { width, height });
+    if (!this.#isNew) return this.#view.request();
+    this.#isSwept = true;
+    this.#edge?.sweep.start(this.#edge.paths.OVER, () => this.#touch());
+    this.#divided.divide("fx16", "f32");
+    this.#view.request();
+  }
+
+  /**
+   * The first picture is no longer untouched: the edge that moves over it is gone.
+   * @param {EventTarget | null} [target] what the visitor has pressed: the edge itself stays
+   */
+  #touch(target) {
+    this.#isNew = false;
+    this.#edge?.sweep.stop();
+    if (!this.#isSwept) return;
+    this.#isSwept = false;
+    this.#divided.divide("fx16", undefined);
+    if (target instanceof Element && target.matches(".divider")) this.#set(() => this.#stage.set("with", "f32"));
+    else this.#view.request();
+  }
+
+  /** Opens a picture that has been divided, from its side. */
+  #open() {
+    if (this.#stage.get("with") && isMotionWanted()) this.#edge?.sweep.start(this.#edge.paths.OPEN);
+    else this.#divided.divider.move(50);
   }
 
   /**
@@ -333,6 +393,9 @@ export class StagePage {
    */
   #joinSteps() {
     const page = element("stage-page");
+    for (const touch of ["pointerdown", "keydown", "wheel"]) {
+      page.addEventListener(touch, ({ target }) => this.#touch(target), { capture: true, passive: true });
+    }
     page.addEventListener("pointerdown", ({ isPrimary }) => {
       if (!isPrimary) return;
       this.#stage.mark();
@@ -414,7 +477,9 @@ export class StagePage {
     input("camera").checked = stage.cameraPlays;
     input("camera").disabled = !stage.cameraMoves;
     this.#controls.show();
-    this.#divided.cover(this.#jobs()[1] !== undefined, stage.get("difference"));
+    if (this.#isSwept) this.#touch();
+    this.#divided.cover(stage.get("format"), this.#jobs()[1] && String(stage.get("with")), stage.get("difference"));
+    this.#verdict?.show();
     element("equality").textContent = EQUAL;
     element("told").textContent = "";
     this.#lights.show();
@@ -493,7 +558,7 @@ export class StagePage {
    */
   #jobs() {
     const stage = this.#stage;
-    if (isBuilt("wide")) return [stage.job(), stage.otherJob()];
+    if (isBuilt("wide")) return [stage.job(), this.#isSwept ? stage.jobIn("f32") : stage.otherJob()];
     return [stage.get("format") === "fx16" ? stage.job() : stage.jobIn("fx16")];
   }
 

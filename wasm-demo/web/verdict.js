@@ -26,6 +26,11 @@ export class Verdict {
   #shown;
   /** @type {number | undefined} */
   #timer;
+  /**
+   * The largest difference that the sentence states.
+   * @type {number | undefined}
+   */
+  #most;
   /** The jobs of the last measurement. */
   #measured = "";
   /**
@@ -36,6 +41,12 @@ export class Verdict {
 
   /** Called with the format that the picture is to be compared with, to show where they differ. */
   onwhere = /** @type {(format: string) => void} */ (() => {});
+
+  /** Called with that format, to divide the picture between both, and with none, to make it whole. */
+  onbeside = /** @type {(format?: string) => void} */ (() => {});
+
+  /** Called when the picture has been measured. */
+  onmeasured = () => {};
 
   /** Called when what draws in 32 bits has been waited for and is built. */
   onbuilt = () => {};
@@ -49,9 +60,24 @@ export class Verdict {
     this.#stage = stage;
     this.#module = module;
     this.#shown = shown;
-    element("verdict-where").addEventListener("click", () => {
-      this.onwhere(this.#stage.get("format") === "f32" ? "fx16" : "f32");
-    });
+    element("verdict-where").addEventListener("click", () => this.onwhere(this.#other));
+    element("beside").addEventListener("click", () => this.onbeside(this.#isDivided ? undefined : this.#other));
+  }
+
+  /** The format that the picture is to be compared with. */
+  get #other() {
+    return this.#stage.get("format") === "f32" ? "fx16" : "f32";
+  }
+
+  get #isDivided() {
+    return Boolean(this.#stage.get("with"));
+  }
+
+  /** Shows what can be done after the sentence: to divide the picture, and then to find the difference. */
+  show() {
+    element("beside").hidden = this.#most === undefined;
+    element("beside").textContent = this.#isDivided ? "Show whole" : "Compare";
+    element("verdict-where").hidden = !this.#most || !this.#isDivided || this.#stage.get("difference") === true;
   }
 
   /** The format that is judged: that of the picture, or 16 bits for a picture in floats. */
@@ -81,7 +107,7 @@ export class Verdict {
     /** @type {Pool | undefined} */
     let pool;
     try {
-      await this.#wide((text) => asked === this.#measured && this.#tell(text, false));
+      await this.#wide((text) => asked === this.#measured && this.#tell(text));
       if (asked !== this.#measured) return;
       pool = new Pool(Promise.resolve(this.#module), 1);
       const shown = jobs.map((job) => this.#shown(job));
@@ -100,13 +126,15 @@ export class Verdict {
       const difference = apart({ pixels: pictures[0].length / 4, differing, beyond, most }, "32-bit floats");
       const price = await this.#price(format, { account, pixels: pictures[0].length / 4, ...display });
       // A later picture may have been measured in the meantime.
-      if (asked === this.#measured) this.#tell(`${NAMES[format]}: ${difference}; ${price}.`, most > 0);
+      if (asked !== this.#measured) return;
+      this.#tell(`${NAMES[format]}: ${difference}; ${price}.`, most);
+      this.onmeasured();
     } catch (refusal) {
       if (asked !== this.#measured) return;
       this.#measured = "";
       this.#work = undefined;
       const drawn = isBuilt("wide") ? "" : " The picture is drawn in 16 bits.";
-      this.#tell(`${NAMES[format]}: not measured: ${words(refusal)}${drawn}`, false);
+      this.#tell(`${NAMES[format]}: not measured: ${words(refusal)}${drawn}`);
     } finally {
       pool?.end();
     }
@@ -128,11 +156,12 @@ export class Verdict {
 
   /**
    * @param {string} text
-   * @param {boolean} differs
+   * @param {number} [most] the largest difference, once it is measured
    */
-  #tell(text, differs) {
+  #tell(text, most) {
     element("verdict-text").textContent = text;
-    element("verdict-where").hidden = !differs;
+    this.#most = most;
+    this.show();
   }
 
   /** What the picture is encoded for. */

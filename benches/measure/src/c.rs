@@ -182,8 +182,7 @@ pub(crate) fn add(board: &Board, group: &mut Group, progress: &Progress) -> Resu
 
 /// What C costs on a board that runs nothing else.
 pub(crate) fn counted(board: &'static Board, progress: &Progress) -> Result<Group> {
-    let machine = MACHINES.iter().find(|machine| machine.board == board);
-    let machine = machine.with_context(|| format!("{} compiles no C", board.name))?;
+    let machine = machine(board).with_context(|| format!("{} compiles no C", board.name))?;
     compilers::find(progress)?;
     let version = command::answer(Command::new(machine.compiler).arg("-dumpfullversion"))?;
     let compiler = format!("{} {}", machine.compiler, version.trim());

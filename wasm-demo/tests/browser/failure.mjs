@@ -150,7 +150,7 @@ quick(
       // The formats of 32 bits are drawn in 16 bits until they are built.
       await enter("format", "f32");
       await tells("verdict-text", "32-bit renderer is not built yet.* in 16 bits");
-      assert.deepEqual([await sum(), await words("stage-error"), await shows("verdict-where")], [picture, "", false]);
+      assert.deepEqual([await sum(), await words("stage-error"), await shows("beside")], [picture, "", false]);
       await change("a beam", () => enter("light-beam-number", 15));
       await change("the beam before", () => press("undo"));
       assert.equal(await sum(), picture);
@@ -292,7 +292,7 @@ quick("the folder for static hosts works under a path", async () => {
   const names = new Set(requests.filter((address) => !address.startsWith("data:")).map((address) => address.replace(hosted.address, "")));
   const version = hosted.files.find((name) => name.includes("/")).split("/")[0];
   // What the page loads by itself after the first picture, and what a browser without a window does not need.
-  const late = /^(curve|handles|press|shapes|icon|verdict)\./;
+  const late = /^(curve|handles|press|shapes|icon|sweep|verdict)\./;
   const first = (names) => [...names].map((name) => name.replace(`${version}/`, "")).filter((name) => name && name !== "index.html" && !late.test(name)).sort();
   assert.deepEqual(first(names), first(hosted.files), "the files of the first picture");
   // The page names all of its scripts, so that no script waits for another to arrive. What draws in 32

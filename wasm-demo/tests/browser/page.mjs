@@ -53,7 +53,7 @@ long("no text is cut or covered, on four screens and at 200 %", async () => {
 quick("the picture is in view beside every part of the desk, and Verify in the first screen", async () => {
   await open(`${SMALL}#stage?scene=show&play=none`);
   // The sentence below the picture comes after it.
-  await isShown("verdict-where");
+  await isShown("beside");
   for (const [width, height] of [[1024, 768], [1440, 900], [1920, 1080], [3840, 2160]]) {
     await resize(width, height);
     for (const panel of ["price", "work", "picture", "lights"]) {

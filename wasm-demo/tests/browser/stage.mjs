@@ -1,6 +1,6 @@
 // The stage: its pictures, its scenes and effects, its state and the address, and the camera.
 import {
-  EXPECT, STILL, account, ask, assert, change, choose, count, drag, draws, drawn, enter, follow, go, hash, isChecked, isDisabled, isLit,
+  EXPECT, SIZE, STILL, account, ask, assert, change, choose, count, drag, draws, drawn, enter, follow, go, hash, isChecked, isDisabled, isLit,
   isShown, isWritten, more, must, number, open, options, pause, place, press, quick, redraw, resize, scenes, settle, shows, sum, survey,
   tab, until, value, words, written,
 } from "./visit.mjs";
@@ -105,7 +105,7 @@ quick("the halves of a divided picture differ as on the host", async () => {
   const { largest, place, differing } = await difference();
   assert.deepEqual({ largest, place, differing }, EXPECT.divided);
   must(largest, (largest) => largest > 0, "two pictures");
-  assert.match(await words("divided-note"), new RegExp(`^A: .* differ from B, by .*${largest}( of 255)? \\(ring`));
+  assert.match(await words("divided-note"), new RegExp(`^16-bit integers: .* differ from 32-bit floats, by .*${largest}( of 255)? \\(ring`));
   await enter("divided-format", "fx16");
   const same = await difference();
   assert.deepEqual([same.largest, same.differing], [0, 0], "a format differs from itself");
@@ -180,10 +180,60 @@ quick("one sentence says what 16 bits change in the picture, and leads to the pl
   // Beside the edges of shadows more than rounding differs.
   await open("#stage?scene=three-point&play=none&format=f32");
   assert.match(await told(), /, by 1 of 255, and \d+ of them by up to \d+; /);
+  await press("beside");
   await press("verdict-where");
+  assert.ok(!(await shows("verdict-where")), "a way to where the visitor is");
   await settle();
   must(await isWritten(/difference=1/), (address) => address.includes("with=fx16"), "the other format in the address");
   assert.ok(await shows("divided-ring"), "a ring around the largest difference");
+});
+
+/** Opens the page as a new visitor, and notes each place of the edge while the picture is divided. */
+const arrive = async (address = SIZE) => {
+  const script = `window.edges = []; setInterval(() => {
+    const [frame, divided] = ["frame", "divided"].map((id) => document.getElementById(id));
+    if (divided && !divided.hidden) window.edges.push(parseFloat(frame.style.getPropertyValue("--split")));
+  }, 20)`;
+  await open(address, { plays: true, script });
+  await isShown("beside");
+};
+
+quick("the edge between integers and floats moves over the first picture, until it is touched", async () => {
+  await arrive();
+  await until(() => window.edges.at(-1) < 50);
+  const names = await ask(() => [...document.querySelectorAll("#divided .badge")].map(({ textContent }) => textContent));
+  assert.deepEqual([names, await shows("divided-note")], [["16-bit integers", "32-bit floats"], false]);
+  await tab.mouse.move(...(await place("#view", [0.5, 0.02])));
+  await tab.mouse.down();
+  await tab.mouse.up();
+  assert.ok(!(await shows("divided")), "an edge over a picture that was pressed");
+  must(await isWritten(/scene=show|play=|^#stage/), (address) => !address.includes("with="), "an address that is not divided");
+  // It is one press away.
+  await press("beside");
+  await until(() => document.getElementById("frame").style.getPropertyValue("--split") === "50%");
+  await isWritten(/with=f32/);
+  assert.deepEqual([await words("beside"), await shows("divided-note")], ["Show whole", true]);
+  await press("beside");
+  assert.deepEqual([await words("beside"), await shows("divided")], ["Compare", false]);
+});
+
+more("the edge moves over the first picture once, and not where it is unwanted", async () => {
+  await arrive();
+  await until(() => window.edges.length > 0 && document.getElementById("divided").hidden);
+  const edges = await ask(() => window.edges);
+  must([Math.min(...edges), edges.at(-1)], ([least, last]) => least < 10 && last > 90, "an edge that goes over the picture and back");
+  const before = edges.length;
+  await draws(3);
+  await choose("turntable");
+  await pause(1500);
+  assert.equal(await ask(() => window.edges.length), before, "an edge for another scene");
+  const still = "window.matchMedia = (query) => ({ matches: query.includes('reduced-motion') })";
+  for (const [address, script] of [[`${SIZE}#stage?scene=show`], [SIZE, still]]) {
+    await open(address, { plays: true, script });
+    await isShown("beside");
+    await pause(1500);
+    assert.ok(!(await shows("divided")), `a divided picture at ${address}, ${script}`);
+  }
 });
 
 quick("a tree of LEDs tells its current, which has a limit, in every format", async () => {
