@@ -80,7 +80,11 @@ export class LightPanel {
     element("back").addEventListener("click", () => this.onlist(() => stage.putBack(this.#light)));
     element("expose").addEventListener("click", () => this.onlist(() => stage.exposeFor(this.#light)));
     element("copy").addEventListener("click", () => this.onlist(() => stage.copyLight(this.#light)));
-    element("remove").addEventListener("click", () => this.onlist(() => stage.removeLight(this.#light)));
+    element("remove").addEventListener("click", () => {
+      this.onlist(() => stage.removeLight(this.#light));
+      // The panel of the last light is gone, and the button with it.
+      if (stage.lightCount === 0) element("add").focus();
+    });
   }
 
   /**

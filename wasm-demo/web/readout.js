@@ -25,8 +25,7 @@ export class Readout {
       const time = passes[name];
       if (time !== undefined) times.push(time);
       if (times.length > PICTURES) times.shift();
-      // Rounded to hundredths as displayed, so that the shown times add up.
-      const shown = times.length === 0 ? undefined : Number(median(times).toFixed(2));
+      const shown = times.length === 0 ? undefined : median(times);
       tell(place, shown, time === undefined);
       if (time !== undefined) frame += shown ?? 0;
     }
@@ -47,7 +46,8 @@ export class Readout {
  * @param {boolean} isKept
  */
 function tell(place, time, isKept) {
-  place.textContent = time === undefined ? "–" : `${time.toFixed(2)} ms`;
+  // What is always in view has a digit less: it changes with each picture.
+  place.textContent = time === undefined ? "–" : `${time.toFixed(place.closest("summary") ? 1 : 2)} ms`;
   place.classList.toggle("kept", isKept);
   if (!isKept || time === undefined) return;
   place.append(made("small", {}, " kept"));

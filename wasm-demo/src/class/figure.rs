@@ -112,7 +112,7 @@ pub(crate) struct Drawing {
     pub(crate) graph: Option<Graph>,
     /// Labels, values and units.
     pub(crate) numbers: Vec<(&'static str, f64, &'static str)>,
-    /// What the kernel has refused; empty if nothing.
+    /// What the kernel has refused, or a formula cannot give; empty if nothing.
     pub(crate) refused: String,
 }
 
@@ -140,6 +140,9 @@ pub(crate) struct Graph {
 /// A value with four significant digits, or all of a whole number.
 pub(crate) fn tidy(value: impl Into<f64>) -> String {
     let value = value.into();
+    if value == f64::INFINITY {
+        return "∞".to_owned();
+    }
     let decimals = if value == 0.0 { 0.0 } else { (3.0 - value.abs().log10().floor()).clamp(0.0, 12.0) };
     let text = format!("{value:.0$}", decimals as usize);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }

@@ -78,6 +78,7 @@ fn numbers_are_those_of_the_published_formulas() {
         ("kinds&kind=point", &[24.0 / top.powi(3), 0.75], 1e-5),
         ("kinds&kind=spot", &[24.0 / top.powi(3) * spot * spot, 0.0], 1e-4),
         ("attenuation&a=0.5&b=0.1&c=0.2", &[1.0, 1.0 / 4.1, (0.41_f64.sqrt() - 0.1) / 0.4], 1e-5),
+        ("attenuation&a=0.5&b=0&c=0.003", &[1.0, 1.0, (0.5_f64 / 0.003).sqrt()], 1e-5),
         ("sphere&d=3", &[1.0 / 9.0, 36.0 * PI, 4.0 * PI], 1e-5),
         ("power&p=20&cutoff=30", &[whole(0.5_f64.powf(0.05)), cosine(29.97).powi(20)], 1e-4),
         ("cones&inner=10&outer=20&range=8", &[whole((c10 + c20) / 2.0) / 2.0, smooth(0.25)], 1e-4),
@@ -104,6 +105,7 @@ fn numbers_are_those_of_the_published_formulas() {
             );
         }
     }
+    assert_eq!(opened("attenuation&a=0.5&b=0&c=0").drawing.numbers[2].1, f64::INFINITY);
     // Of the texts.
     assert_eq!((Fx16::STEP, format!("{:.0e}", f32::EPSILON / 2.0)), (0.5_f32.powi(14), "6e-8".to_owned()));
     let [naive, ours] = [0, 1]
@@ -168,6 +170,14 @@ fn both_ends_of_every_control_are_drawn_or_refused_in_words() {
             assert!(Values::of(figure).set(parameter.name(), "1e9").is_err(), "{}", figure.name);
         }
     }
+    // What has no number says so, and where it begins.
+    let thin = ["0.01", "0.015"].map(|half| opened(&format!("versine&half={half}")).drawing);
+    assert!(
+        thin[0].refused.contains("0 / 0") && thin[0].numbers[0].1 == f64::INFINITY,
+        "{}",
+        thin[0].refused
+    );
+    assert!(thin[1].refused.is_empty() && thin[1].numbers[0].1 < 256.0, "{:?}", thin[1].numbers);
     let refused = opened("both&beam=8&field=140").drawing.refused;
     assert!(
         refused.contains("field angle = 140: expected 8 to 18") && refused.contains("nearest pair"),

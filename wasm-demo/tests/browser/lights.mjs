@@ -308,6 +308,7 @@ more("lights are copied and removed", async () => {
   }
   assert.equal(await words("lights-count"), "0 of 0 on");
   assert.ok(!(await shows("panel")), "the panel of no light is shown");
+  assert.equal(await ask(() => document.activeElement.id), "light-add", "the focus after the last light");
   await change("a light in the dark", () => press("light-add"));
   await change("reset", () => press("reset"));
 });

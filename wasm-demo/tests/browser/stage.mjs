@@ -224,7 +224,7 @@ more("the edge moves over the first picture once, and not where it is unwanted",
   must([Math.min(...edges), edges.at(-1)], ([least, last]) => least < 10 && last > 90, "an edge that goes over the picture and back");
   const before = edges.length;
   await draws(3);
-  await choose("turntable");
+  await press("scene-turntable");
   await pause(1500);
   assert.equal(await ask(() => window.edges.length), before, "an edge for another scene");
   const still = "window.matchMedia = (query) => ({ matches: query.includes('reduced-motion') })";

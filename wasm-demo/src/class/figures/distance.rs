@@ -38,14 +38,11 @@ fn polynomial([a, b, c]: [f32; 3], d: f64) -> f64 {
     f64::from(a) + d * (f64::from(b) + d * f64::from(c))
 }
 
-/// The distance up to which the law is capped, at most that of the picture.
+/// The distance up to which the law is capped: where the polynomial is 1, in a form that loses no digits. It may be
+/// infinite.
 fn capped(constants: [f32; 3]) -> f64 {
-    let (mut near, mut far) = (0.0, 2.0 * LONGEST);
-    for _ in 0..60 {
-        let middle = f64::midpoint(near, far);
-        if polynomial(constants, middle) < 1.0 { near = middle } else { far = middle }
-    }
-    far.min(LONGEST)
+    let [below, b, c] = [1.0 - f64::from(constants[0]), constants[1].into(), constants[2].into()];
+    if below <= 0.0 { 0.0 } else { 2.0 * below / (b + (b * b + 4.0 * c * below).sqrt()) }
 }
 
 fn attenuation(values: &Values) -> Result<Drawing, Refusal> {

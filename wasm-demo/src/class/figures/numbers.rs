@@ -87,7 +87,14 @@ pub(super) const VERSINE: Figure = Figure {
             ("Largest error of 1 − l·s", error(&naive), " of 255 codes"),
             ("Of |l − s|²/2", error(&ours), " of 255 codes"),
         ];
-        Ok(Drawing { numbers, ..beams(&[naive, ours], reach, &[]) })
+        let refused = if tau < 1.0 {
+            String::new()
+        } else {
+            format!(
+                "half angle = {half}: expected over 0.014°, below which a cosine is 1 in 32-bit floats. By 1 − l·s the light is 0 / 0."
+            )
+        };
+        Ok(Drawing { numbers, refused, ..beams(&[naive, ours], reach, &[]) })
     },
 };
 
