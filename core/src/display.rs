@@ -6,7 +6,7 @@
 //! | for | output | curve |
 //! |---|---|---|
 //! | an LED by pulse width, 1 to 16 bits | [`Pwm::duty`]; without steps at low light [`TemporalDither`] | linear |
-//! | a strip of addressable LEDs, such as WS2812 | [`LedStrip`], its bytes with a limit of the current | linear |
+//! | a strip of addressable LEDs: WS2812, SK6812 RGBW, APA102, HD108 | [`LedStrip`], the bytes of a [`LedChip`] with a limit of the current | linear |
 //! | an LED driver or a panel that itself applies a gamma to eight bits | [`Curve::encode`] of [`Gamma22`] or [`Gamma28`] | power |
 //! | a matrix of LEDs of eight bits without a gamma | [`Curve::encode_dithered`] of [`Linear`] | linear |
 //! | a colour display | [`Rgb332`], [`Rgb444`], [`Rgb555`], [`Rgb565`], [`Rgb666`], [`Rgb888`], each a [`Pixel`] | sRGB |
@@ -55,7 +55,7 @@ pub use self::{
     exposure::{CompiledExposure, Exposure},
     fit::{clip, compress_keep_hue},
     gray::{Gray1, Gray2, Gray4, Gray8},
-    leds::{LedOrder, LedStrip},
+    leds::{Apa102, CurrentDither, Hd108, LedChip, LedFrame, LedLoad, LedOrder, LedStrip, Rgbw},
     pack::{Layout, pack},
     palette::Palette,
     pixel::{Pixel, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888},

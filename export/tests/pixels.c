@@ -103,25 +103,38 @@ static void strips(void) {
     uint32_t count = get(), i, frame;
     while (count-- > 0) {
         luminaire_strip strip;
+        luminaire_frame stream = { 0, 0, 0 };
         luminaire_rgb lights[MOST];
-        uint16_t carries[3 * MOST];
-        uint8_t bytes[3 * MOST];
-        uint32_t leds = get();
+        uint16_t carries[4 * MOST];
+        uint8_t bytes[8 * MOST];
+        uint32_t leds = get(), size, words;
         strip.order = CAST(int, get());
+        size = luminaire_led_bytes(strip.order);
+        words = luminaire_led_carries(strip.order);
         strip.most = get();
         strip.channel = CAST(uint16_t, get());
         strip.idle = CAST(uint16_t, get());
+        strip.dimmed = get();
         for (i = 0; i < leds; ++i) {
             lights[i].red = get();
             lights[i].green = get();
             lights[i].blue = get();
         }
-        for (i = 0; i < 3 * leds; ++i) { carries[i] = luminaire_phase(i); }
+        for (i = 0; i < leds; ++i) { luminaire_led_start(carries + words * i, strip.order, i); }
         for (frame = 0; frame < 3; ++frame) {
             luminaire_strip_write(bytes, carries, &strip, lights, leds);
-            for (i = 0; i < 3 * leds; ++i) { put(bytes[i]); }
+            for (i = 0; i < size * leds; ++i) { put(bytes[i]); }
+        }
+        for (frame = 0; frame < 3; ++frame) {
+            luminaire_strip_begin(&stream, &strip, leds);
+            for (i = 0; i < leds; ++i) {
+                luminaire_strip_next(bytes + size * i, carries + words * i, &stream, &strip, lights[i]);
+            }
+            for (i = 0; i < size * leds; ++i) { put(bytes[i]); }
         }
         luminaire_strip_write(NULL, NULL, &strip, NULL, 0);
+        luminaire_strip_begin(NULL, &strip, 1);
+        luminaire_strip_next(NULL, NULL, NULL, &strip, lights[0]);
     }
 }
 

@@ -11,9 +11,9 @@ use std::path::Path;
 
 use fastrand::Rng;
 use luminaire::display::{
-    Curve, Gamma22, Gamma28, Gray1, Gray2, Gray4, Gray8, Layout, LedOrder, LedStrip, Linear, Palette, Pixel,
-    Pwm, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888, TemporalDither, clip, encode_srgb,
-    encode_srgb_dithered, pack,
+    Apa102, Curve, Gamma22, Gamma28, Gray1, Gray2, Gray4, Gray8, Hd108, Layout, LedChip, LedLoad, LedOrder,
+    LedStrip, Linear, Palette, Pixel, Pwm, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888, Rgbw,
+    TemporalDither, clip, encode_srgb, encode_srgb_dithered, pack,
 };
 use luminaire::number::Light16;
 use luminaire::{Fx16, Rgb};
@@ -111,33 +111,49 @@ fn colors(rng: &mut Rng) -> Vec<Rgb<u32>> {
     colors
 }
 
-/// Writes the words of strips, and returns the bytes that the kernel sends them.
+/// Writes the words of strips of all families of chips, and returns the bytes that the kernel sends them.
 fn strips(count: u32, rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
-    let mut expected = Vec::new();
     input.push(count);
-    for index in 0..count {
-        let leds = rng.u32(0..=MOST);
-        let (order, channel) = (index % 4, if index % 16 == 0 { 0 } else { rng.u16(1..) >> rng.u8(..16) });
-        let idle = rng.u16(..) >> rng.u8(..16);
-        let white = leds * (u32::from(idle) + 3 * u32::from(channel));
-        let most = if index % 8 == 1 { rng.u32(..) } else { rng.u32(0..=white) };
-        input.extend([leds, order, most, channel.into(), idle.into()]);
-        let lights: Vec<_> = (0..leds).map(|_| [0; 3].map(|_| rng.u32(0..20_000))).collect();
-        input.extend(lights.iter().flatten());
-        let order = [LedOrder::Grb, LedOrder::Rgb, LedOrder::Bgr, LedOrder::Grb][order as usize];
-        let mut strip = LedStrip::new(order);
-        if channel > 0 {
-            strip = strip.with_limit(most, channel, idle);
+    let strips = (0..count).flat_map(|index| {
+        let channels = index % 4;
+        let order = [LedOrder::Grb, LedOrder::Rgb, LedOrder::Bgr, LedOrder::Grb][channels as usize];
+        match index / 4 % 4 {
+            0 => strip(order, channels, index, rng, input),
+            1 => strip(Rgbw(order), channels + 4, index, rng, input),
+            2 => strip(Apa102(order), channels + 8, index, rng, input),
+            _ => strip(Hd108(order), channels + 12, index, rng, input),
         }
-        let lights: Vec<_> =
-            lights.iter().map(|light| clip(Rgb::from(light.map(Light16::from_bits)))).collect();
-        let mut dithers: Vec<Rgb<TemporalDither<8>>> =
-            (0..leds as u16).map(|led| [0, 1, 2].map(|c| TemporalDither::new(3 * led + c)).into()).collect();
-        let mut bytes = vec![0; 3 * lights.len()];
-        for _ in 0..3 {
+    });
+    strips.collect()
+}
+
+fn strip<C: LedChip>(chip: C, order: u32, index: u32, rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
+    let mut expected = Vec::new();
+    let leds = rng.u32(0..=MOST);
+    let channel = if index % 5 == 0 { 0 } else { rng.u16(1..) >> rng.u8(..16) };
+    let idle = rng.u16(..) >> rng.u8(..16);
+    let white = leds * (u32::from(idle) + 3 * u32::from(channel));
+    let most = if index % 8 == 1 { rng.u32(..) } else { rng.u32(0..=white) };
+    let brightness = if index % 3 == 0 { 1 << 14 } else { rng.u32(0..=1 << 14) >> rng.u8(..14) };
+    input.extend([leds, order, most, channel.into(), idle.into(), (1 << 16) - 4 * brightness]);
+    let lights: Vec<_> = (0..leds).map(|_| [0; 3].map(|_| rng.u32(0..20_000) >> rng.u8(..15))).collect();
+    input.extend(lights.iter().flatten());
+    let mut strip = LedStrip::new(chip).with_brightness(Fx16::from_bits(brightness as i16));
+    if channel > 0 {
+        strip = strip.with_limit(most, channel, idle);
+    }
+    let lights: Vec<_> = lights.iter().map(|light| clip(Rgb::from(light.map(Light16::from_bits)))).collect();
+    let mut dithers: Vec<_> = (0..leds as u16).map(C::dither).collect();
+    let (mut bytes, mut load) = (vec![0; C::BYTES * lights.len()], LedLoad::default());
+    for frame in 0..6 {
+        if frame < 3 {
             strip.write(&lights, &mut dithers, &mut bytes);
-            expected.extend(bytes.iter().map(|byte| u32::from(*byte)));
+        } else {
+            let mut frame = strip.frame(lights.len(), &mut load);
+            let leds = lights.iter().zip(&mut dithers).zip(bytes.chunks_exact_mut(C::BYTES));
+            leds.for_each(|((light, dither), bytes)| frame.write(*light, dither, bytes));
         }
+        expected.extend(bytes.iter().map(|byte| u32::from(*byte)));
     }
     expected
 }

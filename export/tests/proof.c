@@ -162,10 +162,13 @@ static const uint8_t cells[4096] LUMINAIRE_TABLE = { 0 };
 static void outputs(void) {
     luminaire_palette palette;
     luminaire_strip strip;
-    uint16_t carries[3 * FEW];
-    uint8_t out[3 * FEW];
+    luminaire_frame frame;
+    uint16_t carries[4 * FEW];
+    uint8_t out[8 * FEW];
     uint32_t count;
+    int family;
     ANY(strip);
+    ANY(frame);
     ANY(carries);
     palette.cells = OR_NULL(cells);
     palette.spacing = (uint8_t)word;
@@ -181,9 +184,17 @@ static void outputs(void) {
     luminaire_next_duty(OR_NULL(carries), word, word);
     luminaire_next_dimmed(OR_NULL(carries), word, word, word);
     luminaire_strip_write(0, 0, OR_NULL(&strip), 0, word);
-    for (count = 0; count <= FEW; ++count) {
-        luminaire_strip_write(
-            out + 3 * (FEW - count), carries + 3 * (FEW - count), &strip, lights + MANY - count, count);
+    for (family = 0; family <= LUMINAIRE_LED_HD108; family += 4) {
+        const uint32_t bytes = luminaire_led_bytes(family), words = luminaire_led_carries(family);
+        strip.order = family + (int)(word & 3);
+        luminaire_led_start(OR_NULL(carries), strip.order, word);
+        luminaire_strip_begin(OR_NULL(&frame), OR_NULL(&strip), word);
+        luminaire_strip_next(
+            out + 8 * FEW - bytes, carries + 4 * FEW - words, OR_NULL(&frame), OR_NULL(&strip), rgb());
+        for (count = 0; count <= FEW; ++count) {
+            luminaire_strip_write(out + 8 * FEW - bytes * count, carries + 4 * FEW - words * count, &strip,
+                lights + MANY - count, count);
+        }
     }
 }
 

@@ -70,14 +70,23 @@ impl<const BITS: u32> TemporalDither<BITS> {
     /// Returns the duty of the next frame for light times a factor, at most [`FULL`].
     #[inline]
     pub(super) fn next_dimmed<S: Scalar>(&mut self, light: S, factor: u32) -> u16 {
-        let light = fine(light.word(), Pwm::<BITS>::LAST.count_ones());
-        let dimmed =
-            if factor == FULL { light } else { ((u64::from(light) * u64::from(factor)) >> 16) as u32 };
+        self.next_fine(dimmed(fine(light.word(), Pwm::<BITS>::LAST.count_ones()), factor))
+    }
+
+    /// Returns the duty of the next frame for light in units of 2^-16 of a duty, at most `LAST` of them.
+    #[inline]
+    pub(super) fn next_fine(&mut self, light: u32) -> u16 {
         // At most 2^32 - 1: the largest product is (2^16 - 1) * 2^16.
-        let sum = dimmed + u32::from(self.carry);
+        let sum = light + u32::from(self.carry);
         self.carry = sum as u16;
         (sum >> 16) as u16
     }
+}
+
+/// Returns light times a factor, at most [`FULL`], rounded down.
+#[inline]
+pub(super) fn dimmed(light: u32, factor: u32) -> u32 {
+    if factor == FULL { light } else { ((u64::from(light) * u64::from(factor)) >> 16) as u32 }
 }
 
 /// The factor 1, in units of 2^-16.
@@ -114,7 +123,7 @@ pub(super) fn nearest(linear: Word, bits: u32) -> u16 {
 /// Returns a linear value clamped to `[0, 1]` times `2^bits - 1`, in units of 2^-16: exact for values
 /// in units of 2^-14, else rounded up, so that only zero becomes zero.
 #[inline]
-fn fine(linear: Word, bits: u32) -> u32 {
+pub(super) fn fine(linear: Word, bits: u32) -> u32 {
     #[cfg(feature = "fixed")]
     if let Word::Steps14(_) = linear {
         // 32 bits suffice.

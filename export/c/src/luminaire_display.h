@@ -447,15 +447,23 @@ static inline uint16_t luminaire_phase(uint32_t index) {
     return (uint16_t)((index * 40503) & 0xffff);
 }
 
-/* Returns the duty of the next frame for a channel times a factor in steps of 2^-16, at most 1. */
-static inline uint16_t luminaire_next_dimmed(uint16_t *carry, uint32_t light, uint32_t bits, uint32_t factor) {
-    if (!carry) { return 0; }
-    uint32_t sum;
+/* Returns the light of a channel times a factor in steps of 2^-16, at most 1, in steps of 2^-16 of a duty. */
+static inline uint32_t luminaire_fine(uint32_t light, uint32_t bits, uint32_t factor) {
     light = luminaire_min(light, UINT32_C(1) << 14);
     light = ((light << luminaire_min(bits, 16)) - light) << 2;
-    sum = luminaire_high_product(light, luminaire_min(factor, UINT32_C(1) << 16)) + *carry;
+    return luminaire_high_product(light, luminaire_min(factor, UINT32_C(1) << 16));
+}
+
+/* Returns the duty of the next frame for a light of luminaire_fine. */
+static inline uint16_t luminaire_next_fine(uint16_t *carry, uint32_t light) {
+    const uint32_t sum = light + *carry;
     *carry = (uint16_t)(sum & 0xffff);
     return (uint16_t)(sum >> 16);
+}
+
+/* Returns the duty of the next frame for a channel times a factor in steps of 2^-16, at most 1. */
+static inline uint16_t luminaire_next_dimmed(uint16_t *carry, uint32_t light, uint32_t bits, uint32_t factor) {
+    return carry ? luminaire_next_fine(carry, luminaire_fine(light, bits, factor)) : 0;
 }
 
 /* Returns the duty of 1 to 16 bits of the next frame: the mean of all frames is the light. */
@@ -465,18 +473,31 @@ static inline uint16_t luminaire_next_duty(uint16_t *carry, uint32_t light, uint
 
 /* ---- strips of LEDs ---- */
 
-/* The order of the bytes of an LED. */
-#define LUMINAIRE_LED_GRB 0 /* WS2812, SK6812 */
-#define LUMINAIRE_LED_RGB 1 /* WS2811, WS2815 of some makers */
-#define LUMINAIRE_LED_BGR 2 /* APA102 after its byte of brightness */
+/* The order of the channels of an LED. */
+#define LUMINAIRE_LED_GRB 0 /* WS2812, SK6812, HD108 by its maker */
+#define LUMINAIRE_LED_RGB 1 /* WS2811, WS2815 of some makers, HD108 as others found it */
+#define LUMINAIRE_LED_BGR 2 /* APA102, SK9822 */
+/* The family of its chip, which is added to the order; none for three bytes of eight bits. */
+#define LUMINAIRE_LED_RGBW 4   /* SK6812 RGBW: a fourth byte, white, which takes the least of the three */
+#define LUMINAIRE_LED_APA102 8 /* APA102, SK9822: a byte of the current, then three */
+#define LUMINAIRE_LED_HD108 12 /* HD108, NS108: two bytes of currents, then three duties of 16 bits */
 
 /* A strip: the most current of all LEDs, that of a channel at full duty and that of a dark LED, in
- * milliamperes, and the order of the bytes. A channel of 0 mA stands for no limit. */
+ * milliamperes; the order of the channels, with the family; and how much light is left out, in steps of
+ * 2^-16, which keeps the hue of dim light. A channel of 0 mA stands for no limit. */
 typedef struct {
     uint32_t most;
     uint16_t channel, idle;
     int order;
+    uint32_t dimmed;
 } luminaire_strip;
+
+/* A frame that is written LED by LED, which needs no memory for the light of all. It is the same in all
+ * frames, and 0 at first. */
+typedef struct {
+    uint64_t needed, rest;
+    uint32_t factor;
+} luminaire_frame;
 
 /* Returns n / divisor, rounded down, in a tenth of the code of a compiler's division. */
 LUMINAIRE_RARE uint64_t luminaire_quotient(uint64_t n, uint64_t divisor) {
@@ -490,40 +511,164 @@ LUMINAIRE_RARE uint64_t luminaire_quotient(uint64_t n, uint64_t divisor) {
     return n;
 }
 
+static inline int luminaire_led_family(int order) { return order & 12; }
+
+/* The bytes of an LED, and the carries of its temporal dither. */
+static inline uint32_t luminaire_led_bytes(int order) {
+    const int family = luminaire_led_family(order);
+    return family == LUMINAIRE_LED_HD108 ? 8 : family == 0 ? 3 : 4;
+}
+static inline uint32_t luminaire_led_carries(int order) {
+    return luminaire_led_family(order) == LUMINAIRE_LED_RGBW ? 4 : 3;
+}
+
+/* Sets the carries of an LED by its index: neighbours do not flash together. A program without memory for
+ * them calls this with index + frame before each LED, but for the APA102, which needs the memory. */
+static inline void luminaire_led_start(uint16_t *carries, int order, uint32_t index) {
+    const uint32_t count = luminaire_led_carries(order);
+    uint32_t i;
+    if (!carries) { return; }
+    for (i = 0; i < count; ++i) {
+        carries[i] = luminaire_phase(index * count + i);
+        if (luminaire_led_family(order) == LUMINAIRE_LED_APA102) { carries[i] = (uint16_t)(carries[i] >> 5); }
+    }
+}
+
+/* The current that light needs, in steps of 2^-14 of that of a channel at full duty. */
+static inline uint32_t luminaire_led_current(int order, luminaire_rgb light) {
+    const uint32_t one = UINT32_C(1) << 14;
+    const uint32_t red = luminaire_min(light.red, one), green = luminaire_min(light.green, one);
+    const uint32_t blue = luminaire_min(light.blue, one);
+    const uint32_t white = luminaire_min(luminaire_min(red, green), blue);
+    const uint32_t sum = red + green + blue;
+    return luminaire_led_family(order) == LUMINAIRE_LED_RGBW && white > 0 ? sum - 2 * (white - 1) : sum;
+}
+
+/* Writes the bytes of an LED of an APA102: the current, and duties of a light in steps of 2^-16 of 1/255. */
+static inline void luminaire_led_apa102(
+    uint8_t *bytes, uint16_t *carries, const uint32_t light[3], const uint32_t place[3]
+) {
+    uint32_t most = light[0] > light[1] ? light[0] : light[1], shift = 0, current, i;
+    most = 31 * (most > light[2] ? most : light[2]);
+    while (shift < 5 && most > UINT32_C(255) << 16 << shift) { ++shift; }
+    current = shift < 5 ? UINT32_C(1) << shift : 31;
+    bytes[0] = (uint8_t)(0xe0 | current);
+    for (i = 0; i < 3; ++i) {
+        const uint32_t sum = (31 * light[i] + 31) / 32 + carries[i], whole = sum >> 11;
+        /* The product is a 31st, exact below 2^13. A carry of a larger current may be more than one duty. */
+        const uint32_t duty = luminaire_min(shift < 5 ? whole >> shift : (whole * 8457) >> 18, 255);
+        carries[i] = (uint16_t)(sum - duty * (current << 11));
+        bytes[1 + place[i]] = (uint8_t)duty;
+    }
+}
+
+/* Writes the bytes of an LED in the next frame. The factor dims the light, in steps of 2^-16, at most 1. */
+static inline void luminaire_led_write(
+    uint8_t *bytes, uint16_t *carries, int order, luminaire_rgb light, uint32_t factor
+) {
+    const int family = luminaire_led_family(order), channels = order & 3;
+    const uint32_t bits = family == LUMINAIRE_LED_HD108 ? 16 : 8;
+    uint32_t place[3], fine[3], white, i;
+    if (!bytes || !carries) { return; }
+    place[0] = channels == LUMINAIRE_LED_RGB ? 0 : channels == LUMINAIRE_LED_BGR ? 2 : 1;
+    place[1] = channels == LUMINAIRE_LED_RGB || channels == LUMINAIRE_LED_BGR ? 1 : 0;
+    place[2] = 3 - place[0] - place[1];
+    fine[0] = luminaire_fine(light.red, bits, factor);
+    fine[1] = luminaire_fine(light.green, bits, factor);
+    fine[2] = luminaire_fine(light.blue, bits, factor);
+    if (family == LUMINAIRE_LED_APA102) {
+        luminaire_led_apa102(bytes, carries, fine, place);
+        return;
+    }
+    white = family == LUMINAIRE_LED_RGBW ? luminaire_min(luminaire_min(fine[0], fine[1]), fine[2]) : 0;
+    for (i = 0; i < 3; ++i) {
+        const uint16_t duty = luminaire_next_fine(carries + i, fine[i] - white);
+        if (bits == 8) {
+            bytes[place[i]] = (uint8_t)duty;
+        } else {
+            bytes[2 + 2 * place[i]] = (uint8_t)(duty >> 8);
+            bytes[3 + 2 * place[i]] = (uint8_t)(duty & 0xff);
+        }
+    }
+    if (family == LUMINAIRE_LED_RGBW) { bytes[3] = (uint8_t)luminaire_next_fine(carries + 3, white); }
+    if (bits == 16) { bytes[0] = bytes[1] = 0xff; }
+}
+
+static inline uint32_t luminaire_strip_brightness(const luminaire_strip *strip) {
+    return (UINT32_C(1) << 16) - luminaire_min(strip->dimmed, UINT32_C(1) << 16);
+}
+
+/* Returns the light that the current suffices for, less what the dither may add to each channel, in steps of
+ * 2^-14 of a channel at full duty. */
+static inline uint64_t luminaire_strip_available(const luminaire_strip *strip, uint32_t count) {
+    const uint64_t idle = (uint64_t)count * strip->idle;
+    const uint64_t full =
+        strip->most > idle ? luminaire_quotient((strip->most - idle) << 14, strip->channel) : 0;
+    const uint64_t each = (uint64_t)luminaire_led_carries(strip->order) << 14;
+    const uint64_t dither = luminaire_quotient((uint64_t)count * each + 254, 255);
+    return full > dither ? full - dither : 0;
+}
+
+/* Returns the factor that lets light need no more than is available. */
+static inline uint32_t luminaire_strip_share(const luminaire_strip *strip, uint64_t needed, uint64_t available) {
+    const uint32_t most = luminaire_strip_brightness(strip);
+    const uint64_t share = needed <= available ? most : luminaire_quotient(available << 16, needed);
+    return share < most ? (uint32_t)share : most;
+}
+
 /* Returns the factor of all light that keeps the limit, in steps of 2^-16, at most 1. */
 static inline uint32_t luminaire_strip_factor(
     const luminaire_strip *strip, const luminaire_rgb *lights, uint32_t count
 ) {
-    if (!strip || !lights) { return UINT32_C(1) << 16; }
-    const uint32_t one = UINT32_C(1) << 14, full = UINT32_C(1) << 16;
-    uint64_t idle = (uint64_t)count * strip->idle, needed = 0, available, dither;
+    uint64_t needed = 0;
     uint32_t i;
-    if (strip->channel == 0) { return full; }
-    /* The light that the current suffices for, less what the dither may add to each channel. */
-    available = strip->most > idle ? luminaire_quotient((strip->most - idle) << 14, strip->channel) : 0;
-    dither = luminaire_quotient((uint64_t)count * (3 * one) + 254, 255);
-    available = available > dither ? available - dither : 0;
-    for (i = 0; i < count; ++i) {
-        needed += luminaire_min(lights[i].red, one) + luminaire_min(lights[i].green, one)
-            + luminaire_min(lights[i].blue, one);
-    }
-    return needed <= available ? full : (uint32_t)luminaire_quotient(available << 16, needed);
+    if (!strip) { return UINT32_C(1) << 16; }
+    if (!lights || strip->channel == 0) { return luminaire_strip_brightness(strip); }
+    for (i = 0; i < count; ++i) { needed += luminaire_led_current(strip->order, lights[i]); }
+    return luminaire_strip_share(strip, needed, luminaire_strip_available(strip, count));
 }
 
-/* Writes three bytes for each LED, by temporal dither. carries has three words for each, at first
- * those of luminaire_phase. Light beyond the limit of the current is dimmed by one factor. */
+/* Writes the bytes of each LED, by temporal dither. carries has luminaire_led_carries words for each, at
+ * first those of luminaire_led_start. Light beyond the limit of the current is dimmed by one factor. */
 static inline void luminaire_strip_write(
     uint8_t *bytes, uint16_t *carries, const luminaire_strip *strip, const luminaire_rgb *lights, uint32_t count
 ) {
     if (!strip || !lights || !carries || !bytes) { return; }
-    uint32_t factor = luminaire_strip_factor(strip, lights, count), i;
-    uint32_t red = strip->order == LUMINAIRE_LED_RGB ? 0 : strip->order == LUMINAIRE_LED_BGR ? 2 : 1;
-    uint32_t green = strip->order == LUMINAIRE_LED_RGB || strip->order == LUMINAIRE_LED_BGR ? 1 : 0;
-    for (i = 0; i < count; ++i, carries += 3, bytes += 3) {
-        bytes[red] = (uint8_t)luminaire_next_dimmed(carries, lights[i].red, 8, factor);
-        bytes[green] = (uint8_t)luminaire_next_dimmed(carries + 1, lights[i].green, 8, factor);
-        bytes[3 - red - green] = (uint8_t)luminaire_next_dimmed(carries + 2, lights[i].blue, 8, factor);
+    const uint32_t factor = luminaire_strip_factor(strip, lights, count);
+    uint32_t i;
+    for (i = 0; i < count; ++i) {
+        luminaire_led_write(bytes, carries, strip->order, lights[i], factor);
+        carries += luminaire_led_carries(strip->order);
+        bytes += luminaire_led_bytes(strip->order);
     }
+}
+
+/* Begins a frame of count LEDs, which luminaire_strip_next writes. Its light is dimmed by what the frame
+ * before needed. Where it suddenly needs more, the last LEDs of that one frame are darker. */
+static inline void luminaire_strip_begin(luminaire_frame *frame, const luminaire_strip *strip, uint32_t count) {
+    uint64_t available;
+    if (!frame || !strip) { return; }
+    available = strip->channel == 0 ? 0 : luminaire_strip_available(strip, count);
+    frame->factor =
+        strip->channel == 0 ? luminaire_strip_brightness(strip) : luminaire_strip_share(strip, frame->needed, available);
+    frame->needed = 0;
+    frame->rest = available << 16;
+}
+
+/* Writes the bytes of the next LED. */
+static inline void luminaire_strip_next(
+    uint8_t *bytes, uint16_t *carries, luminaire_frame *frame, const luminaire_strip *strip, luminaire_rgb light
+) {
+    uint32_t factor;
+    if (!frame || !strip) { return; }
+    factor = frame->factor;
+    if (strip->channel != 0) {
+        const uint64_t needed = luminaire_led_current(strip->order, light);
+        frame->needed += needed;
+        if (needed * factor > frame->rest) { factor = (uint32_t)luminaire_quotient(frame->rest, needed); }
+        frame->rest -= needed * factor;
+    }
+    luminaire_led_write(bytes, carries, strip->order, light, factor);
 }
 
 #if defined(__cplusplus) && defined(__GNUC__)

@@ -30,7 +30,7 @@ int program(void) {
     static const int32_t position[3] = { 0, 0, INT32_C(3) << 16 }, axis[3] = { 0, 0, -65536 };
     static const int32_t aside[3] = { INT32_C(3) << 16, 0, 0 };
     static const int16_t normal[3] = { 0, 0, 16384 };
-    static const luminaire_strip strip = { 800, 12, 1, LUMINAIRE_LED_GRB };
+    static const luminaire_strip strip = { 800, 12, 1, LUMINAIRE_LED_GRB, 0 };
     luminaire_cone cone;
     luminaire_row row = { { -20480, 0, 0 }, { 640, 0, 0 }, { 0, 0, 16384 } };
     int k;

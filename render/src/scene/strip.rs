@@ -3,7 +3,7 @@
 use alloc::{vec, vec::Vec};
 use luminaire::{
     Error, Rgb, Scalar, Vec3,
-    display::{LedOrder, LedStrip, TemporalDither, clip},
+    display::{LedChip, LedOrder, LedStrip, clip},
     dynamic::{AnyLight, CompiledAnyLight},
 };
 
@@ -59,8 +59,7 @@ impl Strip {
             clip(lights.iter().fold(Rgb::default(), add))
         });
         let arrived: Vec<_> = arrived.collect();
-        let phase = |led: usize| [0, 1, 2].map(|channel| TemporalDither::new((3 * led + channel) as u16));
-        let mut dithers: Vec<_> = (0..arrived.len()).map(|led| phase(led).into()).collect();
+        let mut dithers: Vec<_> = (0..arrived.len()).map(|led| LedOrder::dither(led as u16)).collect();
         let mut bytes = vec![0; 3 * arrived.len()];
         let strip = LedStrip::new(LedOrder::Rgb).with_limit(self.limit, CHANNEL, IDLE);
         strip.write(&arrived, &mut dithers, &mut bytes);

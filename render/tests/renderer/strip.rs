@@ -2,7 +2,7 @@
 
 use luminaire::{
     Error, Fx16, Fx32, Rgb,
-    display::{LedOrder, LedStrip, TemporalDither, clip},
+    display::{LedChip, LedOrder, LedStrip, clip},
     dynamic::{AnyLight, CompiledAnyLight},
 };
 use luminaire_render::{Format, Renderer, Strip, Surfaces, scenes::Example};
@@ -20,8 +20,7 @@ fn by_the_kernel<S: Format>(strip: &Strip, lights: &[AnyLight]) -> Result<Vec<Rg
         lit.push(clip(sum));
     }
     let leds = lit.len();
-    let phases = |led: usize| Rgb::from([0, 1, 2].map(|c| TemporalDither::new((3 * led + c) as u16)));
-    let mut dithers: Vec<_> = (0..leds).map(phases).collect();
+    let mut dithers: Vec<_> = (0..leds as u16).map(LedOrder::dither).collect();
     let mut bytes = vec![0; 3 * leds];
     let kernel = LedStrip::new(LedOrder::Rgb).with_limit(strip.limit(), 20, 1);
     assert_eq!(kernel.write(&lit, &mut dithers, &mut bytes), leds);
