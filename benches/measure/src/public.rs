@@ -38,6 +38,15 @@ const TYPES: Rows = &[
         "Pixel",
         &["luminaire::display::Gray4", RGB444, "luminaire::display::Rgb565", "luminaire::display::Rgb666"],
     ),
+    (
+        "LedChip",
+        &[
+            "luminaire::display::LedOrder",
+            "luminaire::display::Rgbw",
+            "luminaire::display::Apa102",
+            "luminaire::display::Hd108",
+        ],
+    ),
     // The colours and displays of `embedded-graphics` for the pixels above. It has none for the second.
     (
         "PixelColor",
