@@ -8,7 +8,7 @@ use luminaire::attenuation::AnyAttenuation;
 use luminaire::codegen::Parts;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Formula};
-use luminaire::{Fx16, Rgb, SpotLight};
+use luminaire::{DirectionalLight, Fx16, Fx32, Length, Rgb, SpotLight};
 
 use self::formula::{Precision, gain_of};
 use crate::error::ExportError;
@@ -43,9 +43,7 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
             (spot.compile::<Fx16>()?.parts(), spot.attenuation(), Some(Trace::of(spot.cone().falloff())))
         }
         AnyLight::Point(point) => (point.compile::<Fx16>()?.parts(), point.attenuation(), None),
-        _ => {
-            return Err(ExportError::new("light", "directional", "a spotlight or a point light"));
-        }
+        AnyLight::Directional(sun) => return Ok(directional(light, sun, name)),
     };
     let mut text = constants(name, light.color(), &parts);
     let [windows, whole] = Trace::of_attenuation(law);
@@ -83,9 +81,31 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     if let AnyLight::Spot(spot) = light {
         text += &moving(spot, name, &parts).unwrap_or_default();
     }
+    Ok(file(light, name, &text))
+}
+
+/// Returns the file of a light.
+fn file(light: &AnyLight, name: &str, text: &str) -> String {
     let head = head(light, name).join("\n * ")
         + "\n * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14.";
-    Ok(guarded(name, &head, &format!("#include \"luminaire_constant.h\"\n\n{text}")))
+    guarded(name, &head, &format!("#include \"luminaire_constant.h\"\n\n{text}"))
+}
+
+/// Returns the file of a directional light.
+fn directional(light: &AnyLight, sun: &DirectionalLight, name: &str) -> String {
+    let (direction, intensity) = sun.compile::<Fx16>().parts();
+    let (direction, color) = (list(direction.map(Fx32::to_bits)), steps(sun.color()));
+    let (intensity, constant) = (gain_of(intensity), global(name, "light"));
+    let text = format!(
+        "/* The linear colour, in steps of 2^-14. */\nstatic const int16_t {}[3] = {color};\n\
+         /* The light. */\nstatic const luminaire_directional {constant} = {{ {direction}, {intensity}, {color} }};\n\n\
+         /* Returns the irradiance at a unit normal, before the colour, in steps of 2^-14. */\n\
+         static inline uint32_t {}(const int16_t normal[3]) {{\n    \
+         return luminaire_directional_irradiance(&{constant}, normal);\n}}\n",
+        global(name, "color"),
+        global(name, "irradiance"),
+    );
+    file(light, name, &text)
 }
 
 /// Returns a function that returns the light as a `luminaire_spot`, if its falloff and attenuation are those
@@ -128,24 +148,31 @@ fn constants(name: &str, color: Rgb<f32>, parts: &Parts<Fx16, AnyAttenuation>) -
         let (part, size) = part.split_at(part.find('[').unwrap_or(part.len()));
         let _ = writeln!(text, "/* {doc} */\nstatic const {kind} {}{size} = {value};", global(name, part));
     };
-    let list = |values: Vec<String>| format!("{{ {} }}", values.join(", "));
-    let position: [_; 3] = parts.position.into();
-    let position = position.iter().map(|c| format!("INT32_C({})", c.to_bits())).collect();
-    define("int32_t", "position[3]", list(position), "The position, in steps of 2^-16.");
-    let color = [color.red, color.green, color.blue].map(|c| Fx16::from_f32(c).to_bits().to_string());
-    define("int16_t", "color[3]", list(color.to_vec()), "The linear colour, in steps of 2^-14.");
+    let position = list(parts.position.map(Length::to_bits));
+    define("int32_t", "position[3]", position, "The position, in steps of 2^-16.");
+    define("int16_t", "color[3]", steps(color), "The linear colour, in steps of 2^-14.");
     define("luminaire_gain", "intensity", gain_of(parts.intensity), "The intensity.");
     let doc = "The points that need the fine evaluation: within an encoded distance.";
     define("uint32_t", "fine_below", format!("UINT32_C({:#x})", parts.fine_below), doc);
     if let Some(cone) = parts.cone {
-        let axis: [_; 3] = cone.axis.into();
-        let axis = axis.iter().map(|c| format!("INT32_C({})", c.to_bits())).collect();
-        define("int32_t", "axis[3]", list(axis), "The axis, in steps of 2^-30.");
-        let ramp = cone.ramp.to_bits().iter().map(|bits| format!("UINT32_C({bits})")).collect();
-        define("luminaire_ramp", "ramp", list(ramp), "The map from a versine to the falloff's argument.");
+        define("int32_t", "axis[3]", list(cone.axis.map(Fx32::to_bits)), "The axis, in steps of 2^-30.");
+        let ramp = cone.ramp.to_bits().map(|bits| format!("UINT32_C({bits})")).join(", ");
+        let doc = "The map from a versine to the falloff's argument.";
+        define("luminaire_ramp", "ramp", format!("{{ {ramp} }}"), doc);
         let outside = format!("{}", cone.outside.to_bits().max(0));
         let doc = "The squared cosine of half the outer angle, less a margin.";
         define("int32_t", "outside", outside, doc);
     }
     text
+}
+
+/// Returns the initialiser of a colour in steps of 2^-14.
+fn steps(color: Rgb<f32>) -> String {
+    format!("{{ {} }}", <[_; 3]>::from(color.map(|c| Fx16::from_f32(c).to_bits().to_string())).join(", "))
+}
+
+/// Returns the initialiser of three numbers.
+fn list(numbers: impl Into<[i32; 3]>) -> String {
+    let numbers = numbers.into().map(|number| format!("INT32_C({number})"));
+    format!("{{ {} }}", numbers.join(", "))
 }

@@ -27,8 +27,7 @@
 //! | [`Language::Json`] | the parameters | no code |
 //!
 //! Spotlights have all falloffs and attenuations of the kernel. Point lights and directional lights
-//! have an irradiance and no falloff; that of a directional light takes the normal alone, and
-//! [`Language::CFixed`] has no directional light.
+//! have an irradiance and no falloff; that of a directional light takes the normal alone.
 //!
 //! # The formulas
 //!
@@ -41,8 +40,8 @@
 //!
 //! The folder `c` of this crate is a library for C and C++ without Rust, and [`C_HEADERS`] are its
 //! files. The source of [`Language::CFixed`] includes `luminaire_constant.h`, and that
-//! `luminaire.h`. This has `luminaire_spot`, a spotlight that is set up and moves at run time. Its
-//! results have the bits of [`CompiledSpotLight`](luminaire::light::CompiledSpotLight) in [`Fx16`]
+//! `luminaire.h`. This has `luminaire_directional`, and `luminaire_spot`, a spotlight that is set up and
+//! moves at run time. Its results have the bits of [`CompiledSpotLight`](luminaire::light::CompiledSpotLight) in [`Fx16`]
 //! with a [`Cubic`](luminaire::falloff::Cubic) and the inverse square, and its set-up those of
 //! [`IntegerCone`](luminaire::light::IntegerCone). For words that no set-up made, such as those of
 //! a damaged file, the results are defined, and have these bits after `luminaire_spot_restore`. A
@@ -112,8 +111,8 @@ use crate::shader::Syntax;
 /// # Errors
 /// A light that the number format of the language cannot hold, with the error of its `compile`, and
 /// with a language that takes the light if there is one. A name that is not its own [`identifier`]
-/// in the language. A table with more than 1,024 entries in a language with `float`. A directional
-/// light in [`Language::CFixed`]. Another light than a spotlight in [`Language::RustProgram`].
+/// in the language. A table with more than 1,024 entries in a language with `float`. Another light than a
+/// spotlight in [`Language::RustProgram`].
 pub fn export(light: impl Into<AnyLight>, name: &str, language: Language) -> Result<String, ExportError> {
     let (text, refused) = export_all([(name, light.into())], language);
     refused.into_iter().next().map_or(Ok(text), |(_, error)| Err(error))

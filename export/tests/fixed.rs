@@ -14,7 +14,7 @@ use luminaire::{Angle, Cone, Fx16, Length, SpotLight, Vec3};
 use luminaire_export::{Language, export};
 
 use support::compiler::{bytes, compile, compile_in_integers, run, write_headers};
-use support::{avr, points_of_light, spots, vectors};
+use support::{avr, points_of_light, spots, suns, vectors};
 
 /// The words of a point and of a normal.
 type Place = [i32; 6];
@@ -47,12 +47,13 @@ fn program(folder: &Path, lights: &[AnyLight], places: usize) {
             AnyLight::Spot(_) => format!("(uint32_t)light{index}_falloff(w)"),
             _ => "0".to_owned(),
         };
+        let place = if matches!(light, AnyLight::Directional(_)) { "n" } else { "w, n" };
         let _ = writeln!(
             main,
             "    for (i = 0; i < {places}; ++i) {{\n        \
              if (fread(w, 4, 6, stdin) != 6) {{ return 1; }}\n        \
              n[0] = (int16_t)w[3]; n[1] = (int16_t)w[4]; n[2] = (int16_t)w[5];\n        \
-             out[0] = light{index}_irradiance(w, n);\n        out[1] = {falloff};\n        \
+             out[0] = light{index}_irradiance({place});\n        out[1] = {falloff};\n        \
              if (light{index}_color[0] < 0 || fwrite(out, 4, 2, stdout) != 2) {{ return 1; }}\n    }}"
         );
     }
@@ -84,7 +85,11 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> (Vec<Answer>, usize) {
             };
             (places.iter().map(at).collect(), 0)
         }
-        AnyLight::Directional(_) => unreachable!("not exported"),
+        AnyLight::Directional(sun) => {
+            let light = sun.compile::<Fx16>();
+            let at = |place| (light.irradiance(words(place).1).to_bits(), None);
+            (places.iter().map(at).collect(), 0)
+        }
     }
 }
 
@@ -94,7 +99,7 @@ fn places(rng: &mut Rng, light: &AnyLight, count: usize) -> Vec<Place> {
     let position = match light {
         AnyLight::Spot(spot) => spot.position(),
         AnyLight::Point(point) => point.position(),
-        AnyLight::Directional(_) => unreachable!("not exported"),
+        AnyLight::Directional(_) => Vec3::default(),
     };
     let position: [i32; 3] = position.map(|c| Length::from_f32(c).to_bits()).into();
     let place = |index| {
@@ -141,6 +146,7 @@ fn random_lights_have_the_bits_of_the_kernel() {
     let mut lights: Vec<AnyLight> =
         spots::<Fx16>(&mut rng, variants).into_iter().map(AnyLight::from).collect();
     lights.extend(points_of_light::<Fx16>(&mut rng).into_iter().map(AnyLight::from));
+    lights.extend(suns(&mut rng, 4 * variants).into_iter().map(AnyLight::from));
     let (mut input, mut expected, mut fine) = (Vec::new(), Vec::new(), 0);
     for light in &lights {
         let places = places(&mut rng, light, each);

@@ -24,6 +24,7 @@ static luminaire_rgb lights[MANY];
 static int8_t bytes[3 * MANY];
 static luminaire_row row;
 static luminaire_cone cone;
+static luminaire_directional sun;
 static int32_t point[3];
 static int16_t normal[3];
 
@@ -40,6 +41,7 @@ static void any(void) {
     ANY(bytes);
     ANY(row);
     ANY(cone);
+    ANY(sun);
     ANY(point);
     ANY(normal);
 }
@@ -54,6 +56,9 @@ static void light(void) {
     luminaire_spot_light(any_spot(), OR_NULL(point), OR_NULL(normal));
     luminaire_spot_falloff(any_spot(), OR_NULL(point));
     luminaire_spot_can_reach(any_spot(), OR_NULL(point), number);
+    luminaire_directional_irradiance(OR_NULL(&sun), OR_NULL(normal));
+    luminaire_directional_light(OR_NULL(&sun), OR_NULL(normal));
+    luminaire_ambient(OR_NULL(normal), number);
 }
 
 static void change(void) {
@@ -65,6 +70,9 @@ static void change(void) {
     luminaire_spot_dim(any_spot(), scalar);
     luminaire_spot_zoom(any_spot(), OR_NULL(&spots[1]), scalar);
     luminaire_spot_zoom(&spots[0], &spots[0], scalar);
+    luminaire_directional_aim_along(OR_NULL(&sun), OR_NULL(point));
+    luminaire_directional_tint(OR_NULL(&sun), OR_NULL(normal));
+    luminaire_directional_dim(OR_NULL(&sun), scalar);
     any();
     luminaire_normal_from_bytes(OR_NULL(normal), OR_NULL(bytes));
 }
@@ -76,6 +84,7 @@ static void set_up(void) {
     luminaire_cone_from_inner_and_outer(OR_NULL(&cone), choice, word, word);
     luminaire_cone_from_beam_and_field(OR_NULL(&cone), word, word);
     luminaire_spot_set_up(any_spot(), OR_NULL(&cone), OR_NULL(point), OR_NULL(point), number);
+    luminaire_directional_set_up(OR_NULL(&sun), OR_NULL(point), number);
 }
 
 static void arrays(uint32_t count) {

@@ -374,11 +374,6 @@ fn what_cannot_be_exported_is_named() {
     }
     assert!(export(light, "gl_light", Language::RustFloat).is_ok());
     let sun = DirectionalLight::new([0.0, -1.0, 0.0]).expect("a light");
-    let refused = told(sun.into(), "sun", Language::CFixed);
-    assert_eq!(
-        refused,
-        "light = directional: expected a spotlight or a point light in c-fx16; c-f32 takes it"
-    );
     let refused = told(sun.into(), "sun", Language::RustProgram);
     assert_eq!(refused, "light = directional: expected a spotlight in rust-program; rust-build takes it");
     let narrow = light.with_cone(Cone::soft(Angle::degrees(0.5)).expect("a cone"));

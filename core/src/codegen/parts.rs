@@ -7,7 +7,7 @@ use crate::{
     attenuation::Attenuation,
     falloff::Falloff,
     number::{Quick, Scalar},
-    shade::{CompiledPointLight, CompiledSpotLight, QuickSpotLight},
+    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
     vec3::Vec3,
 };
 
@@ -51,6 +51,13 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     pub fn parts(&self) -> Parts<S, A> {
         let Self { position, attenuation, intensity, fine_below, .. } = *self;
         Parts { position, attenuation, intensity, fine_below, cone: None }
+    }
+}
+
+impl<S: Scalar> CompiledDirectionalLight<S> {
+    /// Returns the direction and the intensity of the light.
+    pub fn parts(&self) -> (Vec3<S::Unit>, S::Gain) {
+        (self.direction, self.intensity)
     }
 }
 

@@ -1,4 +1,4 @@
-/* luminaire.h: spotlights in integers, for C99 and C++11. Everything is in this file.
+/* luminaire.h: lights in integers, for C99 and C++11. Everything is in this file.
  *
  * A luminaire_spot is set up from the angles of a data sheet, moved, aimed, zoomed, dimmed and tinted. It lights
  * points, rows of pixels and vertices; light becomes codes of sRGB and pixels of RGB565, and by luminaire_display.h
@@ -771,11 +771,14 @@ static inline void luminaire_spot_tint(luminaire_spot *spot, const int16_t color
     for (int i = 0; spot && color && i < 3; ++i) { spot->color[i] = color[i]; }
 }
 
+static inline void luminaire_gain_dim(luminaire_gain *intensity, int16_t part) {
+    if (part >= 1 << 14) { return; }
+    *intensity = luminaire_gain_by(*intensity, luminaire_normalised(part > 0 ? (uint32_t)part : 0, 14));
+}
+
 /* Multiplies the intensity by a part of 1, from 0 to 2^14. A light that fades keeps a copy of its full intensity. */
 static inline void luminaire_spot_dim(luminaire_spot *spot, int16_t part) {
-    if (!spot || part >= 1 << 14) { return; }
-    luminaire_gain factor = luminaire_normalised(part > 0 ? (uint32_t)part : 0, 14);
-    spot->intensity = luminaire_gain_by(spot->intensity, factor);
+    if (spot) { luminaire_gain_dim(&spot->intensity, part); }
 }
 
 /* Sets the unit normal along a vector of signed bytes; zero along zero. */
@@ -1294,6 +1297,74 @@ LUMINAIRE_RARE int luminaire_spot_set_up(
     spot->fine_below = luminaire_fine_below_of(error, spot->intensity.mantissa);
     spot->intensity = luminaire_restored(spot->intensity);
     return LUMINAIRE_OK;
+}
+
+/* ---- light from infinitely far away, and light from everywhere ---- */
+
+/* A directional light, such as the sun: the same everywhere. With all words zero it is dark. Any words are defined. */
+typedef struct {
+    int32_t direction[3];     /* in which the light travels, of unit length, steps of 2^-30 */
+    luminaire_gain intensity; /* 1 lights a surface that faces the light to full scale */
+    int16_t color[3];         /* linear, from 0 to 2^14 */
+} luminaire_directional;
+
+/* Returns the irradiance at a unit normal, before the colour. */
+static inline uint32_t luminaire_directional_irradiance(const luminaire_directional *light, const int16_t normal[3]) {
+    int32_t cosine = INT32_C(1) << 13;
+    if (!light || !normal) { return 0; }
+    for (int i = 0; i < 3; ++i) {
+        cosine = luminaire_minus(cosine, luminaire_times(((light->direction[i] >> 15) + 1) >> 1, normal[i]));
+    }
+    cosine >>= 14;
+    if (cosine <= 0) { return 0; }
+    uint32_t product = luminaire_min((uint32_t)cosine, LUMINAIRE_FULL_SCALE) * (light->intensity.mantissa >> 16);
+    return luminaire_light_of(product, luminaire_minus(light->intensity.shift, 16));
+}
+
+/* Returns the light at a unit normal: the irradiance times the colour. */
+static inline luminaire_rgb luminaire_directional_light(const luminaire_directional *light, const int16_t normal[3]) {
+    uint32_t irradiance = luminaire_directional_irradiance(light, normal);
+    luminaire_rgb white = { irradiance, irradiance, irradiance };
+    return luminaire_rgb_filtered(white, light ? light->color : 0);
+}
+
+/* Turns the light along a vector of any length. Returns 0, and changes nothing, if it is zero. */
+static inline int luminaire_directional_aim_along(luminaire_directional *light, const int32_t way[3]) {
+    return light && way && luminaire_unit(light->direction, luminaire_origin, way);
+}
+
+/* Gives the light a linear colour, in steps of 2^-14 from 0 to 2^14. */
+static inline void luminaire_directional_tint(luminaire_directional *light, const int16_t color[3]) {
+    for (int i = 0; light && color && i < 3; ++i) { light->color[i] = color[i]; }
+}
+
+/* Multiplies the intensity by a part of 1, from 0 to 2^14. A light that fades keeps a copy of its full intensity. */
+static inline void luminaire_directional_dim(luminaire_directional *light, int16_t part) {
+    if (light) { luminaire_gain_dim(&light->intensity, part); }
+}
+
+/* Sets a white directional light up, along a vector of any length, with an intensity in steps of 2^-16. If it is
+ * refused, it is dark. */
+static inline int luminaire_directional_set_up(luminaire_directional *light, const int32_t way[3], int32_t intensity) {
+    static const luminaire_directional dark = { { 0, 0, 0 }, { 0, 0 }, { 0, 0, 0 } };
+    static const int16_t white[3] = { 16384, 16384, 16384 };
+    if (!light) { return LUMINAIRE_NULL; }
+    *light = dark;
+    if (!way) { return LUMINAIRE_NULL; }
+    if (!luminaire_directional_aim_along(light, way)) { return LUMINAIRE_AXIS; }
+    luminaire_directional_tint(light, white);
+    light->intensity.mantissa = intensity > 0 ? (uint32_t)intensity : 0;
+    light->intensity.shift = 16;
+    light->intensity = luminaire_restored(light->intensity);
+    return LUMINAIRE_OK;
+}
+
+/* Returns ambient light, the same at every point and normal, which a program adds to the others: a linear colour in
+ * steps of 2^-14 times an intensity in steps of 2^-16. */
+static inline luminaire_rgb luminaire_ambient(const int16_t color[3], int32_t intensity) {
+    uint32_t light = intensity > 0 ? ((uint32_t)intensity + 2) >> 2 : 0;
+    luminaire_rgb white = { light, light, light };
+    return luminaire_rgb_filtered(white, color);
 }
 
 /* ---- pixels ----

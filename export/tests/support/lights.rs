@@ -5,7 +5,7 @@ use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula, Table};
 use luminaire::number::Knot;
-use luminaire::{Angle, Cone, Error, PointLight, Rgb, Scalar, SpotLight, Vec3};
+use luminaire::{Angle, Cone, DirectionalLight, Error, PointLight, Rgb, Scalar, SpotLight, Vec3};
 use luminaire_oracle::{DVec3, versine_between};
 
 /// A spotlight of any models.
@@ -113,6 +113,20 @@ pub(crate) fn points_of_light<S: Scalar>(rng: &mut Rng) -> Vec<PointLight<AnyAtt
         light.with_intensity(intensity(rng)).ok().map(|light| light.with_attenuation(attenuation))
     };
     (0..4 * AnyAttenuation::COUNT).filter_map(light).collect()
+}
+
+/// Returns directional lights of any intensity.
+pub(crate) fn suns(rng: &mut Rng, count: usize) -> Vec<DirectionalLight> {
+    let sun = |_| {
+        let color = Rgb::new(rng.f32(), rng.f32(), rng.f32());
+        DirectionalLight::new(direction(rng))
+            .ok()?
+            .with_color(color)
+            .ok()?
+            .with_intensity(intensity(rng))
+            .ok()
+    };
+    (0..count).filter_map(sun).collect()
 }
 
 /// Returns a point that a light is likely to reach, and a normal.

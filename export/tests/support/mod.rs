@@ -6,4 +6,4 @@ pub(crate) mod compiler;
 mod lights;
 pub(crate) mod vectors;
 
-pub(crate) use lights::{Spot, exact, is_smooth, place, points_of_light, spots};
+pub(crate) use lights::{Spot, exact, is_smooth, place, points_of_light, spots, suns};
