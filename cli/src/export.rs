@@ -5,7 +5,8 @@ use std::path::Path;
 use luminaire::Rgb;
 use luminaire::attenuation::AnyAttenuation;
 use luminaire_exchange::{Lamp, Parameters, Refusal, Residual, System, Use, parameters, write};
-use luminaire_export::{Language, export_all, json, names, printable};
+use luminaire_export::json::{self, Lights};
+use luminaire_export::{Language, export_all, names, printable};
 
 use crate::arguments::Export;
 use crate::model;
@@ -23,8 +24,8 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
             options.source.own(light)?
         }
     };
-    let Found { mut lamps, mut is_whole } = found;
-    let is_one = lamps.len() == 1;
+    let Found { mut lamps, ambient, mut is_whole } = found;
+    let is_one = lamps.len() + ambient.len() == 1;
     for (number, (lamp, _)) in (1..).zip(&mut lamps) {
         match &options.name {
             Some(name) if is_one => lamp.name.clone_from(name),
@@ -35,10 +36,16 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
             lamp.set_color(color)?;
         }
     }
-    let mut refuse = |lamp: &Lamp, refusal: Refusal| {
-        say("error", if is_one { refusal } else { refusal.at(&lamp.name) });
+    let mut refuse = |name: &str, refusal: Refusal| {
+        say("error", if is_one { refusal } else { refusal.at(name) });
         is_whole = false;
     };
+    if !matches!(options.to, Target::Language(Language::Json)) {
+        for own in &ambient {
+            let expected = format_args!("a spot, point or directional light in {}", options.to);
+            refuse(&own.name, Refusal::new("light", json::AMBIENT, expected));
+        }
+    }
     let mut text = String::new();
     let scene = match (options.to, &options.output) {
         (Target::Tool(tool), Some(file)) => write::extension(tool)
@@ -53,13 +60,13 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
             for (lamp, usage) in &lamps {
                 match lamp.named(*usage) {
                     Ok(named) => lights.push((lamp, named)),
-                    Err(refusal) => refuse(lamp, refusal),
+                    Err(refusal) => refuse(&lamp.name, refusal),
                 }
             }
             if language == Language::Json {
                 let lights: Vec<_> = lights.into_iter().map(|(_, named)| named).collect();
-                if !lights.is_empty() {
-                    text = json::write(&lights)?;
+                if !lights.is_empty() || !ambient.is_empty() {
+                    text = json::write(&Lights { lights, ambient })?;
                 }
             } else {
                 let own = lights.iter().map(|(lamp, _)| lamp.name.as_str());
@@ -73,7 +80,7 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
                 let (written, refused) = export_all(named, language);
                 text = written;
                 for (number, error) in refused {
-                    refuse(lights[number].0, error.into());
+                    refuse(&lights[number].0.name, error.into());
                 }
             }
         }
@@ -83,7 +90,7 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
                 let found = match parameters(lamp, tool, usage) {
                     Ok(found) => found,
                     Err(refusal) => {
-                        refuse(lamp, refusal);
+                        refuse(&lamp.name, refusal);
                         continue;
                     }
                 };

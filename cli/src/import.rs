@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use luminaire::dynamic::AnyLight;
 use luminaire_exchange::{Definition, Difference, Lamp, Lamps, Refusal, Residual, Use};
-use luminaire_export::{json, printable};
-use serde_json::{Value, json};
+use luminaire_export::json::{self, NamedAmbient};
+use luminaire_export::printable;
+use serde_json::Value;
 
 use crate::arguments::Import;
 use crate::chart;
@@ -35,7 +36,7 @@ pub(crate) fn import(options: &Import) -> Result<(String, bool), Refusal> {
             }
             Ok(Loaded { lamps, usage }) => {
                 files += 1;
-                lights += lamps.lamps.len();
+                lights += lamps.lamps.len() + lamps.ambient.len();
                 refused += lamps.refused.len();
                 let system = if *is_file { format!(" ({})", lamps.system) } else { String::new() };
                 tell(&mut text, &(shown(name) + &system), lamps, *usage);
@@ -50,7 +51,7 @@ pub(crate) fn import(options: &Import) -> Result<(String, bool), Refusal> {
 
 /// Returns the lights as a document, with their files and what was refused.
 fn document(inputs: &[Input]) -> Result<String, Refusal> {
-    let (mut lights, mut refused) = (Vec::new(), Vec::new());
+    let (mut all, mut refused) = (json::Lights::default(), Vec::new());
     for Input { name, loaded, .. } in inputs {
         let own = match loaded {
             Err(refusal) => std::slice::from_ref(refusal),
@@ -58,24 +59,32 @@ fn document(inputs: &[Input]) -> Result<String, Refusal> {
                 for lamp in &lamps.lamps {
                     let mut light = lamp.named(*usage)?;
                     light.about.get_or_insert_default()["from"] = name.as_str().into();
-                    lights.push(light);
+                    all.lights.push(light);
+                }
+                for ambient in &lamps.ambient {
+                    all.ambient.push(usage.ambient(ambient)?);
                 }
                 &lamps.refused
             }
         };
         refused.extend(own.iter().map(|Refusal { place, parameter, value, expected }| {
-            json!({ "file": name, "place": place, "parameter": parameter, "value": value, "expected": expected })
+            serde_json::json!({ "file": name, "place": place, "parameter": parameter, "value": value, "expected": expected })
         }));
     }
     let refused = (!refused.is_empty()).then_some(Value::Array(refused));
-    Ok(json::write_with(&lights, refused)?)
+    Ok(json::write_with(&all, refused)?)
 }
 
 fn tell(text: &mut String, name: &str, lamps: &Lamps, usage: Use) {
-    let count = lamps.lamps.len();
+    let count = lamps.lamps.len() + lamps.ambient.len();
     let _ = writeln!(text, "{name}: {count} light{}", if count == 1 { "" } else { "s" });
     for lamp in &lamps.lamps {
         describe(text, lamp, usage);
+    }
+    for NamedAmbient { name, light } in &lamps.ambient {
+        let unit = if usage.is_photometric { " lux" } else { "" };
+        let (name, intensity) = (shown(name), short(light.intensity().into()));
+        let _ = writeln!(text, "  {name}: {}, intensity {intensity}{unit}\n    exact", json::AMBIENT);
     }
     for note in &lamps.notes {
         let _ = writeln!(text, "  note: {}", printable(note));

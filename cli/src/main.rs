@@ -122,7 +122,7 @@ fn lights(source: &source::Source, pick: &Pick) -> Result<(Scene, bool), Refusal
         value: refusal.value,
         expected: refusal.expected,
     };
-    let Some(Found { lamps, is_whole }) = source.load(&pick.spot, false).map_err(told)? else {
+    let Some(Found { lamps, is_whole, .. }) = source.load(&pick.spot, false).map_err(told)? else {
         if pick.has_idle_edge() {
             text::say("note", "--edge has no effect: --beam and --field together determine the falloff");
         }

@@ -12,6 +12,7 @@ use luminaire::falloff::AnyFalloff;
 use luminaire_exchange::{
     Lamp, Lamps, Place, Reading, Refusal, Sheet, System, Use, fixture, largest, numbers, placed, read_beside,
 };
+use luminaire_export::json::NamedAmbient;
 
 use crate::text::say;
 use crate::words::{self, Law};
@@ -123,6 +124,8 @@ pub(crate) struct Loaded {
 /// The lights of all inputs, each with its use, and whether none was refused.
 pub(crate) struct Found {
     pub(crate) lamps: Vec<(Lamp, Use)>,
+    /// The ambient light, in the unit of full scale.
+    pub(crate) ambient: Vec<NamedAmbient>,
     pub(crate) is_whole: bool,
 }
 
@@ -135,11 +138,15 @@ impl Source {
         if inputs.is_empty() {
             return Ok(None);
         }
-        let (mut found, count) = (Found { lamps: Vec::new(), is_whole: true }, inputs.len());
+        let (mut found, count) =
+            (Found { lamps: Vec::new(), ambient: Vec::new(), is_whole: true }, inputs.len());
         for Input { name, is_file, loaded } in inputs {
             let refused = match loaded {
                 Err(refusal) => vec![refusal],
                 Ok(Loaded { lamps, usage }) => {
+                    for ambient in &lamps.ambient {
+                        found.ambient.push(usage.ambient(ambient)?);
+                    }
                     found.lamps.extend(lamps.lamps.into_iter().map(|lamp| (lamp, usage)));
                     lamps.refused
                 }
@@ -155,7 +162,7 @@ impl Source {
     /// Returns the light that a command describes by other options, in units of full scale.
     pub(crate) fn own(&self, light: SpotLight<AnyFalloff, AnyAttenuation>) -> Result<Found, Refusal> {
         let usage = Use { throw: self.throw()?, full_scale: 1.0, is_photometric: false };
-        Ok(Found { lamps: vec![(Lamp::new("light", light), usage)], is_whole: true })
+        Ok(Found { lamps: vec![(Lamp::new("light", light), usage)], ambient: Vec::new(), is_whole: true })
     }
 
     /// Returns what the words and options name; nothing if the command describes its light by other
@@ -246,7 +253,7 @@ impl Source {
     /// refused.
     fn loaded(&self, lamps: Lamps, spot: &Spot) -> Result<Loaded, Refusal> {
         let mut lamps = self.chosen(lamps)?;
-        if lamps.lamps.is_empty() && lamps.refused.is_empty() {
+        if lamps.is_empty() {
             lamps.refused.push(Refusal::new("lights", "none", "at least one light"));
         }
         if let Some(kelvin) = self.kelvin {
@@ -264,14 +271,19 @@ impl Source {
     /// Returns the light of the option `--light` alone, or else all.
     fn chosen(&self, mut lamps: Lamps) -> Result<Lamps, Refusal> {
         let Some(chosen) = &self.light else { return Ok(lamps) };
-        let names: Vec<_> = lamps.lamps.iter().map(|lamp| lamp.name.as_str()).collect();
+        let ambient = lamps.ambient.iter().map(|ambient| &*ambient.name);
+        let names: Vec<_> = lamps.lamps.iter().map(|lamp| &*lamp.name).chain(ambient).collect();
         let number = chosen.parse().ok().and_then(|number: usize| number.checked_sub(1));
         let number = number.filter(|&number| number < names.len());
         let Some(index) = names.iter().position(|name| name == chosen).or(number) else {
             let expected = format_args!("a number from 1 to {}, or one of {}", names.len(), names.join(", "));
             return Err(Refusal::new("light", chosen, expected));
         };
-        lamps.lamps = vec![lamps.lamps.swap_remove(index)];
+        let count = lamps.lamps.len();
+        lamps.lamps = lamps.lamps.into_iter().skip(index).take(1).collect();
+        // Behind the other lights.
+        let ambient = index.checked_sub(count).map(|index| lamps.ambient.swap_remove(index));
+        lamps.ambient = ambient.into_iter().collect();
         lamps.refused.clear();
         Ok(lamps)
     }

@@ -1,5 +1,6 @@
 //! Words of the command line: a name, and numbers after `=`.
 
+use std::fmt;
 use std::str::FromStr;
 
 use luminaire::falloff::AnyFalloff;
@@ -63,6 +64,16 @@ pub(crate) enum Target {
     Tool(System),
     /// IES LM-63.
     Ies,
+}
+
+impl fmt::Display for Target {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Language(language) => language.fmt(out),
+            Self::Tool(tool) => tool.fmt(out),
+            Self::Ies => out.pad("ies"),
+        }
+    }
 }
 
 impl FromStr for Target {

@@ -64,7 +64,7 @@ fn pick_takes_the_light_that_export_takes() {
         let picked: luminaire_pick::Light =
             serde_json::from_value(run(&picked, options)["light"].take()).unwrap();
         let exported = run(&["export", "--to", "json"], &options.replace("--edge", "--falloff")).to_string();
-        let exported = luminaire_export::json::read(&exported).unwrap()[0].light;
+        let exported = luminaire_export::json::read(&exported).unwrap().lights[0].light;
         assert_eq!(picked.any().unwrap(), exported, "{options}");
     }
 }
@@ -141,7 +141,10 @@ fn pick_answers_for_lights_of_files_and_for_the_default_light_of_each_tool() {
             .output()
             .expect("the program runs");
         let lights: serde_json::Value = serde_json::from_slice(&import.stdout).expect("JSON");
-        assert_eq!(answers.len(), lights["lights"].as_array().expect("lights").len(), "{folder}");
+        let lights = lights["lights"].as_array().expect("lights");
+        // Ambient light is a constant, of which there is nothing to pick.
+        let evaluated = lights.iter().filter(|light| light["kind"] != "ambient");
+        assert_eq!(answers.len(), evaluated.count(), "{folder}");
         assert!(answers.len() > 20, "{folder}: {}", answers.len());
     }
     use luminaire_exchange::System::{self, Eulumdat, Gdtf, Ies, Luminaire, Ofl};

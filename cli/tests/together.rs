@@ -140,6 +140,37 @@ fn lights_of_every_kind_come_back_through_the_commands() {
     fs::remove_dir_all(folder).expect("removed");
 }
 
+/// Ambient light is shown, written and chosen like another light, and refused where a target has none.
+#[test]
+fn ambient_light_goes_through_the_commands() {
+    let folder = folder("ambient");
+    let file = folder.join("lights.json");
+    let sky = r#"{"name":"sky","kind":"ambient","color":[0.25,0.5,1.0],"intensity":0.123456}"#;
+    let key = r#"{"name":"key","cone":{"outer_degrees":40}}"#;
+    fs::write(&file, format!(r#"{{"format":"luminaire-lights-1","lights":[{sky},{key}]}}"#)).expect("a file");
+    let file = file.to_str().expect("a path");
+    let (code, text, errors) = told(words(&format!("import {file}")));
+    assert!(code == Some(0) && text.contains("2 lights") && errors.is_empty(), "{text}{errors}");
+    assert!(text.contains("  sky: ambient, intensity 0.1235\n    exact\n"), "{text}");
+    for (options, lights, intensity) in
+        [("", 2, 0.123456), (" --light sky", 1, 0.123456), (" --full-scale 2", 2, 0.061728)]
+    {
+        let (code, text, errors) = told(words(&format!("export {file}{options} --to json")));
+        let json: serde_json::Value = serde_json::from_str(&text).expect(&errors);
+        let all = json["lights"].as_array().expect("lights");
+        let own = all.last().expect("a light");
+        assert!(code == Some(0) && all.len() == lights && own["intensity"] == intensity, "{text}");
+        assert_eq!(
+            (&own["name"], &own["kind"], &own["color"][1]),
+            (&"sky".into(), &"ambient".into(), &0.5.into())
+        );
+    }
+    let (code, text, errors) = told(words(&format!("export {file} --to godot")));
+    assert!(code == Some(1) && text.contains("# name: key\n"), "{text}");
+    assert_eq!(errors, "error: sky: light = ambient: expected a spot, point or directional light in godot\n");
+    fs::remove_dir_all(folder).expect("removed");
+}
+
 /// A hotspot leaves the field angle, and an option without an effect is said or refused.
 #[test]
 fn options_have_their_effect_or_say_that_they_have_none() {

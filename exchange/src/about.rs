@@ -1,7 +1,7 @@
 //! What is known of a light beside it: the member `about` of a document.
 
 use luminaire::Rgb;
-use luminaire_export::json::NamedLight;
+use luminaire_export::json::{AMBIENT, NamedAmbient, NamedLight};
 use serde::de::{Deserializer, Error as _};
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
@@ -144,6 +144,17 @@ impl Lamp {
     }
 }
 
+impl Use {
+    /// Returns ambient light in the unit of full scale.
+    ///
+    /// # Errors
+    /// An intensity outside [0, 1e9] in that unit.
+    pub fn ambient(self, NamedAmbient { name, light }: &NamedAmbient) -> Result<NamedAmbient, Refusal> {
+        let intensity = (f64::from(light.intensity()) / self.full_scale) as f32;
+        Ok(NamedAmbient { name: name.clone(), light: light.with_intensity(intensity)? })
+    }
+}
+
 /// Returns whether a colour is the white of a temperature, with its strongest channel at 1.
 fn is_white(color: Rgb<f32>, kelvin: f32) -> bool {
     let Ok(white) = Rgb::from_kelvin(kelvin) else { return false };
@@ -151,8 +162,8 @@ fn is_white(color: Rgb<f32>, kelvin: f32) -> bool {
     apart.strongest() < 1e-3
 }
 
-/// Returns the lights of a document, which [`json::read`](luminaire_export::json::read) has read, with what the text
-/// has of each beside it.
+/// Returns the lights of a document but for its ambient light, which [`json::read`](luminaire_export::json::read) has
+/// read, with what the text has of each beside it.
 pub(crate) fn lamps(text: &str, lights: Vec<NamedLight>) -> Vec<Lamp> {
     #[derive(Deserialize)]
     struct Document {
@@ -161,11 +172,13 @@ pub(crate) fn lamps(text: &str, lights: Vec<NamedLight>) -> Vec<Lamp> {
     #[derive(Default, Deserialize)]
     #[serde(default)]
     struct Light {
+        kind: String,
         #[serde(deserialize_with = "any_shape")]
         about: Option<About>,
     }
     let known = serde_json::from_str(text).map_or_else(|_| Vec::new(), |Document { lights }| lights);
-    let known = known.into_iter().map(|light| light.about.unwrap_or_default());
+    let known = known.into_iter().filter(|light| light.kind != AMBIENT);
+    let known = known.map(|light| light.about.unwrap_or_default());
     let known = known.chain(std::iter::repeat_with(About::default));
     lights.into_iter().zip(known).map(|(named, about)| about.lamp(named)).collect()
 }

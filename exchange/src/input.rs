@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use luminaire_export::json;
+use luminaire_export::json::{self, Lights};
 
 use crate::about;
 use crate::convert;
@@ -59,7 +59,7 @@ pub fn read_beside(
             None => values(system, &text()?),
         },
     }?;
-    if lamps.lamps.is_empty() && lamps.refused.is_empty() {
+    if lamps.is_empty() {
         let reasons: String = lamps.notes.iter().map(|note| format!("; {note}")).collect();
         return Err(Refusal::new("lights", "none", format_args!("at least one light{reasons}")));
     }
@@ -93,7 +93,11 @@ fn values(system: System, text: &str) -> Result<Lamps, Refusal> {
     for (number, &start) in starts.iter().enumerate() {
         let end = starts.get(number + 1).copied().unwrap_or(lines.len());
         match light(system, &lines[start..end]) {
-            Ok(found) => all.lamps.extend(found.lamps),
+            Ok(found) => {
+                all.lamps.extend(found.lamps);
+                all.ambient.extend(found.ambient);
+                all.notes.extend(found.notes);
+            }
             Err(refusal) if starts.len() == 1 => return Err(refusal),
             Err(refusal) => all.refused.push(refusal.at(format_args!("line {}", start + 1))),
         }
@@ -114,14 +118,15 @@ fn light(system: System, lines: &[&str]) -> Result<Lamps, Refusal> {
     let known: Vec<_> = known.collect();
     let own = lines.iter().copied().filter(|line| !line.trim_start().starts_with('#'));
     let mut lamps = numbers(system, known.iter().map(String::as_str).chain(own))?;
-    if let (Some(name), [lamp]) = (told("name"), &mut lamps.lamps[..]) {
-        name.clone_into(&mut lamp.name);
+    if let Some(name) = told("name") {
+        lamps.lamps.iter_mut().for_each(|lamp| name.clone_into(&mut lamp.name));
+        lamps.ambient.iter_mut().for_each(|ambient| name.clone_into(&mut ambient.name));
     }
     Ok(lamps)
 }
 
-/// Returns the light of values `key=value` in the names and units of a system. `kind` is spot, point or
-/// directional, and `position` and `axis` are three numbers each.
+/// Returns the light of values `key=value` in the names and units of a system. `kind` is spot, point,
+/// directional or, of some, ambient, and `position` and `axis` are three numbers each.
 ///
 /// # Errors
 /// A word that is no `key=value`, a key that the system does not have, or a value that it does not
@@ -139,7 +144,8 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
                     "spot" => Some(Kind::Spot),
                     "point" => Some(Kind::Point),
                     "directional" => Some(Kind::Directional),
-                    _ => return Err(Refusal::new("kind", value, "spot, point or directional")),
+                    "ambient" => Some(Kind::Ambient),
+                    _ => return Err(Refusal::new("kind", value, "spot, point, directional or ambient")),
                 };
             }
             ("name", _) => value.clone_into(&mut record.name),
@@ -159,28 +165,42 @@ pub fn numbers<'a>(system: System, words: impl IntoIterator<Item = &'a str>) -> 
         let triple = record.triple(key, default)?.into();
         *(if key == "axis" { &mut record.axis } else { &mut record.position }) = triple;
     }
-    let lamp = convert::convert(system, &mut record)?;
+    let mut lamps = Lamps::new(system);
+    if record.kind == Kind::Ambient {
+        lamps.ambient.push(convert::ambient(system, &mut record)?);
+        lamps.notes = std::mem::take(&mut record.notes);
+    } else {
+        lamps.lamps.push(convert::convert(system, &mut record)?);
+    }
     // A key that was not read is one that the system does not have, or a misspelt one.
     if let Some(key) = record.unused() {
         let expected = format!("a key of {system}: {}", record.asked().join(", "));
         return Err(Refusal::new("key", key, expected));
     }
-    Ok(Lamps { lamps: vec![lamp], ..Lamps::new(system) })
+    Ok(lamps)
 }
 
-fn converted(system: System, Found { records, mut refused, notes }: Found, mut profiles: Profiles) -> Lamps {
-    let (mut lamps, tables) = (Vec::new(), Tables::default());
+fn converted(system: System, found: Found, mut profiles: Profiles) -> Lamps {
+    let Found { records, mut refused, mut notes } = found;
+    let (mut lamps, mut ambient, tables) = (Vec::new(), Vec::new(), Tables::default());
     for (number, mut record) in records.into_iter().enumerate() {
         record.tables = tables.clone();
         if record.name.is_empty() {
             record.name = format!("light {}", number + 1);
+        }
+        if record.kind == Kind::Ambient {
+            match convert::surrounding(system, record, &mut notes) {
+                Ok(found) => ambient.push(found),
+                Err(refusal) => refused.push(refusal),
+            }
+            continue;
         }
         match shaped(system, record, &mut profiles) {
             Ok(found) => lamps.extend(found),
             Err(refusal) => refused.push(refusal),
         }
     }
-    Lamps { system, lamps, refused, notes }
+    Lamps { system, lamps, ambient, refused, notes }
 }
 
 /// Returns the lights of a record by its photometric file, or else without it, with a note why.
@@ -227,7 +247,8 @@ fn photometry(
 }
 
 fn own(text: &str) -> Result<Lamps, Refusal> {
-    Ok(Lamps { lamps: about::lamps(text, json::read(text)?), ..Lamps::new(System::Luminaire) })
+    let Lights { lights, ambient } = json::read(text)?;
+    Ok(Lamps { lamps: about::lamps(text, lights), ambient, ..Lamps::new(System::Luminaire) })
 }
 
 /// Returns the system of a file, by its name and of JSON by its content.

@@ -3,6 +3,7 @@
 use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
 use luminaire::{DirectionalLight, PointLight, SpotLight};
+use luminaire_export::json::NamedAmbient;
 
 use crate::curve::Curve;
 use crate::difference::Difference;
@@ -215,8 +216,10 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
 pub struct Lamps {
     /// The system of the input.
     pub system: System,
-    /// The lights, in the order of the file.
+    /// The lights, in the order of the file, but for ambient light.
     pub lamps: Vec<Lamp>,
+    /// The ambient light, with the intensities of the source.
+    pub ambient: Vec<NamedAmbient>,
     /// The lights of the file that could not be read.
     pub refused: Vec<Refusal>,
     /// What holds for the whole file, a sentence each.
@@ -226,7 +229,12 @@ pub struct Lamps {
 impl Lamps {
     /// Creates a list without lights.
     pub fn new(system: System) -> Self {
-        Self { system, lamps: Vec::new(), refused: Vec::new(), notes: Vec::new() }
+        Self { system, lamps: Vec::new(), ambient: Vec::new(), refused: Vec::new(), notes: Vec::new() }
+    }
+
+    /// Returns whether there is no light, not even one that was refused.
+    pub fn is_empty(&self) -> bool {
+        self.lamps.is_empty() && self.ambient.is_empty() && self.refused.is_empty()
     }
 
     /// Returns how the lights are used at a throw. Of photometry, what the brightest light gives there on its

@@ -71,9 +71,13 @@ impl Found {
         let placed = light.and_then(|(mut record, world)| {
             record.position = world.transform_point3(record.position);
             let axis = world.transform_vector3(record.axis);
-            let is_point = record.kind == Kind::Point && record.profile.is_none();
+            let has_axis = match record.kind {
+                Kind::Spot | Kind::Directional => true,
+                Kind::Point => record.profile.is_some(),
+                Kind::Ambient => false,
+            };
             // Not normalized: its square may overflow. A point light may have none, but for its profile.
-            record.axis = if is_point { DVec3::NEG_Z } else { axis / axis.abs().max_element() };
+            record.axis = if !has_axis { DVec3::NEG_Z } else { axis / axis.abs().max_element() };
             if !(record.position.is_finite() && record.axis.is_finite()) {
                 let value = format_args!("{} along {}", record.position, record.axis);
                 return Err(Refusal::new("position", value, "finite numbers, and an axis that is not 0"));

@@ -16,6 +16,7 @@ pub(crate) enum Kind {
     Spot,
     Point,
     Directional,
+    Ambient,
 }
 
 /// A value of a record.
@@ -109,6 +110,12 @@ impl Record {
     /// Returns whether a value was given.
     pub(crate) fn has(&self, key: &str) -> bool {
         self.values.iter().any(|(own, _)| own == key)
+    }
+
+    /// Removes a value and returns it.
+    pub(crate) fn take(&mut self, key: &str) -> Option<Value> {
+        let at = self.values.iter().rposition(|(own, _)| own == key)?;
+        Some(self.values.remove(at).1)
     }
 
     fn value(&mut self, key: &str) -> Option<Value> {

@@ -74,6 +74,12 @@ pub(crate) trait Tool {
         record.get("intensity", 1.0)
     }
 
+    /// Returns the irradiance of ambient light.
+    fn ambient(&self, _: &mut Record) -> Result<f64, Refusal> {
+        let expected = "spot, point or directional: ambient light of this tool is not read";
+        Err(Refusal::new("kind", "ambient", expected))
+    }
+
     /// What writes a light for the tool, if that is possible.
     fn writer(&self) -> Option<&'static dyn Writer> {
         None

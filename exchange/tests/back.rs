@@ -62,7 +62,10 @@ fn written(lamp: &Lamp, to: System) -> Result<(String, [f64; 2]), Refusal> {
     match to {
         System::Luminaire => {
             let named = lamp.named(USE)?;
-            Ok((json::write(&[named.clone(), named])?, [0.0; 2]))
+            Ok((
+                json::write(&json::Lights { lights: vec![named.clone(), named], ambient: Vec::new() })?,
+                [0.0; 2],
+            ))
         }
         System::Ies => Ok((write::ies(lamp)?, [1.0, 0.0])),
         tool => {

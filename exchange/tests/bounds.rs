@@ -200,8 +200,8 @@ fn file_without_a_light_is_refused_with_the_reasons() {
         ("a.json", r#"{"format":"luminaire-lights-1","lights":[]}"#, "lights = none"),
         (
             "a.json",
-            r#"{"metadata":{"type":"Object"},"object":{"name":"sky","type":"AmbientLight"}}"#,
-            "; sky is left out: AmbientLight",
+            r#"{"metadata":{"type":"Object"},"object":{"name":"sky","type":"HemisphereLight"}}"#,
+            "; sky is left out: HemisphereLight",
         ),
     ] {
         let found = read(name, file.as_bytes(), None, Reading::default()).expect_err(file).to_string();

@@ -9,10 +9,10 @@ use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Knot, Table};
 use luminaire::models::Number;
-use luminaire::{Angle, Cone, DirectionalLight, PointLight, SpotLight};
+use luminaire::{AmbientLight, Angle, Cone, DirectionalLight, PointLight, SpotLight};
 use luminaire_exchange::{Lamp, Reading, Sheet, System, Use, numbers};
-use luminaire_export::json::{NamedLight, read, write};
-use luminaire_export::words;
+use luminaire_export::json::{Lights, NamedAmbient, NamedLight, read, write};
+use luminaire_export::{ExportError, words};
 
 const PAGE: &str = include_str!("../../docs/LIGHTS.md");
 
@@ -108,7 +108,9 @@ fn document_is_read_back_and_keeps_to_the_schema() {
         surfaces: Some([1.0, 7.5]),
         about: None,
     };
-    let lights: Vec<_> = lights.iter().map(named).collect();
+    let sky = AmbientLight::new([0.5, 1.0, 0.1].into()).and_then(|sky| sky.with_intensity(0.1));
+    let ambient = NamedAmbient { name: "sky".into(), light: sky.expect("a light") };
+    let lights = Lights { lights: lights.iter().map(named).collect(), ambient: vec![ambient] };
     let text = write(&lights).expect("a document");
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
     let own = serde_json::from_str(&with_all_models(&TEXT)).expect("JSON");
@@ -120,7 +122,7 @@ fn document_is_read_back_and_keeps_to_the_schema() {
     };
     check(&text).expect("a document of the schema");
     let back = read(&text).expect("lights");
-    assert!(back.len() == lights.len() && back.iter().zip(&lights).all(|(back, light)| back == light));
+    assert_eq!(back, lights);
 
     // What a reader skips may be any JSON. More than 10,000 lights are not read.
     let many = |count: usize| {
@@ -129,13 +131,16 @@ fn document_is_read_back_and_keeps_to_the_schema() {
             r#"{{"format":"luminaire-lights-1","refused":[1],"lights":[{light}{{"kind":"point"}}]}}"#
         ))
     };
-    assert!(many(10_000).is_ok_and(|lights| lights.len() == 10_000 && lights[0].about.is_none()));
+    assert!(
+        many(10_000).is_ok_and(|lights| lights.lights.len() == 10_000 && lights.lights[0].about.is_none())
+    );
     assert!(many(10_001).is_err());
 
     let by_hand =
         PAGE.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     check(by_hand).expect("a document of the schema");
-    assert_eq!(read(by_hand).expect("lights").len(), 3);
+    let own = read(by_hand).expect("lights");
+    assert_eq!((own.lights.len(), own.ambient.len()), (4, 1));
     for (wrong, told) in [
         (by_hand.replace("lights-1", "light-1"), "format = luminaire-light-1: expected luminaire-lights-1"),
         (by_hand.replace("beam_degrees", "beam"), "JSON = unknown field `beam`"),
@@ -163,6 +168,11 @@ fn again(text: &str) -> Vec<Lamp> {
     luminaire_exchange::read("a.json", text.as_bytes(), None, Reading::default()).expect("a document").lamps
 }
 
+/// A document of one light.
+fn written(light: &NamedLight) -> Result<String, ExportError> {
+    write(&Lights { lights: vec![light.clone()], ambient: Vec::new() })
+}
+
 /// What is known of a light beside it comes back, but for its measured intensities and what follows from them.
 #[test]
 fn what_is_known_of_a_light_is_read_back() {
@@ -177,12 +187,12 @@ fn what_is_known_of_a_light_is_read_back() {
     for lamp in [&[lamp][..], &godot, &measured].concat() {
         for full_scale in [1.0, 1.0 / 3.0, 123_456.789_012_345] {
             let named = lamp.named(scale(full_scale)).expect("a light");
-            let back = again(&write(std::slice::from_ref(&named)).expect("a document")).remove(0);
+            let back = again(&written(&named).expect("a document")).remove(0);
             let expected =
                 Lamp { light: named.light, full_scale, measured: None, fits: Vec::new(), ..lamp.clone() };
             assert_eq!(back, expected);
             assert!((back.own_intensity() * full_scale / lamp.own_intensity() - 1.0).abs() < 1e-6);
-            let (text, other) = (write(&[named]), write(&[back.named(scale(1.0)).expect("a light")]));
+            let (text, other) = (written(&named), written(&back.named(scale(1.0)).expect("a light")));
             assert_eq!(text.is_ok_and(|text| text == other.expect("a document")), lamp.measured.is_none());
         }
     }

@@ -5,7 +5,7 @@ use std::fmt;
 use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula, Soft};
-use luminaire::{Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
+use luminaire::{AmbientLight, Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
 use serde::de::{Deserializer, Error as _, IgnoredAny, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, value::RawValue};
@@ -27,6 +27,24 @@ pub struct NamedLight {
     pub surfaces: Option<[f32; 2]>,
     /// What is known of the light beside it: any JSON. [`read`] skips it.
     pub about: Option<Value>,
+}
+
+/// Ambient light of a document.
+#[derive(Clone, PartialEq, Debug)]
+pub struct NamedAmbient {
+    /// The name: any text.
+    pub name: String,
+    /// The light.
+    pub light: AmbientLight,
+}
+
+/// The lights of a document.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Lights {
+    /// Those that shine from a position or a direction.
+    pub lights: Vec<NamedLight>,
+    /// Those that are the same from everywhere.
+    pub ambient: Vec<NamedAmbient>,
 }
 
 /// Declares an object of the format by its members, none of which has to be there.
@@ -146,7 +164,7 @@ fn shortest(value: f32) -> f64 {
 ///
 /// # Errors
 /// A number that JSON does not have; no light of this crate has one.
-pub fn write(lights: &[NamedLight]) -> Result<String, ExportError> {
+pub fn write(lights: &Lights) -> Result<String, ExportError> {
     write_with(lights, None)
 }
 
@@ -154,9 +172,10 @@ pub fn write(lights: &[NamedLight]) -> Result<String, ExportError> {
 ///
 /// # Errors
 /// As those of [`write()`].
-pub fn write_with(lights: &[NamedLight], refused: Option<Value>) -> Result<String, ExportError> {
-    let lights = Some(lights.iter().map(described).collect());
-    let document = Document { format: Some(FORMAT.to_owned()), lights, refused };
+pub fn write_with(lights: &Lights, refused: Option<Value>) -> Result<String, ExportError> {
+    let Lights { lights, ambient } = lights;
+    let all = lights.iter().map(described).chain(ambient.iter().map(surrounding)).collect();
+    let document = Document { format: Some(FORMAT.to_owned()), lights: Some(all), refused };
     let json = serde_json::to_string_pretty(&document);
     json.map(|text| printable_json(&in_lines(&text)))
         .map_err(|error| ExportError::new("lights", FORMAT, error.to_string()))
@@ -182,8 +201,21 @@ fn in_lines(pretty: &str) -> String {
     text
 }
 
+fn triple(color: Rgb<f32>) -> [f32; 3] {
+    [color.red, color.green, color.blue]
+}
+
+fn surrounding(NamedAmbient { name, light }: &NamedAmbient) -> Light {
+    Light {
+        name: Some(name.clone()),
+        kind: Some(AMBIENT.to_owned()),
+        color: Some(triple(light.color())),
+        intensity: Some(light.intensity()),
+        ..Light::default()
+    }
+}
+
 fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light {
-    let triple = |color: Rgb<f32>| [color.red, color.green, color.blue];
     let mut described = Light {
         name: Some(name.clone()),
         kind: Some(kind(light).to_owned()),
@@ -222,6 +254,9 @@ fn law(attenuation: &AnyAttenuation) -> Map<String, Value> {
     }
     members.into_iter().map(|(name, value): (&str, Value)| (name.to_owned(), value)).collect()
 }
+
+/// The kind of ambient light.
+pub const AMBIENT: &str = "ambient";
 
 /// Returns the kind of a light: `spot`, `point` or `directional`.
 pub fn kind(light: &AnyLight) -> &'static str {
@@ -275,7 +310,7 @@ fn profile(falloff: AnyFalloff) -> Profile {
     profile
 }
 
-/// Returns the lights of a document.
+/// Returns the lights of a document, each of the two lists in its order.
 ///
 /// A cone is read from its versines, which are exact, and without them from its angles. Angles beside
 /// versines must agree with these. A table lives as long as the program.
@@ -283,20 +318,33 @@ fn profile(falloff: AnyFalloff) -> Profile {
 /// # Errors
 /// Text that is not a document of this format, with its line, or a value that the constructors of
 /// [`luminaire`] reject, with the number of its light.
-pub fn read(text: &str) -> Result<Vec<NamedLight>, ExportError> {
+pub fn read(text: &str) -> Result<Lights, ExportError> {
     let document: Document = serde_json::from_str(text)
         .map_err(|error| ExportError::new("JSON", error, format!("a document of {FORMAT}")))?;
     if document.format.as_deref() != Some(FORMAT) {
         return Err(ExportError::new("format", document.format.as_deref().unwrap_or("none"), FORMAT));
     }
     let lights = document.lights.ok_or_else(|| ExportError::new("lights", "none", "a list of lights"))?;
-    let read = |(number, light): (usize, &Light)| {
-        named(light).map_err(|error| ExportError {
+    let mut read = Lights::default();
+    for (number, light) in lights.iter().enumerate() {
+        let added = if light.kind.as_deref() == Some(AMBIENT) {
+            ambient(light).map(|own| read.ambient.push(own))
+        } else {
+            named(light).map(|own| read.lights.push(own))
+        };
+        added.map_err(|error| ExportError {
             parameter: format!("lights[{number}]: {}", error.parameter),
             ..error
-        })
-    };
-    lights.iter().enumerate().map(read).collect()
+        })?;
+    }
+    Ok(read)
+}
+
+fn ambient(described: &Light) -> Result<NamedAmbient, ExportError> {
+    let [red, green, blue] = described.color.unwrap_or([1.0; 3]);
+    let light = AmbientLight::new(Rgb::new(red, green, blue))?;
+    let light = light.with_intensity(described.intensity.unwrap_or(1.0))?;
+    Ok(NamedAmbient { name: described.name.clone().unwrap_or_else(|| "ambient".to_owned()), light })
 }
 
 fn named(described: &Light) -> Result<NamedLight, ExportError> {
@@ -326,7 +374,7 @@ fn named(described: &Light) -> Result<NamedLight, ExportError> {
         }
         "point" => PointLight::new(position)?.with_attenuation(attenuation?).into(),
         "directional" => DirectionalLight::new(axis)?.into(),
-        kind => return Err(ExportError::new("kind", kind, "spot, point or directional")),
+        kind => return Err(ExportError::new("kind", kind, "spot, point, directional or ambient")),
     };
     let light = light.with_color(color)?.with_specular_color(specular)?.with_intensity(intensity)?;
     let name = described.name.clone().unwrap_or_else(|| "light".to_owned());

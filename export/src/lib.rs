@@ -57,7 +57,7 @@
 //! |---|---|
 //! | `format` | `luminaire-lights-1` |
 //! | `lights` | an array of lights, each with the members below |
-//! | `name`, `kind` | any text; `spot` (the default), `point` or `directional` |
+//! | `name`, `kind` | any text; `spot` (the default), `point`, `directional` or `ambient` |
 //! | `position`, `axis` | three numbers; the axis points along the light and has any length |
 //! | `color`, `specular_color` | linear red, green and blue, each up to 1; white, and the colour, by default |
 //! | `intensity` | 1 is full scale on the axis at distance 1 |
@@ -69,7 +69,9 @@
 //! | `attenuation.law` | `constant`, `inverse-square` (the default), `polynomial` with `constant`, `linear` and `quadratic`, `decay` with `exponent` and its cap `most`, or `smoothstep` to `range` |
 //! | `attenuation.window`, `range` | `cut`, `gltf` or `square`, at the range; absent without a range |
 //!
-//! A light that is written by hand needs a cone alone: one of beam, field and outer angle, or beam
+//! Ambient light has a name, a colour and an intensity alone, of which 1 lights a white surface to full scale.
+//!
+//! A spotlight that is written by hand needs a cone alone: one of beam, field and outer angle, or beam
 //! and field angle without a falloff. A hotspot beside them leaves the beam and the field angle. A
 //! light that was written is read with the same bits.
 //!
@@ -138,7 +140,11 @@ pub fn export_all<'a>(
     let text = match language {
         _ if items.is_empty() => String::new(),
         // Lights have no number that JSON has not.
-        Language::Json => json::write(&items.iter().map(Item::named).collect::<Vec<_>>()).unwrap_or_default(),
+        Language::Json => json::write(&json::Lights {
+            lights: items.iter().map(Item::named).collect(),
+            ambient: Vec::new(),
+        })
+        .unwrap_or_default(),
         Language::RustBuild => script::joined(&items),
         Language::RustProgram => program::joined(&items),
         Language::Glsl

@@ -27,7 +27,9 @@ impl LightFile {
     /// Returns the lights and the notes of the file as JSON.
     pub fn told(&self) -> String {
         let refused = self.0.refused.iter().map(|refusal| format!("Refused: {refusal}"));
-        let notes: Vec<_> = refused.chain(self.0.notes.iter().cloned()).collect();
+        let ambient =
+            self.0.ambient.iter().map(|ambient| format!("Ambient light is left out: {}", ambient.name));
+        let notes: Vec<_> = refused.chain(self.0.notes.iter().cloned()).chain(ambient).collect();
         let lights: Vec<_> = self.0.lamps.iter().map(|lamp| told(lamp, self.1)).collect();
         json!({ "lights": lights, "notes": notes }).to_string()
     }

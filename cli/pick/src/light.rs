@@ -5,7 +5,7 @@ use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Cubic, Hard, Quadratic, Soft};
 use luminaire::{Angle, Cone, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::check_text;
-use luminaire_export::json::{self, NamedLight};
+use luminaire_export::json::{self, Lights, NamedLight};
 use luminaire_oracle as oracle;
 use serde::de::Error as _;
 use serde::ser::{Error as _, SerializeMap};
@@ -150,7 +150,8 @@ impl Serialize for Light {
 /// Returns a light as a document has it, without a name.
 fn document(light: &AnyLight) -> Result<Value, String> {
     let named = NamedLight { name: String::new(), light: *light, surfaces: None, about: None };
-    let text = json::write(&[named]).map_err(|error| error.to_string())?;
+    let lights = Lights { lights: vec![named], ambient: Vec::new() };
+    let text = json::write(&lights).map_err(|error| error.to_string())?;
     let mut document: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
     let mut light = document["lights"][0].take();
     if let Some(members) = light.as_object_mut() {
@@ -164,7 +165,7 @@ fn from_document<'de, D: Deserializer<'de>>(from: D) -> Result<Option<AnyLight>,
     let Some(light) = Option::<Value>::deserialize(from)? else { return Ok(None) };
     let document = json!({ "format": "luminaire-lights-1", "lights": [light] });
     let read = json::read(&document.to_string()).map_err(D::Error::custom)?;
-    Ok(read.first().map(|named| named.light))
+    Ok(read.lights.first().map(|named| named.light))
 }
 
 impl Light {

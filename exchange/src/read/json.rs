@@ -3,7 +3,7 @@
 use glam::{DAffine3, DMat4, DVec3};
 use serde::de::DeserializeOwned;
 
-use crate::record::{Record, Value};
+use crate::record::{Kind, Record, Value};
 use crate::refusal::Refusal;
 
 /// The most objects and arrays of a file. The two bytes of an empty one become up to 128 of memory in
@@ -83,7 +83,7 @@ pub(crate) fn index(name: &str, index: f64, length: usize) -> Result<usize, Refu
 }
 
 /// Adds to a light the notes that hold and the values that the file has. A point light has the first
-/// `point` of them, and a directional light the first `directional`.
+/// `point` of them, and directional and ambient light the first `directional`.
 pub(crate) fn fill(
     mut record: Record,
     notes: &[(bool, &str)],
@@ -92,7 +92,11 @@ pub(crate) fn fill(
     [point, directional]: [usize; 2],
 ) -> Result<Record, Refusal> {
     record.notes.extend(notes.iter().filter(|(holds, _)| *holds).map(|(_, note)| (*note).to_owned()));
-    let count = [values.len(), point, directional][record.kind as usize];
+    let count = match record.kind {
+        Kind::Spot => values.len(),
+        Kind::Point => point,
+        Kind::Directional | Kind::Ambient => directional,
+    };
     let numbers = values[..count].iter().filter_map(|(name, value)| Some((*name, vec![*value.as_deref()?])));
     for (name, numbers) in color.map(|color| ("color", color.to_vec())).into_iter().chain(numbers) {
         if let Some(negative) = numbers.iter().find(|number| **number < 0.0) {

@@ -6,10 +6,11 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::Found;
 use super::scene::{Block, PBRT, Scan, System, add, among, is_text, lights, rotation, unquoted};
+use crate::record::Kind;
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
-    kinds: ["spot", "point", "distant", "LightSource"],
+    kinds: ["spot", "point", "distant", "infinite", "LightSource"],
     axis: DVec3::Z,
     keys: "coneangle conedeltaangle scale power illuminance I L blackbody",
     others: "",
@@ -95,6 +96,11 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         let read = |key: &str| among(SYSTEM.keys, key) || among("from to", key);
         for key in block.values.names().filter(|key| !read(key)) {
             record.note(format!("`{key}` is not read"));
+        }
+        let image =
+            block.values.names().find(|name| among("filename mapname", name.trim_start_matches("string ")));
+        if let (Kind::Ambient, Some(image)) = (record.kind, image) {
+            return Err(block.refused(image, "light of one colour from everywhere, without an image"));
         }
         record.position = block.vector("from", 0.0)?;
         record.axis = DVec3::from(block.numbers("to", [0.0, 0.0, 1.0])?) - record.position;

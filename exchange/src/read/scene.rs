@@ -362,8 +362,8 @@ impl<'a> Block<'a> {
 
 /// The words of a system, in lists with spaces between.
 pub(crate) struct System {
-    /// The kinds of lights: spot, point, directional, and those that are refused.
-    pub(crate) kinds: [&'static str; 4],
+    /// The kinds of lights: spot, point, directional, ambient, and those that are refused.
+    pub(crate) kinds: [&'static str; 5],
     pub(crate) axis: DVec3,
     /// The values of a light that are read.
     pub(crate) keys: &'static str,
@@ -408,8 +408,9 @@ pub(crate) fn lights(
     let mut nodes: Vec<Option<Box<Own>>> = vec![None; blocks.len()];
     for (index, block) in blocks.iter().enumerate().filter(|(_, block)| !block.kind.is_empty()) {
         let Some(kind) = system.kinds.iter().position(|kinds| among(kinds, block.kind)) else { continue };
-        let kind = [Kind::Spot, Kind::Point, Kind::Directional].get(kind);
-        let refusal = || Refusal::new(block.kind, plain(block.name), "a spot, point or directional light");
+        let kind = [Kind::Spot, Kind::Point, Kind::Directional, Kind::Ambient].get(kind);
+        let expected = "a spot, point, directional or ambient light";
+        let refusal = || Refusal::new(block.kind, plain(block.name), expected);
         let record = kind.ok_or_else(refusal).and_then(|&kind| {
             let mut record = record(system, block, kind)?;
             light(block, &mut record).map(|()| record)
@@ -492,7 +493,7 @@ mod tests {
     #[test]
     fn transforms_are_read_once_a_node() {
         let system = System {
-            kinds: ["spot", "", "", ""],
+            kinds: ["spot", "", "", "", ""],
             axis: DVec3::Z,
             keys: "",
             others: "",

@@ -48,10 +48,11 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         let is_shown = *is_shown && object.visible.as_deref() != Some(&false);
         positions.entry(object.uuid.as_ref()).or_insert(world.translation);
         match word(&object.r#type) {
-            "SpotLight" | "PointLight" | "DirectionalLight" if !is_shown => hidden += 1,
+            "SpotLight" | "PointLight" | "DirectionalLight" | "AmbientLight" if !is_shown => hidden += 1,
             "SpotLight" => lights.push((object, Kind::Spot, world)),
             "PointLight" => lights.push((object, Kind::Point, world)),
             "DirectionalLight" => lights.push((object, Kind::Directional, world)),
+            "AmbientLight" => lights.push((object, Kind::Ambient, world)),
             other if other.ends_with("Light") || other == "LightProbe" => {
                 found.notes.push(format!("{} is left out: {other}", word(&object.name)));
             }
@@ -68,7 +69,10 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         let target = light.target.as_ref().and_then(|target| positions.get(&Some(target)));
         record.axis = target.unwrap_or(&DVec3::ZERO) - world.translation;
         let notes = [
-            (kind != Kind::Point && target.is_none(), "its target is not in the file, and so at the origin"),
+            (
+                matches!(kind, Kind::Spot | Kind::Directional) && target.is_none(),
+                "its target is not in the file, and so at the origin",
+            ),
             (light.layers.as_deref().is_some_and(|own| *own != 1.0), "`layers` is not read"),
             (light.map.is_some(), "its projected texture is left out"),
         ];

@@ -6,10 +6,11 @@ use glam::{DAffine3, DQuat, DVec3};
 
 use super::Found;
 use super::scene::{Block, OUTSIDE, System, Values, add, among, color, length, lights, unmatched};
+use crate::record::Kind;
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
-    kinds: ["spot", "point", "directional", "area"],
+    kinds: ["spot", "point", "directional", "ambient", "area"],
     axis: DVec3::Z,
     keys: "m_Intensity m_Range m_SpotAngle m_InnerSpotAngle m_LightUnit m_UseColorTemperature m_ColorTemperature",
     others: "m_Cookie=0 m_Shape=0 m_CullingMask=2,4294967295 m_RenderingLayerMask=1",
@@ -26,7 +27,7 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         let document = document.strip_prefix("--- !u!").unwrap_or(document);
         let mut words = document.split_whitespace();
         let (kind, name) = (words.next().unwrap_or(""), words.next().unwrap_or("").trim_start_matches('&'));
-        if among("1 4 108 1001", kind) {
+        if among("1 4 104 108 1001", kind) {
             let values = fields(document).ok_or_else(|| unmatched(line))?;
             let block = Block { kind, name, line, values, ..Block::default() };
             if kind == "4" {
@@ -44,16 +45,25 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         let expected = "text: Project Settings, Editor, Asset Serialization, Force Text";
         return Err(Refusal::new("file", "without transforms", expected));
     }
+    let mut is_sky = false;
     // Light, its object, its transform, the object of the transform above.
     for index in 0..blocks.len() {
         let (block, father) = (&blocks[index], id(&blocks[index], "m_Father"));
         let above = match block.kind {
             "1" => places.get(block.name),
+            "104" => None,
             "4" => indices.get(father).and_then(|&father| indices.get(id(&blocks[father], "m_GameObject"))),
             _ => indices.get(id(block, "m_GameObject")),
         };
         let (above, name) = (above.copied(), above.map(|&above| blocks[above].values.get("m_Name")));
         let block = &mut blocks[index];
+        if block.kind == "104" {
+            // The settings of a scene. 3 is one colour, and the others are a sky or a gradient.
+            let mode = block.get("m_AmbientMode");
+            is_sky = is_sky || mode != "3";
+            (block.kind, block.name) = (if mode == "3" { "ambient" } else { "" }, "ambient");
+            continue;
+        }
         if block.kind != "4" || father != "0" {
             block.parents.push(above.unwrap_or(OUTSIDE));
         }
@@ -65,9 +75,15 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         }
     }
     let mut found = lights(&SYSTEM, &blocks, local, |block, record| {
-        record.set("color", color(block.numbers("m_Color", [1.0; 4])?));
+        let (key, default) = if record.kind == Kind::Ambient {
+            ("m_AmbientSkyColor", [0.212, 0.227, 0.259, 1.0])
+        } else {
+            ("m_Color", [1.0; 4])
+        };
+        record.set("color", color(block.numbers(key, default)?));
         Ok(())
     })?;
+    found.notes.extend(is_sky.then(|| "ambient light of a sky or a gradient is left out".to_owned()));
     found.notes.push("positions and axes are in the left-handed system of Unity, with y up".to_owned());
     Ok(found)
 }

@@ -9,7 +9,7 @@ use super::scene::{Block, Lines, OUTSIDE, System, add, attribute, color, lights,
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
-    kinds: ["SpotLightComponent", "PointLightComponent", "DirectionalLightComponent", OTHERS],
+    kinds: ["SpotLightComponent", "PointLightComponent", "DirectionalLightComponent", "", OTHERS],
     axis: DVec3::X,
     keys: "InnerConeAngle OuterConeAngle Intensity IntensityUnits AttenuationRadius bUseInverseSquaredFalloff \
            LightFalloffExponent bUseTemperature Temperature",

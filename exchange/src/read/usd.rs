@@ -10,7 +10,7 @@ use crate::record::{Kind, Profile, Record};
 use crate::refusal::Refusal;
 
 const SYSTEM: System = System {
-    kinds: ["DiskLight", "SphereLight", "DistantLight", OTHERS],
+    kinds: ["DiskLight", "SphereLight", "DistantLight", "DomeLight DomeLight_1", OTHERS],
     axis: DVec3::NEG_Z,
     keys: "inputs:intensity inputs:exposure inputs:color inputs:radius inputs:angle inputs:normalize treatAsPoint \
            inputs:shaping:focus inputs:shaping:cone:angle inputs:shaping:cone:softness inputs:enableColorTemperature \
@@ -25,7 +25,7 @@ const SYSTEM: System = System {
 const PROFILE: &str = "inputs:shaping:ies:file";
 /// The values beside those of lights and transforms whose samples are read.
 const OWN: &str = "visibility inputs:shaping:ies:file";
-const OTHERS: &str = "RectLight CylinderLight DomeLight DomeLight_1 GeometryLight PortalLight MeshLightAPI";
+const OTHERS: &str = "RectLight CylinderLight GeometryLight PortalLight MeshLightAPI";
 
 /// Returns the lights, with the names of UsdLux without `inputs:` as keys, and `displayName` as the name of a prim that
 /// has it.
@@ -89,6 +89,9 @@ pub(crate) fn read(text: &str) -> Result<Found, Refusal> {
         }
     }
     let mut found = lights(&SYSTEM, &blocks, local, |block, record| {
+        if record.kind == Kind::Ambient && !block.get("inputs:texture:file").is_empty() {
+            return Err(block.refused("inputs:texture:file", "a dome of one colour, without a texture"));
+        }
         if block.kind == "DiskLight" {
             record.number("disk", 1.0);
         }
@@ -132,7 +135,7 @@ fn shape(block: &Block, record: &mut Record) -> Result<(), Refusal> {
     }
     let [scale] = block.numbers("inputs:shaping:ies:angleScale", [0.0])?;
     let [normalize] = block.numbers("inputs:shaping:ies:normalize", [0.0])?;
-    if record.kind == Kind::Directional || scale != 0.0 {
+    if matches!(record.kind, Kind::Directional | Kind::Ambient) || scale != 0.0 {
         let why = if scale == 0.0 { "the light has no place" } else { "`shaping:ies:angleScale` is not 0" };
         record.note(format!("its IES profile {file:?} is left out: {why}"));
         return Ok(());

@@ -4,11 +4,12 @@ use std::collections::HashMap;
 
 use super::scene::{Block, Scan, System, WORLD, add, among, lights, numbers, rotation};
 use super::{Found, xml};
+use crate::record::{Kind, Record, Value};
 use crate::refusal::Refusal;
 use glam::{DAffine3, DVec3};
 
 const SYSTEM: System = System {
-    kinds: ["SpotLight", "PointLight", "DirectionalLight", "EnvironmentLight"],
+    kinds: ["SpotLight", "PointLight", "DirectionalLight", "", "EnvironmentLight"],
     axis: DVec3::NEG_Z,
     keys: "color intensity ambientIntensity attenuation radius beamWidth cutOffAngle",
     others: "",
@@ -80,7 +81,7 @@ impl<'a> World<'a> {
             let above = block.parents.first().map_or("", |&above| self.blocks[above].kind);
             !is_global && !among(" X3D Scene", above)
         };
-        lights(&SYSTEM, &self.blocks, local, |block, record| {
+        let mut found = lights(&SYSTEM, &self.blocks, local, |block, record| {
             record.position = block.vector("location", 0.0)?;
             record.axis = block.numbers("direction", [0.0, 0.0, -1.0])?.into();
             record.number("version", version);
@@ -88,7 +89,19 @@ impl<'a> World<'a> {
                 record.note("`global` is not read: in the file it lights its own group alone");
             }
             Ok(())
-        })
+        })?;
+        // Only of a directional light, the ambient part is the same everywhere.
+        let mut surrounding = Vec::new();
+        for record in found.records.iter_mut().filter(|record| record.kind == Kind::Directional) {
+            let Some(strength) = record.take("ambientIntensity") else { continue };
+            let mut own = Record::new(&format!("{} ambient", record.name), Kind::Ambient, &record.place);
+            own.set("color", Value::Numbers(record.triple("color", [1.0; 3])?.to_vec()));
+            own.set("ambientIntensity", strength);
+            own.note("X3D multiplies it by the `ambientIntensity` of each material, 0.2 by default");
+            surrounding.push(own);
+        }
+        found.records.extend(surrounding);
+        Ok(found)
     }
 }
 

@@ -25,7 +25,7 @@ const PHYSICAL: [&str; 2] = ["light_intensity_lumens", "light_intensity_lux"];
 fn energy(record: &mut Record) -> Result<f64, Refusal> {
     let energy = record.within("light_energy", 1.0, 0.0, 1e9)?;
     let (key, parts) = match record.kind {
-        Kind::Directional => (PHYSICAL[1], 1.0),
+        Kind::Directional | Kind::Ambient => (PHYSICAL[1], 1.0),
         Kind::Point => (PHYSICAL[0], 4.0 * PI),
         Kind::Spot => (PHYSICAL[0], PI),
     };
@@ -95,6 +95,11 @@ impl Tool for Godot {
 
     fn sun(&self, record: &mut Record) -> Result<f64, Refusal> {
         energy(record)
+    }
+
+    /// The ambient light of an environment (`light_storage.cpp` and the uniforms of a scene).
+    fn ambient(&self, record: &mut Record) -> Result<f64, Refusal> {
+        record.within("ambient_light_energy", 1.0, 0.0, 1e9)
     }
 
     fn writer(&self) -> Option<&'static dyn Writer> {

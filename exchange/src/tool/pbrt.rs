@@ -20,7 +20,7 @@ impl Tool for Pbrt {
 
     /// The channels are the intensity.
     fn color(&self, kind: Kind) -> (&'static str, f64) {
-        (if kind == Kind::Directional { "L" } else { "I" }, f64::MIN_POSITIVE)
+        (if matches!(kind, Kind::Directional | Kind::Ambient) { "L" } else { "I" }, f64::MIN_POSITIVE)
     }
 
     /// `blackbody`: a temperature in version 4, of luminance 1 (`SpectrumToPhotometric` in `lights.cpp`); in version 3
@@ -58,6 +58,11 @@ impl Tool for Pbrt {
 
     fn sun(&self, record: &mut Record) -> Result<f64, Refusal> {
         scale(record, ["L", "illuminance"], 1.0)
+    }
+
+    /// The luminance all around, of which the half above a surface lights it.
+    fn ambient(&self, record: &mut Record) -> Result<f64, Refusal> {
+        Ok(PI * scale(record, ["L", "illuminance"], PI)?)
     }
 }
 

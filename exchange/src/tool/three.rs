@@ -34,6 +34,10 @@ impl Tool for Three {
         Ok(Spot::new(record, cone, intensity, attenuation)?.with_distance(distance))
     }
 
+    fn ambient(&self, record: &mut Record) -> Result<f64, Refusal> {
+        record.get("intensity", 1.0)
+    }
+
     fn writer(&self) -> Option<&'static dyn Writer> {
         Some(&Self)
     }

@@ -60,6 +60,11 @@ impl Tool for Unity {
         Spot::new(record, cone, intensity * on_axis, attenuation)
     }
 
+    /// The colour, whose channels may be over 1, is the light.
+    fn ambient(&self, _: &mut Record) -> Result<f64, Refusal> {
+        Ok(1.0)
+    }
+
     fn writer(&self) -> Option<&'static dyn Writer> {
         Some(&Self)
     }

@@ -131,6 +131,11 @@ impl Tool for Usd {
         Ok(if is_irradiance { brightness } else { brightness * PI * sine * sine })
     }
 
+    /// A dome of this luminance all around, of which the half above a surface lights it.
+    fn ambient(&self, record: &mut Record) -> Result<f64, Refusal> {
+        Ok(PI * exposed(record, "intensity", 1.0)?)
+    }
+
     fn writer(&self) -> Option<&'static dyn Writer> {
         Some(&Self)
     }

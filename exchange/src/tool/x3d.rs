@@ -49,4 +49,8 @@ impl Tool for X3d {
         let (cone, difference) = record.tables.cone(inner, outer, [0.0; 3], &fall)?;
         Ok(Spot::new(record, cone, intensity, attenuation)?.with_angle(difference))
     }
+
+    fn ambient(&self, record: &mut Record) -> Result<f64, Refusal> {
+        record.within("ambientIntensity", 0.0, 0.0, 1.0)
+    }
 }
