@@ -76,7 +76,7 @@ pub use crate::{
     cone::CompiledCone,
     material::CompiledMaterial,
     points::{AlongX, Points, SurfacePoint, SurfacePoints},
-    row::Row,
+    row::{Block, Row},
     shade::{
         CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, QuickSpotLight,
     },

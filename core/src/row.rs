@@ -187,30 +187,89 @@ impl<S: Scalar, F: Points<S>> Row<S, F> {
         &self,
         lights: &[L],
         pixels: &mut [T],
+        show: impl FnMut(&mut T, usize, Rgb<S::Irradiance>),
+    ) {
+        self.light_by(pixels, |block| lights.iter().for_each(|light| block.add(light)), show);
+    }
+
+    /// Calls `show` as [`light`](Self::light) does, with light that `add` adds to blocks of pixels: that of lights of
+    /// several types.
+    ///
+    /// ```
+    /// use luminaire::{AmbientLight, Angle, Cone, Fx16, PointLight, SpotLight, Vec3, light::Row};
+    /// use luminaire::display::{Rgb565, clip};
+    ///
+    /// let cone = Cone::soft(Angle::degrees(20.0))?;
+    /// let spot = SpotLight::new([2.0, 3.0, 1.0], [0.0, -1.0, 0.0], cone)?.with_intensity(9.0)?.compile::<Fx16>()?;
+    /// let bulb = PointLight::new([7.0, 3.0, 1.0])?.compile::<Fx16>()?;
+    /// let ambient = AmbientLight::new([0.5, 0.7, 1.0].into())?.with_intensity(0.02)?.compile::<Fx16>();
+    /// let row = Row::new(Fx16::normal([0.0, 1.0, 0.0]), |column| Fx16::point([column as f32 / 32.0, 0.0, 1.0]));
+    /// let mut pixels = [0; 320];
+    /// row.light_by(
+    ///     &mut pixels,
+    ///     |block| {
+    ///         block.add_ambient(ambient);
+    ///         block.add(&spot);
+    ///         block.add(&bulb);
+    ///     },
+    ///     |pixel, _, light| *pixel = Rgb565::from_linear(clip(light)).0,
+    /// );
+    /// assert!(pixels[64] > pixels[224] && pixels[224] > pixels[144]);
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
+    #[inline]
+    pub fn light_by<T>(
+        &self,
+        pixels: &mut [T],
+        mut add: impl FnMut(&mut Block<'_, S, F>),
         mut show: impl FnMut(&mut T, usize, Rgb<S::Irradiance>),
     ) {
         for (block, pixels) in pixels.chunks_mut(MOST).enumerate() {
-            let (first, dark) = (block * MOST, S::Irradiance::default());
-            let mut sums = [Rgb::new(dark, dark, dark); MOST];
-            let row = Row { normal: self.normal, points: Every::<_> { points: &self.points, first } };
-            for light in lights {
-                let lit = row.reach(light, pixels.len());
-                let mut arrived = [dark; MOST];
-                let arrived = arrived.get_mut(..lit.len()).unwrap_or_default();
-                row.fill(light, lit.start, arrived);
-                let [color, _] = light.colors();
-                for (sum, &mut arrived) in sums.get_mut(lit).unwrap_or_default().iter_mut().zip(arrived) {
-                    if arrived != dark {
-                        *sum += Rgb::lit::<S>(arrived, color);
-                    }
-                }
-            }
+            let first = block * MOST;
+            let mut sums = [Rgb::default(); MOST];
+            let row = Row { normal: self.normal, points: Every { points: &self.points, first } };
+            add(&mut Block { row, sums: sums.get_mut(..pixels.len()).unwrap_or_default() });
             for (i, (pixel, sum)) in pixels.iter_mut().zip(sums).enumerate() {
                 if sum != Rgb::default() {
                     show(pixel, first + i, sum);
                 }
             }
         }
+    }
+}
+
+/// Pixels of a row to which light is added: see [`Row::light_by`].
+pub struct Block<'a, S: Scalar, F> {
+    row: Row<S, Every<'a, F>>,
+    /// At most as many as a block.
+    sums: &'a mut [Rgb<S::Irradiance>],
+}
+
+impl<S: Scalar, F: Points<S>> Block<'_, S, F> {
+    /// Adds a light, times its colour, at each pixel that it may reach.
+    pub fn add<L: LightModel<S>>(&mut self, light: &L) {
+        let dark = S::Irradiance::default();
+        let lit = self.row.reach(light, self.sums.len());
+        let mut arrived = [dark; MOST];
+        let arrived = arrived.get_mut(..lit.len()).unwrap_or_default();
+        self.row.fill(light, lit.start, arrived);
+        let [color, _] = light.colors();
+        for (sum, &mut arrived) in self.sums.get_mut(lit).unwrap_or_default().iter_mut().zip(arrived) {
+            if arrived != dark {
+                *sum += Rgb::lit::<S>(arrived, color);
+            }
+        }
+    }
+
+    /// Adds ambient light, the same at every pixel.
+    pub fn add_ambient(&mut self, light: Rgb<S::Irradiance>) {
+        self.sums.iter_mut().for_each(|sum| *sum += light);
+    }
+}
+
+impl<S: Scalar, F> core::fmt::Debug for Block<'_, S, F> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Block").field("sums", &self.sums).finish_non_exhaustive()
     }
 }
 
