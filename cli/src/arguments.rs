@@ -125,6 +125,10 @@ pub(crate) struct Export {
     /// behind it [default: their own]
     #[arg(long)]
     pub(crate) name: Option<String>,
+    /// The name of the function that lights a point by all lights together; a source of one light has one if this is
+    /// given [default: the name of the file]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) scene: Option<String>,
     #[command(flatten)]
     pub(crate) spot: Spot,
     #[command(flatten)]

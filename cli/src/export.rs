@@ -6,7 +6,7 @@ use luminaire::Rgb;
 use luminaire::attenuation::AnyAttenuation;
 use luminaire_exchange::{Lamp, Parameters, Refusal, Residual, System, Use, parameters, write};
 use luminaire_export::json::{self, Lights};
-use luminaire_export::{Language, export_all, names, printable};
+use luminaire_export::{Language, export_all, export_scene, identifier, names, printable};
 
 use crate::arguments::Export;
 use crate::model;
@@ -40,7 +40,9 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
         say("error", if is_one { refusal } else { refusal.at(name) });
         is_whole = false;
     };
-    if !matches!(options.to, Target::Language(Language::Json)) {
+    let is_alone = lamps.len() < 2 && ambient.is_empty();
+    let scene_name = scene_name(options, is_alone)?.filter(|_| !(lamps.is_empty() && ambient.is_empty()));
+    if scene_name.is_none() && !matches!(options.to, Target::Language(Language::Json)) {
         for own in &ambient {
             let expected = format_args!("a spot, point or directional light in {}", options.to);
             refuse(&own.name, Refusal::new("light", json::AMBIENT, expected));
@@ -77,7 +79,13 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
                     names(own, language)
                 };
                 let named = names.iter().map(String::as_str).zip(lights.iter().map(|(_, named)| named.light));
-                let (written, refused) = export_all(named, language);
+                let (written, refused) = match &scene_name {
+                    Some(name) => {
+                        let ambient: Vec<_> = ambient.iter().map(|ambient| ambient.light).collect();
+                        export_scene(&luminaire_export::Scene { name, ambient: &ambient }, named, language)?
+                    }
+                    None => export_all(named, language),
+                };
                 text = written;
                 for (number, error) in refused {
                     refuse(&lights[number].0.name, error.into());
@@ -129,6 +137,29 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
         _ => {}
     }
     Ok((text, is_whole))
+}
+
+/// Returns the name of the scene in a source that has one: that of all lights together, or of one light if the user names
+/// it.
+fn scene_name(options: &Export, is_alone: bool) -> Result<Option<String>, Refusal> {
+    let language = match options.to {
+        Target::Language(language) if language.has_scenes() => language,
+        _ => {
+            let expected = format_args!("none in {}, which has each light alone", options.to);
+            return options
+                .scene
+                .as_ref()
+                .map_or(Ok(None), |name| Err(Refusal::new("scene", name, expected)));
+        }
+    };
+    if options.scene.is_some() || is_alone {
+        return Ok(options.scene.clone());
+    }
+    let source = &options.source;
+    let files: Vec<_> = source.from.iter().chain(&source.values).collect();
+    let stem = if let [file] = files[..] { Path::new(file).file_stem() } else { None };
+    let stem = stem.map_or_else(|| "scene".to_owned(), shown);
+    Ok(Some(identifier(&stem, language)))
 }
 
 /// A scene to write.

@@ -47,7 +47,7 @@ fn lights_have_their_own_names_in_each_language() {
     let file = file.to_str().expect("a path");
     for (to, names) in [
         ("glsl", ["main_irradiance", "key_light_irradiance", "key_light_2_irradiance", "static_irradiance"]),
-        ("c-fx16", ["MAIN_LIGHT_H", "KEY_LIGHT_LIGHT_H", "KEY_LIGHT_2_LIGHT_H", "STATIC_LIGHT_H"]),
+        ("c-fx16", ["MAIN_LIGHT_H", "KEY_LIGHT_LIGHT_H", "KEY_LIGHT_2_LIGHT_H", "STATIC_LIGHT_LIGHT_H"]),
         ("rust-build", ["fn main_light()", "fn key_light()", "fn key_light_2()", "fn static_light()"]),
         ("rust-f32", ["mod main_light ", "mod key_light ", "mod key_light_2 ", "mod static_light "]),
         ("json", ["\"Main\"", "\"Key light\"", "\"key_light\"", "\"Static\""]),
@@ -57,7 +57,26 @@ fn lights_have_their_own_names_in_each_language() {
         assert!(code == Some(0) && names.iter().all(|name| text.contains(name)), "{to}: {text}{errors}");
     }
     let (_, text, _) = told(words(&format!("export --from {file} --light 2 --to c-f32")));
-    assert!(text.contains("#ifndef KEY_LIGHT_LIGHT_H\n"), "{text}");
+    assert!(text.contains("#ifndef KEY_LIGHT_LIGHT_H\n") && !text.contains("_SCENE_H"), "{text}");
+    // The function of all lights has the name of the file, or that of the user.
+    for (options, function) in
+        [("", "lights_light("), (" --scene room", "room_light("), (" --light 2 --scene a", "a_light(")]
+    {
+        for to in ["c-fx16", "c-f32", "glsl", "glsl-uniforms", "wgsl"] {
+            let (code, text, errors) = told(words(&format!("export --from {file}{options} --to {to}")));
+            assert!(code == Some(0) && text.contains(function), "{to}: {text}{errors}");
+        }
+    }
+    let (_, text, _) = told(words(&format!("export {file} {file} --to rust-fx16")));
+    assert!(text.contains("pub mod scene {") && text.contains("pub key_light_3: "), "{text}");
+    for (options, error) in [
+        ("--scene a_ --to glsl", "error: name = a_: expected"),
+        ("--scene a --to json", "error: scene = a: expected none in json, which has each light alone\n"),
+        ("--scene a --to godot", "error: scene = a: expected none in godot"),
+    ] {
+        let (code, _, errors) = told(words(&format!("export {file} {options}")));
+        assert!(code == Some(1) && errors.starts_with(error), "{errors}");
+    }
     let (_, text, _) = told(words(&format!("export --from {file} --name rim --to json")));
     assert!(text.contains("\"rim_1\"") && text.contains("\"rim_4\""), "{text}");
     fs::remove_dir_all(folder).expect("removed");
@@ -165,6 +184,11 @@ fn ambient_light_goes_through_the_commands() {
             (&"sky".into(), &"ambient".into(), &0.5.into())
         );
     }
+    let (code, text, errors) = told(words(&format!("export {file} --to c-fx16")));
+    assert!(
+        code == Some(0) && text.contains("    { UINT32_C(506), UINT32_C(1011), UINT32_C(2023) }\n"),
+        "{text}{errors}"
+    );
     let (code, text, errors) = told(words(&format!("export {file} --to godot")));
     assert!(code == Some(1) && text.contains("# name: key\n"), "{text}");
     assert_eq!(errors, "error: sky: light = ambient: expected a spot, point or directional light in godot\n");

@@ -1,6 +1,7 @@
 //! Lights as C in the integers of the 16-bit format.
 
 mod formula;
+mod scene;
 
 use std::fmt::Write;
 
@@ -8,9 +9,11 @@ use luminaire::attenuation::AnyAttenuation;
 use luminaire::codegen::Parts;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Formula};
-use luminaire::{DirectionalLight, Fx16, Fx32, Length, Rgb, SpotLight};
+use luminaire::number::Weight16;
+use luminaire::{Fx16, Fx32, Length, Rgb, SpotLight, Vec3};
 
 use self::formula::{Precision, gain_of};
+pub(crate) use self::scene::scene;
 use crate::error::ExportError;
 use crate::head::{guarded, head};
 use crate::name::global;
@@ -36,16 +39,95 @@ const WINDOWED: &str = "WINDOWED";
 
 const PRECISIONS: [Precision; 2] = [Precision("coarse"), Precision("fine")];
 
+/// A compiled light.
+enum Compiled {
+    Placed(Placed),
+    /// The initialiser of a `luminaire_directional`.
+    Directional(String),
+}
+
+/// The constants of a light with a position, and the weights of its falloff if it is that of a `luminaire_spot`.
+struct Placed {
+    parts: Parts<Fx16, AnyAttenuation>,
+    law: AnyAttenuation,
+    weights: Option<[i32; 2]>,
+}
+
+impl Compiled {
+    fn new(light: &AnyLight) -> Result<Self, ExportError> {
+        Ok(match light {
+            AnyLight::Spot(spot) => Self::Placed(Placed {
+                parts: spot.compile::<Fx16>()?.parts(),
+                law: spot.attenuation(),
+                weights: weights(spot),
+            }),
+            AnyLight::Point(point) => Self::Placed(Placed {
+                parts: point.compile::<Fx16>()?.parts(),
+                law: point.attenuation(),
+                weights: None,
+            }),
+            AnyLight::Directional(sun) => {
+                let (direction, intensity) = sun.compile::<Fx16>().parts();
+                let (direction, color) = (list(direction.map(Fx32::to_bits)), steps(sun.color()));
+                Self::Directional(format!("{{ {direction}, {}, {color} }}", gain_of(intensity)))
+            }
+        })
+    }
+}
+
+impl Placed {
+    /// Returns the initialiser of a `luminaire_spot`.
+    fn initialiser(&self, color: Rgb<f32>) -> String {
+        let Self { parts, weights, .. } = self;
+        let (axis, ramp, outside) = match parts.cone {
+            Some(cone) => (cone.axis, cone.ramp.to_bits(), cone.outside.to_bits().max(0)),
+            None => (Vec3::default(), [0; 9], 0),
+        };
+        let ramp = ramp.map(|bits| format!("UINT32_C({bits})")).join(", ");
+        let [g, h] = weights.unwrap_or_default();
+        format!(
+            "{{\n    {}, {},\n    {{ {ramp} }},\n    {g}, {h}, {}, UINT32_C({:#x}), {}, {outside}\n}}",
+            list(parts.position.map(Length::to_bits)),
+            list(axis.map(Fx32::to_bits)),
+            gain_of(parts.intensity),
+            parts.fine_below,
+            steps(color)
+        )
+    }
+}
+
+/// Returns the weights of a cubic, if the falloff and the attenuation of a spotlight are those of a `luminaire_spot`.
+fn weights(spot: &SpotLight<AnyFalloff, AnyAttenuation>) -> Option<[i32; 2]> {
+    let (AnyAttenuation::InverseSquare(_), Formula::Polynomial([a, b, c])) =
+        (spot.attenuation(), spot.cone().falloff().formula())
+    else {
+        return None;
+    };
+    let (g, h) = Cubic::new(a, b, c).ok()?.compile::<Fx16>().weights();
+    Some([g, h].map(Weight16::to_bits))
+}
+
 /// Returns the constants and functions of a light.
 pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError> {
-    let (parts, law, trace) = match light {
-        AnyLight::Spot(spot) => {
-            (spot.compile::<Fx16>()?.parts(), spot.attenuation(), Some(Trace::of(spot.cone().falloff())))
-        }
-        AnyLight::Point(point) => (point.compile::<Fx16>()?.parts(), point.attenuation(), None),
-        AnyLight::Directional(sun) => return Ok(directional(light, sun, name)),
+    let color = format!(
+        "/* The linear colour, in steps of 2^-14. */\nstatic const int16_t {}[3] = {};\n",
+        global(name, "color"),
+        steps(light.color()),
+    );
+    let placed = match Compiled::new(light)? {
+        Compiled::Placed(placed) => placed,
+        Compiled::Directional(own) => return Ok(file(light, name, &(color + &directional(name, &own)))),
     };
-    let mut text = constants(name, light.color(), &parts);
+    let mut text = format!(
+        "{color}/* The light: its position and axis, the map from a versine to the falloff's argument, its edge if it is that of\n \
+         * a light that moves, its intensity, the encoded distance within which points need the fine evaluation, its colour,\n \
+         * and the squared cosine of half the outer angle, less a margin. */\n\
+         static const luminaire_spot {} = {};\n",
+        global(name, "light"),
+        placed.initialiser(light.color()),
+    );
+    let Placed { parts, law, weights } = placed;
+    let trace = if let AnyLight::Spot(spot) = light { Some(Trace::of(spot.cone().falloff())) } else { None };
     let [windows, whole] = Trace::of_attenuation(law);
     let (mut constants, mut functions) = (Vec::new(), String::new());
     for precision in PRECISIONS {
@@ -60,7 +142,7 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     for constant in constants {
         let _ = writeln!(text, "{constant}");
     }
-    let windowed = if has_window { "luminaire_NAME_CoarseWindowed(&coarse, share)" } else { "share" };
+    let windowed = if has_window { "luminaire_NAME_CoarseWindowed(spot, &coarse, share)" } else { "share" };
     let near = LIGHT.replace(WINDOWED, windowed);
     text.push('\n');
     match (&trace, parts.cone) {
@@ -78,8 +160,14 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     }
     text += &functions;
     let _ = write!(text, "\n{}", near.replace(NAME, name));
-    if let AnyLight::Spot(spot) = light {
-        text += &moving(spot, name, &parts).unwrap_or_default();
+    if weights.is_some() {
+        let _ = write!(
+            text,
+            "\n/* Returns the light as one that moves. */\n\
+             static inline luminaire_spot {}(void) {{\n    return {};\n}}\n",
+            global(name, "spot"),
+            global(name, "light"),
+        );
     }
     Ok(file(light, name, &text))
 }
@@ -88,82 +176,19 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
 fn file(light: &AnyLight, name: &str, text: &str) -> String {
     let head = head(light, name).join("\n * ")
         + "\n * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14.";
-    guarded(name, &head, &format!("#include \"luminaire_constant.h\"\n\n{text}"))
+    guarded(name, "light", &head, &format!("#include \"luminaire_constant.h\"\n\n{text}"))
 }
 
-/// Returns the file of a directional light.
-fn directional(light: &AnyLight, sun: &DirectionalLight, name: &str) -> String {
-    let (direction, intensity) = sun.compile::<Fx16>().parts();
-    let (direction, color) = (list(direction.map(Fx32::to_bits)), steps(sun.color()));
-    let (intensity, constant) = (gain_of(intensity), global(name, "light"));
-    let text = format!(
-        "/* The linear colour, in steps of 2^-14. */\nstatic const int16_t {}[3] = {color};\n\
-         /* The light. */\nstatic const luminaire_directional {constant} = {{ {direction}, {intensity}, {color} }};\n\n\
+/// Returns the constant and the function of a directional light.
+fn directional(name: &str, initialiser: &str) -> String {
+    let constant = global(name, "light");
+    format!(
+        "/* The light. */\nstatic const luminaire_directional {constant} = {initialiser};\n\n\
          /* Returns the irradiance at a unit normal, before the colour, in steps of 2^-14. */\n\
          static inline uint32_t {}(const int16_t normal[3]) {{\n    \
          return luminaire_directional_irradiance(&{constant}, normal);\n}}\n",
-        global(name, "color"),
         global(name, "irradiance"),
-    );
-    file(light, name, &text)
-}
-
-/// Returns a function that returns the light as a `luminaire_spot`, if its falloff and attenuation are those
-/// of one.
-fn moving(
-    spot: &SpotLight<AnyFalloff, AnyAttenuation>,
-    name: &str,
-    parts: &Parts<Fx16, AnyAttenuation>,
-) -> Option<String> {
-    let falloff = spot.cone().falloff();
-    let (AnyAttenuation::InverseSquare(_), Formula::Polynomial([a, b, c])) =
-        (spot.attenuation(), falloff.formula())
-    else {
-        return None;
-    };
-    let (g, h) = Cubic::new(a, b, c).ok()?.compile::<Fx16>().weights();
-    let of = |part| global(name, part);
-    let three = |of: &str| format!("{{ {of}[0], {of}[1], {of}[2] }}");
-    let ramp = parts.cone?.ramp.to_bits().map(|bits| format!("UINT32_C({bits})")).join(", ");
-    Some(format!(
-        "\n/* Returns the light as one that moves. */\n\
-         static inline luminaire_spot {}(void) {{\n    luminaire_spot spot = {{\n        {}, {}, {{ {ramp} }},\n        \
-         {}, {}, {}, {}, {}, {}\n    }};\n    return spot;\n}}\n",
-        of("spot"),
-        three(&of("position")),
-        three(&of("axis")),
-        g.to_bits(),
-        h.to_bits(),
-        gain_of(parts.intensity),
-        of("fine_below"),
-        three(&of("color")),
-        of("outside"),
-    ))
-}
-
-/// Returns the constants of a light that has a position.
-fn constants(name: &str, color: Rgb<f32>, parts: &Parts<Fx16, AnyAttenuation>) -> String {
-    let mut text = String::new();
-    let mut define = |kind: &str, part: &str, value: String, doc: &str| {
-        let (part, size) = part.split_at(part.find('[').unwrap_or(part.len()));
-        let _ = writeln!(text, "/* {doc} */\nstatic const {kind} {}{size} = {value};", global(name, part));
-    };
-    let position = list(parts.position.map(Length::to_bits));
-    define("int32_t", "position[3]", position, "The position, in steps of 2^-16.");
-    define("int16_t", "color[3]", steps(color), "The linear colour, in steps of 2^-14.");
-    define("luminaire_gain", "intensity", gain_of(parts.intensity), "The intensity.");
-    let doc = "The points that need the fine evaluation: within an encoded distance.";
-    define("uint32_t", "fine_below", format!("UINT32_C({:#x})", parts.fine_below), doc);
-    if let Some(cone) = parts.cone {
-        define("int32_t", "axis[3]", list(cone.axis.map(Fx32::to_bits)), "The axis, in steps of 2^-30.");
-        let ramp = cone.ramp.to_bits().map(|bits| format!("UINT32_C({bits})")).join(", ");
-        let doc = "The map from a versine to the falloff's argument.";
-        define("luminaire_ramp", "ramp", format!("{{ {ramp} }}"), doc);
-        let outside = format!("{}", cone.outside.to_bits().max(0));
-        let doc = "The squared cosine of half the outer angle, less a margin.";
-        define("int32_t", "outside", outside, doc);
-    }
-    text
+    )
 }
 
 /// Returns the initialiser of a colour in steps of 2^-14.

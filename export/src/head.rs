@@ -20,15 +20,15 @@ pub(crate) fn head(light: &AnyLight, name: &str) -> Vec<String> {
 
 /// Returns a header of C whose text counts once. Another text by the same name is an error of the
 /// compiler: with an empty guard, the second of two lights of one name would be left out in
-/// silence.
-pub(crate) fn guarded(name: &str, head: &str, body: &str) -> String {
+/// silence. `kind` is light or scene.
+pub(crate) fn guarded(name: &str, kind: &str, head: &str, body: &str) -> String {
     // FNV-1a of 32 bits.
     let mixed = |sum: u32, byte: u8| (sum ^ u32::from(byte)).wrapping_mul(0x0100_0193);
     let sum = head.bytes().chain(body.bytes()).fold(0x811c_9dc5, mixed);
-    let guard = format!("{}_LIGHT_H", name.to_ascii_uppercase());
+    let guard = format!("{name}_{kind}_H").to_ascii_uppercase();
     format!(
         "/* {head} */\n#ifndef {guard}\n#define {guard} {sum:#010x} /* a checksum of this text */\n\n{body}\n\
-         #elif {guard} != {sum:#010x}\n#error \"two lights have the name {name}: export one of them by another name\"\n\
+         #elif {guard} != {sum:#010x}\n#error \"two {kind}s have the name {name}: export one of them by another name\"\n\
          #endif\n"
     )
 }

@@ -57,6 +57,15 @@ languages! {
 }
 
 impl Language {
+    /// Returns whether the language has a function that lights by all lights of a source.
+    pub fn has_scenes(self) -> bool {
+        match self {
+            Self::Json | Self::RustProgram => false,
+            Self::Glsl | Self::GlslUniforms | Self::Wgsl | Self::CFloat | Self::CFixed => true,
+            Self::RustBuild | Self::RustFloat | Self::RustFixed32 | Self::RustFixed16 => true,
+        }
+    }
+
     /// Returns the languages that may take a light which this one refuses, the nearest first.
     pub(crate) fn wider(self) -> &'static [Self] {
         match self {

@@ -29,6 +29,23 @@
 //! Spotlights have all falloffs and attenuations of the kernel. Point lights and directional lights
 //! have an irradiance and no falloff; that of a directional light takes the normal alone.
 //!
+//! # Scenes
+//!
+//! [`export_scene`] adds what lights a point by all lights of a source with their colours, and by ambient light. Of a
+//! scene `room` with a light `key` it is:
+//!
+//! | language | a point | a row of pixels | lights that move |
+//! |---|---|---|---|
+//! | [`Language::Glsl`], [`Language::GlslUniforms`], [`Language::Wgsl`] | `room_light(point, normal)` | | uniforms such as `key_position` |
+//! | [`Language::CFloat`] | `room_light(light, point, normal)` | `room_row_add(lights, first, step, normal, count)` | |
+//! | [`Language::CFixed`] | `room_light(&scene, point, normal)` | `room_row_add(lights, row, &scene, count)` | the members of a `room_scene`, such as `scene.key`; `room_start` has them as described |
+//! | Rust | `scene.light(point, normal)` | `scene.row(&row, pixels, show)` | the fields of a `room::Scene`, such as `scene.key`; `room::SCENE` has them as described |
+//!
+//! A light that cannot reach a point is skipped before its root, and one that cannot reach a part of a row is skipped
+//! there, which changes no bit. In `Fx16` all spotlights of a polynomial with the inverse square have one type, that of
+//! a [`Cubic`](luminaire::falloff::Cubic): so C and Rust have the same bits, and one copy of its code; the light of
+//! others than cubics may differ by a step where the fine evaluation is used.
+//!
 //! # The formulas
 //!
 //! The formula of a falloff is recorded from the kernel's own code, so no formula is written twice.
@@ -90,6 +107,7 @@ mod language;
 mod name;
 mod program;
 pub mod rust;
+mod scene;
 mod script;
 mod shader;
 mod trace;
@@ -103,6 +121,8 @@ pub use crate::fixed::C_HEADERS;
 use crate::item::Item;
 pub use crate::language::Language;
 pub use crate::name::{check_text, identifier, names};
+pub use crate::scene::Scene;
+use crate::scene::Together;
 use crate::shader::Syntax;
 
 /// Returns a light as source of a language.
@@ -130,6 +150,32 @@ pub fn export_all<'a>(
     lights: impl IntoIterator<Item = (&'a str, AnyLight)>,
     language: Language,
 ) -> (String, Vec<(usize, ExportError)>) {
+    let (items, refused) = items(lights, language);
+    (joined(&items, None, language), refused)
+}
+
+/// Returns lights as one source as [`export_all`] does, with one function that lights a point by all of them and by
+/// ambient light, and one for a row of points in C and Rust: [`room_light`](self#scenes) of a scene `room`. Without any
+/// light it returns the ambient light.
+///
+/// # Errors
+/// A name of the scene that is no [`identifier`], or a language that has none: [`Language::has_scenes`].
+pub fn export_scene<'a>(
+    scene: &Scene<'a>,
+    lights: impl IntoIterator<Item = (&'a str, AnyLight)>,
+    language: Language,
+) -> Result<(String, Vec<(usize, ExportError)>), ExportError> {
+    let (items, refused) = items(lights, language);
+    let together = Together::new(scene, &items, language)?;
+    let (text, own) = (joined(&items, Some(&together), language), scene_text(&together, language)?);
+    Ok((if text.is_empty() || own.is_empty() { text + &own } else { text + "\n" + &own }, refused))
+}
+
+/// Returns lights with their texts, and why the others have none, with their numbers from 0.
+fn items<'a>(
+    lights: impl IntoIterator<Item = (&'a str, AnyLight)>,
+    language: Language,
+) -> (Vec<Item<'a>>, Vec<(usize, ExportError)>) {
     let (mut items, mut refused) = (Vec::new(), Vec::new());
     for (number, (name, light)) in lights.into_iter().enumerate() {
         match item(light, name, language) {
@@ -137,16 +183,20 @@ pub fn export_all<'a>(
             Err(error) => refused.push((number, error)),
         }
     }
-    let text = match language {
-        _ if items.is_empty() => String::new(),
+    (items, refused)
+}
+
+/// Returns the texts of lights as one.
+fn joined(items: &[Item<'_>], together: Option<&Together<'_>>, language: Language) -> String {
+    match language {
+        _ if items.is_empty() && together.is_none() => String::new(),
         // Lights have no number that JSON has not.
-        Language::Json => json::write(&json::Lights {
-            lights: items.iter().map(Item::named).collect(),
-            ambient: Vec::new(),
-        })
-        .unwrap_or_default(),
-        Language::RustBuild => script::joined(&items),
-        Language::RustProgram => program::joined(&items),
+        Language::Json => {
+            let lights = items.iter().map(Item::named).collect();
+            json::write(&json::Lights { lights, ambient: Vec::new() }).unwrap_or_default()
+        }
+        Language::RustBuild => script::joined(items, together),
+        Language::RustProgram => program::joined(items),
         Language::Glsl
         | Language::GlslUniforms
         | Language::Wgsl
@@ -155,8 +205,7 @@ pub fn export_all<'a>(
         | Language::RustFloat
         | Language::RustFixed32
         | Language::RustFixed16 => items.iter().map(|item| &*item.text).collect::<Vec<_>>().join("\n"),
-    };
-    (text, refused)
+    }
 }
 
 /// The light with its text, which is checked.
@@ -184,6 +233,22 @@ fn text(light: &AnyLight, name: &str, language: Language) -> Result<String, Expo
         Language::RustFixed32 => rust::export::<Fx32>(light, name),
         Language::RustFixed16 => rust::export::<Fx16>(light, name),
     }
+}
+
+/// Returns the function of a scene and what it needs beside the texts of the lights. A build script has its scene among
+/// these.
+fn scene_text(together: &Together<'_>, language: Language) -> Result<String, ExportError> {
+    Ok(match language {
+        Language::Glsl => shader::scene(together, Syntax::Glsl, false),
+        Language::GlslUniforms => shader::scene(together, Syntax::Glsl, true),
+        Language::Wgsl => shader::scene(together, Syntax::Wgsl, false),
+        Language::CFloat => shader::scene(together, Syntax::C, false),
+        Language::CFixed => fixed::scene(together)?,
+        Language::RustFloat => rust::scene::<f32>(together)?,
+        Language::RustFixed32 => rust::scene::<Fx32>(together)?,
+        Language::RustFixed16 => rust::scene::<Fx16>(together)?,
+        Language::RustBuild | Language::Json | Language::RustProgram => String::new(),
+    })
 }
 
 #[cfg(doctest)]

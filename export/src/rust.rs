@@ -2,16 +2,19 @@
 
 use std::fmt;
 use std::marker::PhantomData;
+use std::ops::Add;
 
 use luminaire::attenuation::{AnyAttenuation, Attenuation, WithAttenuation};
 use luminaire::codegen::{Parts, Source, as_source, name};
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{AnyFalloff, Falloff, WithFalloff, with_falloff};
+use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Formula, WithFalloff, with_falloff};
 use luminaire::number::Quick;
-use luminaire::{Scalar, SpotLight};
+use luminaire::{Fx16, Scalar, SpotLight};
 
 use crate::error::ExportError;
 use crate::head::head;
+use crate::item::Item;
+use crate::scene::Together;
 
 /// A compiled light as a constant of Rust.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -66,6 +69,120 @@ pub(crate) fn export<S: Scalar>(light: &AnyLight, light_name: &str) -> Result<St
         "{head}\npub mod {light_name} {{\n    {imports}\n\n    /// The compiled light.\n    \
          pub const LIGHT: {type_name} = {value};\n}}\n"
     ))
+}
+
+/// Returns a module with the lights of a scene in the format `S`, in one structure.
+pub(crate) fn scene<S: Scalar>(together: &Together<'_>) -> Result<String, ExportError>
+where
+    S::Irradiance: Add<Output = S::Irradiance> + Source,
+{
+    let mut members = Vec::new();
+    for item in together.items {
+        let (own, shared) = (constant::<S>(&item.light)?, shared::<S>(&item.light)?);
+        let is_own = own.type_name == shared.type_name;
+        let value =
+            if is_own { format!("super::{}::LIGHT", item.name) } else { shared.value.trim_end().to_owned() };
+        members.push((item, shared.type_name, value));
+    }
+    let ambient = as_source(&together.ambient::<S>()).to_string();
+    let text = indented(&structure::<S>(together, &members, &ambient));
+    Ok(format!("/// The lights of the scene {0} together.\npub mod {0} {{\n{text}}}\n", together.name))
+}
+
+/// Returns the light as [`constant`] does, but in `Fx16` a spotlight of a polynomial with the inverse square as one of
+/// a [`Cubic`]: of such lights all are of one type.
+///
+/// The code of each type is its own. Of five spotlights of three polynomials, a point light and a directional one, rows
+/// of RGB565 take 8.6 kB of a Cortex-M0 by one type, 15.3 kB by three, and 27 kB as an array of lights of any kind
+/// (measured, for size). The bits are those of `luminaire_spot` in C.
+fn shared<S: Scalar>(light: &AnyLight) -> Result<Constant, ExportError> {
+    if let (AnyLight::Spot(spot), true) = (light, S::NAME == Fx16::NAME)
+        && let (AnyAttenuation::InverseSquare(_), Formula::Polynomial([a, b, c])) =
+            (spot.attenuation(), spot.cone().falloff().formula())
+        && let Ok(cubic) = Cubic::new(a, b, c)
+    {
+        let parts = spot.compile::<S>()?.parts();
+        return Ok(placed("CompiledSpotLight", light, &parts, spot.attenuation(), Some(cubic.into())));
+    }
+    constant::<S>(light)
+}
+
+/// Returns the structure of a scene and its functions, with the type and the value of each light.
+pub(crate) fn structure<S: Scalar>(
+    together: &Together<'_>,
+    members: &[(&Item<'_>, String, String)],
+    sum: &str,
+) -> String {
+    let (format, ambient) = (name::<S>(), &together.ambient_name);
+    let (mut fields, mut values, mut points, mut rows) = Default::default();
+    let add = |text: &mut String, line: String| *text += &line;
+    for (Item { name, light, .. }, type_name, value) in members {
+        let place = if matches!(light, AnyLight::Directional(_)) { "normal" } else { "point, normal" };
+        add(&mut fields, format!("    /// The light `{name}`.\n    pub {name}: {type_name},\n"));
+        add(&mut values, format!("    {name}: {},\n", value.replace('\n', "\n    ")));
+        add(
+            &mut points,
+            format!("        sum += Rgb::lit(self.{name}.irradiance({place}), self.{name}.color());\n"),
+        );
+        add(&mut rows, format!("                block.add(&self.{name});\n"));
+    }
+    let (sum, point) =
+        (sum.trim_end().replace('\n', "\n    "), if points.contains("(point") { "point" } else { "_point" });
+    let mutable = if points.is_empty() { "" } else { "mut " };
+    let normal = if points.is_empty() { "_normal" } else { "normal" };
+    format!(
+        r#"#[allow(unused_imports, reason = "not every scene names a type of each module")]
+use luminaire::{{attenuation::*, falloff::*, light::*, *}};
+
+/// The lights, which change by their methods: `scene.{example} = scene.{example}.dimmed(part)`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Scene {{
+{fields}    /// Light that is the same at every point and normal.
+    pub {ambient}: Rgb<<{format} as Scalar>::Irradiance>,
+}}
+
+/// The lights as they were described.
+pub const SCENE: Scene = Scene {{
+{values}    {ambient}: {sum},
+}};
+
+#[allow(dead_code, reason = "a program may light points or rows alone")]
+impl Scene {{
+    /// Returns the light at a point with a unit normal: that of all lights, with their colours.
+    pub fn light(
+        &self,
+        {point}: Vec3<<{format} as Scalar>::Length>,
+        {normal}: Vec3<{format}>,
+    ) -> Rgb<<{format} as Scalar>::Irradiance> {{
+        let {mutable}sum = self.{ambient};
+{points}        sum
+    }}
+
+    /// Calls `show` for each pixel of a row that receives light, with the pixel, its index and the sum of the lights.
+    pub fn row<F: Points<{format}>, T>(
+        &self,
+        row: &Row<{format}, F>,
+        pixels: &mut [T],
+        show: impl FnMut(&mut T, usize, Rgb<<{format} as Scalar>::Irradiance>),
+    ) {{
+        row.light_by(
+            pixels,
+            |block| {{
+                block.add_ambient(self.{ambient});
+{rows}            }},
+            show,
+        );
+    }}
+}}
+"#,
+        example = members.first().map_or("key", |(item, ..)| item.name),
+    )
+}
+
+/// Returns lines with four spaces before each that is not empty.
+fn indented(text: &str) -> String {
+    let line = |line: &str| if line.is_empty() { "\n".to_owned() } else { format!("    {line}\n") };
+    text.lines().map(line).collect()
 }
 
 /// Returns a spotlight or a point light of a kind.

@@ -8,7 +8,8 @@ use luminaire::{Angle, Cone, Fx16, Rgb};
 use crate::error::ExportError;
 use crate::head::head;
 use crate::item::Item;
-use crate::rust::falloff_source;
+use crate::rust::{falloff_source, structure};
+use crate::scene::Together;
 
 /// The parts of a script that depend on the kind of a light.
 struct Parts {
@@ -29,14 +30,10 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
         calls.push(color("specular_color", light.specular_color()));
     }
     calls.push(format!(".with_intensity({:?})", light.intensity()));
-    let compiled = match kind.split_once('<') {
-        Some((kind, models)) => format!("{kind}<Fx16, {models}"),
-        None => format!("{kind}<Fx16>"),
-    };
     Ok(format!(
         r#"{head}//
 // With this build.rs, and luminaire among the build-dependencies, the constant in the program is
-// const {constant}: luminaire::light::Compiled{compiled} =
+// const {constant}: luminaire::light::{compiled} =
 //     include!(concat!(env!("OUT_DIR"), "/{name}.rs"));
 pub fn {name}() -> Result<{kind}, Error> {{
 {cone}    {calls}
@@ -44,6 +41,7 @@ pub fn {name}() -> Result<{kind}, Error> {{
 "#,
         head = own_head(light, name),
         constant = name.to_ascii_uppercase(),
+        compiled = compiled(&kind),
         calls = calls.join("\n        "),
     ))
 }
@@ -55,7 +53,7 @@ pub(crate) fn own_head(light: &AnyLight, name: &str) -> String {
 
 /// Returns a build script that writes a file for each light. No variable of its `main` hides a
 /// function of a light.
-pub(crate) fn joined(items: &[Item<'_>]) -> String {
+pub(crate) fn joined(items: &[Item<'_>], together: Option<&Together<'_>>) -> String {
     let texts: Vec<_> = items.iter().map(|item| &*item.text).collect();
     let write = |Item { name, light, .. }: &Item<'_>| {
         let checked = if matches!(light, AnyLight::Directional(_)) { "" } else { "?" };
@@ -67,18 +65,65 @@ pub(crate) fn joined(items: &[Item<'_>]) -> String {
 "#
         )
     };
+    let [structure, scene] = together.map(scene).unwrap_or_default();
     format!(
         r#"#[allow(unused_imports, reason = "not every light names a type of each module")]
 use luminaire::{{attenuation::*, codegen::*, falloff::*, *}};
 
-{functions}
+{functions}{structure}
 fn main() -> Result<(), Box<dyn std::error::Error>> {{
-{written}    Ok(())
+{written}{scene}    Ok(())
 }}
 "#,
         functions = texts.join("\n"),
         written = items.iter().map(write).collect::<String>(),
     )
+}
+
+/// What stands in the text of a scene for its ambient light, which the build script computes.
+const AMBIENT: &str = "AMBIENT";
+
+/// Returns the text of a scene, whose lights are the files of the others, and the statement of `main` that writes it.
+fn scene(together: &Together<'_>) -> [String; 2] {
+    let members = together.items.iter().map(|item| {
+        let value = format!("include!(concat!(env!(\"OUT_DIR\"), \"/{}.rs\"))", item.name);
+        (item, compiled(&parts(&item.light).kind), value)
+    });
+    let text = structure::<Fx16>(together, &members.collect::<Vec<_>>(), AMBIENT);
+    let name = &together.name;
+    let constant = name.to_ascii_uppercase();
+    let ambient = together.ambient.iter().map(|light| {
+        let own = format!("AmbientLight::new({})?", rgb(light.color()));
+        format!("{own}.with_intensity({:?})?", light.intensity())
+    });
+    let ambient = ambient.collect::<Vec<_>>().join(", ");
+    let text = format!(
+        "\n// The lights of the scene {name} together. With this build.rs, the program has them by\n\
+         // mod {name} {{ include!(concat!(env!(\"OUT_DIR\"), \"/{name}.rs\")); }}\n\
+         const {constant}: &str = r#\"{text}\"#;\n"
+    );
+    let written = format!(
+        r#"    std::fs::write(
+        std::path::Path::new(&std::env::var("OUT_DIR")?).join("{name}.rs"),
+        {constant}.replace(
+            "{AMBIENT}",
+            &luminaire::codegen::as_source(
+                &[{ambient}].iter().map(AmbientLight::compile::<Fx16>).fold(Rgb::default(), |sum, light| sum + light),
+            )
+            .to_string(),
+        ),
+    )?;
+"#
+    );
+    [text, written]
+}
+
+/// Returns the type of a compiled light in `Fx16`, of that of a light.
+fn compiled(kind: &str) -> String {
+    match kind.split_once('<') {
+        Some((kind, models)) => format!("Compiled{kind}<Fx16, {models}"),
+        None => format!("Compiled{kind}<Fx16>"),
+    }
 }
 
 fn parts(light: &AnyLight) -> Parts {
@@ -105,8 +150,12 @@ fn parts(light: &AnyLight) -> Parts {
     }
 }
 
-pub(crate) fn color(name: &str, Rgb { red, green, blue }: Rgb<f32>) -> String {
-    format!(".with_{name}(Rgb::new({red:?}, {green:?}, {blue:?}))?")
+pub(crate) fn color(name: &str, color: Rgb<f32>) -> String {
+    format!(".with_{name}({})?", rgb(color))
+}
+
+fn rgb(Rgb { red, green, blue }: Rgb<f32>) -> String {
+    format!("Rgb::new({red:?}, {green:?}, {blue:?})")
 }
 
 /// Returns the type of the falloff, and the line that makes the cone.

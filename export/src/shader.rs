@@ -4,11 +4,13 @@ mod expression;
 mod formula;
 mod light;
 mod names;
+mod scene;
 mod syntax;
 
 use luminaire::dynamic::AnyLight;
 
 use self::names::Names;
+pub(crate) use self::scene::scene;
 pub(crate) use self::syntax::Syntax;
 use crate::error::ExportError;
 use crate::head::{guarded, head};
@@ -29,7 +31,7 @@ pub(crate) fn export(light: &AnyLight, name: &str, syntax: Syntax) -> Result<Str
         Syntax::C => {
             let include =
                 if text.contains("sqrtf") || text.contains("powf") { "#include <math.h>\n\n" } else { "" };
-            guarded(name, &head.join("\n * "), &format!("{include}{text}"))
+            guarded(name, "light", &head.join("\n * "), &format!("{include}{text}"))
         }
     })
 }

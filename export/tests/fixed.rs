@@ -249,7 +249,8 @@ fn constant_lights_move() {
     write_headers(folder.path());
     let text = export(light, "key", Language::CFixed).expect("a light");
     let main = folder.path().join("main.c");
-    let program = "#include <stdio.h>\nint main(void) {
+    fs::write(folder.path().join("key.h"), text).expect("a folder");
+    let program = "#include <stdio.h>\n#include \"key.h\"\nint main(void) {
     uint32_t words[3], out;
     luminaire_spot spot = key_spot();
     luminaire_spot_dim(&spot, 16384);
@@ -261,7 +262,7 @@ fn constant_lights_move() {
     }
     return 0;
 }\n";
-    fs::write(&main, text + program).expect("a folder");
+    fs::write(&main, program).expect("a folder");
     let kernel = light.compile::<Fx16>().expect("a light");
     let points: Vec<_> = (0..400).map(|i| [i * 600 - 60_000, 0, i * 300 - 20_000]).collect();
     let up = Fx16::normal([0.0, 1.0, 0.0]);

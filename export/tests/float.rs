@@ -8,8 +8,8 @@ use std::fs;
 use fastrand::Rng;
 use luminaire::dynamic::{AnyLight, Effect};
 use luminaire::falloff::AnyFalloff;
-use luminaire::{DirectionalLight, Vec3};
-use luminaire_export::{Language, export};
+use luminaire::{AmbientLight, DirectionalLight, Vec3};
+use luminaire_export::{Language, Scene, export, export_scene};
 
 use support::compiler::run;
 use support::{exact, is_smooth, place, points_of_light, spots};
@@ -36,13 +36,22 @@ fn validate(module: &naga::Module, text: &str) {
 
 #[test]
 fn shaders_of_all_lights_are_valid() {
-    let (mut glsl, mut wgsl) = ("#version 450\n".to_owned(), String::new());
     let lights = lights();
-    for (index, light) in lights.iter().enumerate() {
-        let name = format!("light_{index}");
-        glsl += &export(*light, &name, Language::Glsl).expect("a light");
-        wgsl += &export(*light, &name, Language::Wgsl).expect("a light");
-    }
+    let names: Vec<_> = (0..lights.len()).map(|index| format!("light_{index}")).collect();
+    let ambient = [AmbientLight::new([0.5, 1.0, 0.25].into()).expect("a light"); 2];
+    let scene = |language| {
+        let lights = names.iter().map(String::as_str).zip(lights.iter().copied());
+        let (text, refused) =
+            export_scene(&Scene { name: "room", ambient: &ambient }, lights, language).expect("a scene");
+        assert!(refused.is_empty(), "{refused:?}");
+        text
+    };
+    let [glsl, uniforms, wgsl] = [Language::Glsl, Language::GlslUniforms, Language::Wgsl].map(scene);
+    assert!(
+        uniforms
+            .contains("uniform highp vec3 room_ambient; // the sum of the ambient light: 1.0, 2.0, 0.5\n")
+    );
+    let glsl = format!("#version 450\n{glsl}");
     // Fragment shaders of GLSL ES have no default precision of floats. naga reads none of a parameter.
     let mut glsl = glsl
         .replace("highp float ", "float\t")
@@ -50,7 +59,7 @@ fn shaders_of_all_lights_are_valid() {
         .replace("highp int ", "int\t");
     let declares = |word: &str| ["float", "vec3", "int"].contains(&word.rsplit('(').next().unwrap_or(word));
     assert_eq!(glsl.split([' ', '\n']).find(|word| declares(word)), None, "expected highp before it");
-    glsl += "layout(location = 0) out vec4 color;\nvoid main() {\n    color = vec4(light_0_irradiance(vec3(0.0), vec3(1.0)));\n}\n";
+    glsl += "layout(location = 0) out vec4 color;\nvoid main() {\n    color = vec4(room_light(vec3(0.0), vec3(1.0)), 1.0);\n}\n";
     let module =
         naga::front::wgsl::parse_str(&wgsl).unwrap_or_else(|error| panic!("{}", error.emit_to_string(&wgsl)));
     assert_eq!(
@@ -61,6 +70,7 @@ fn shaders_of_all_lights_are_valid() {
             .count(),
         lights.len()
     );
+    assert!(module.functions.iter().any(|(_, f)| f.name.as_deref() == Some("room_light")));
     validate(&module, &wgsl);
     let stage = naga::front::glsl::Options::from(naga::ShaderStage::Fragment);
     let module = naga::front::glsl::Frontend::default().parse(&stage, &glsl);

@@ -98,6 +98,8 @@ static void arrays(uint32_t count) {
     luminaire_vertices_add(OR_NULL(sums), OR_NULL(spots + FEW - count % 5), count % 5, OR_NULL(some), count);
     luminaire_row_add(OR_NULL(sums), OR_NULL(&row), any_spot(), count);
     luminaire_row_add_facing(OR_NULL(sums), OR_NULL(&row), any_spot(), OR_NULL(normals), count);
+    any();
+    luminaire_row_add_by(sums, &row, &spots[0], luminaire_spot_irradiance, count);
 }
 
 static void rows(void) {

@@ -626,6 +626,14 @@ static inline luminaire_rgb luminaire_rgb_filtered(luminaire_rgb light, const in
     return light;
 }
 
+/* Adds an irradiance times a colour, in steps of 2^-14, to a sum; saturates. */
+static inline void luminaire_add(luminaire_rgb *sum, uint32_t irradiance, const int16_t color[3]) {
+    if (!irradiance) { return; }
+    sum->red = luminaire_light_plus(sum->red, luminaire_light_filtered(irradiance, color[0]));
+    sum->green = luminaire_light_plus(sum->green, luminaire_light_filtered(irradiance, color[1]));
+    sum->blue = luminaire_light_plus(sum->blue, luminaire_light_filtered(irradiance, color[2]));
+}
+
 /* ---- spotlights that move: any words are defined, and a null light is dark ---- */
 
 /* A spotlight with the inverse square of the distance. With all words zero it is dark. Its edge is a falloff of t, which

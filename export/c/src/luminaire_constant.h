@@ -392,6 +392,24 @@ static inline luminaire_gain luminaire_decay(luminaire_gain distance, uint32_t m
         (uint32_t)luminaire_power_of_two((uint64_t)-power & UINT32_C(0xffffffff)), 31 + (int32_t)(-power >> 32));
 }
 
+/* ---- rows in the light of a falloff and an attenuation of its own ---- */
+
+typedef uint32_t (*luminaire_lit)(const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]);
+
+/* Adds the light of a light, by the function that evaluates it, to each pixel of a row. */
+static inline void luminaire_row_add_by(
+    luminaire_rgb *lights, const luminaire_row *row, const luminaire_spot *spot, luminaire_lit by, uint32_t count
+) {
+    uint32_t i = luminaire_row_skipped(row, spot, 0, count, 0);
+    uint32_t end = luminaire_min(count - luminaire_row_skipped(row, spot, count - 1, count - i, 1), count);
+    int32_t point[3];
+    luminaire_row_point(point, row, i);
+    for (; i < end; ++i) {
+        luminaire_add(&lights[i], by(spot, point, row->normal), spot->color);
+        for (int k = 0; k < 3; ++k) { point[k] = luminaire_plus(point[k], row->step[k]); }
+    }
+}
+
 #if defined(__cplusplus) && defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif

@@ -44,10 +44,14 @@ pub(super) fn attenuation(
         let _ = writeln!(body, "    if ({} == {all}) {{ return 0; }}", results[end]);
     }
     let _ = write!(body, "    return {};", results[trace.result]);
-    let unused = if body.contains("(ray") { "" } else { "    (void)ray;\n" };
+    let unused = [("spot->", "spot"), ("(ray", "ray")].map(|(used, parameter)| {
+        if body.contains(used) { String::new() } else { format!("    (void){parameter};\n") }
+    });
     format!(
-        "static inline uint32_t {}(const luminaire_{precision}_ray *ray, uint32_t share) {{\n{unused}{body}\n}}\n",
-        global(name, &format!("{precision}_{part}"))
+        "static inline uint32_t {}(\n    const luminaire_spot *spot, const luminaire_{precision}_ray *ray, \
+         uint32_t share\n) {{\n{}{body}\n}}\n",
+        global(name, &format!("{precision}_{part}")),
+        unused.concat()
     )
 }
 
@@ -152,19 +156,17 @@ fn expression(
         }
         Operation::ShareOf(a, b) => call("times", &[of(a), of(b)]),
         Operation::Smoothed(x) => call("smoothed", &[of(x)]),
-        Operation::Give(share) => call("give", &[of(share), &global(name, "intensity")]),
-        Operation::InverseSquare(share) => {
-            call("inverse_square", &["ray", of(share), &global(name, "intensity")])
-        }
+        Operation::Give(share) => call("give", &[of(share), "spot->intensity"]),
+        Operation::InverseSquare(share) => call("inverse_square", &["ray", of(share), "spot->intensity"]),
         Operation::Polynomial(share, gains) => {
             let gains = format!("{{ {} }}", gains.map(gain_of).join(", "));
             let divisor = constant(constants, name, "divisor", "[3]", &gains);
-            let (distance, intensity) = (call("distance", &["ray"]), global(name, "intensity"));
+            let (distance, intensity) = (call("distance", &["ray"]), "spot->intensity".to_owned());
             call("give", &[of(share), &format!("luminaire_polynomial({distance}, {divisor}, {intensity})")])
         }
         Operation::Decay(share, power) => {
             let [mantissa, shift, most] = power.to_bits();
-            let (distance, intensity) = (call("distance", &["ray"]), global(name, "intensity"));
+            let (distance, intensity) = (call("distance", &["ray"]), "spot->intensity".to_owned());
             let factor = format!(
                 "luminaire_decay({distance}, UINT32_C({mantissa}), {shift}, INT32_C({}))",
                 most as i32

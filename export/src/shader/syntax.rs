@@ -103,7 +103,7 @@ impl Syntax {
     }
 
     /// Returns the shortest literal that every compiler reads as this number.
-    fn literal(self, value: f32) -> String {
+    pub(super) fn literal(self, value: f32) -> String {
         let short = format!("{value:?}");
         // WGSL reads a literal as f64 and then rounds it to f32.
         let twice = short.parse::<f64>().is_ok_and(|double| double as f32 == value);
