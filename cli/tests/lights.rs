@@ -224,8 +224,8 @@ fn errors_name_the_parameter_and_stay_short() {
         ),
         (vec!["import", "--fixture", "nothing like it"], "fixture = nothing like it"),
         (
-            vec!["still", "--output", "x.png", "--from", "files/three.gltf"],
-            "--light with a number from 1 to 3",
+            vec!["still", "--output", "x.png", "--from", "files/three.gltf", "--light", "sun"],
+            "light = directional: expected a spotlight or a point light: a wall in the sun is one colour",
         ),
         (vec!["import", "--from", "blender", &long], "a file that can be read"),
         (vec!["import", "--from", "three", "angle=30"], "30 degrees are 0.523599 radians"),
@@ -292,6 +292,49 @@ fn a_white_of_a_temperature_has_the_candela_of_its_source() {
     assert!(torch.contains("exact, with an assumed edge") && torch.contains(words), "{torch}");
 }
 
+/// The bytes of a PNG, and its width.
+fn picture(file: &std::path::Path) -> (Vec<u8>, u32) {
+    let file = std::io::BufReader::new(std::fs::File::open(file).expect("a picture"));
+    let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+    let info = reader.next_frame(&mut pixels).expect("a frame");
+    (pixels, info.width)
+}
+
+/// All lights of a file shine on one wall, which shows each of their pools, and ambient light everywhere.
+#[test]
+fn still_shows_all_lights_of_a_file() {
+    let (file, wall) = (temporary("two.json"), temporary("two.png"));
+    let spot = |x: i32, color: &str| {
+        let cone = r#""cone":{"outer_degrees":20}"#;
+        format!(r#"{{"position":[{x},4,0],"intensity":16,"color":{color},{cone}}}"#)
+    };
+    let sky = r#"{"kind":"ambient","color":[0,1,0],"intensity":0.25}"#;
+    let sun = r#"{"kind":"directional","axis":[0,-1,0],"color":[0,0,1],"intensity":0.5}"#;
+    let lights = [spot(1, "[1,0,0]"), spot(-1, "[0,0,1]"), sky.to_owned(), sun.to_owned()].join(",");
+    let document = format!(r#"{{"format":"luminaire-lights-1","lights":[{lights}]}}"#);
+    std::fs::write(&file, document).expect("a file");
+    text(&format!("still {} --throw 4 --output {}", file.display(), wall.display()));
+    let (pixels, width) = picture(&wall);
+    // The pools are one unit from the middle, and the picture ends a quarter beyond them.
+    let side = width as f32 / 2.0;
+    let away = (side / (1.0 + 4.0 * 12.5_f32.to_radians().tan())) as u32;
+    let middle = width / 2;
+    for (x, y, light) in [
+        (middle, middle - away, [1.0, 0.25, 0.5]),
+        (middle, middle + away, [0.0, 0.25, 1.0]),
+        (3, 3, [0.0, 0.25, 0.5]),
+    ] {
+        let at = 3 * (y * width + x) as usize;
+        for (found, light) in pixels[at..at + 3].iter().zip(light) {
+            assert!(found.abs_diff(encode_srgb(light)) <= 1, "{x}, {y}: {found}, expected {light}");
+        }
+    }
+    for file in [file, wall] {
+        std::fs::remove_file(file).expect("removed");
+    }
+}
+
 #[test]
 fn chart_has_both_marks_and_still_is_a_lit_wall() {
     let (chart, wall) = (temporary("chart.svg"), temporary("wall.png"));
@@ -299,14 +342,9 @@ fn chart_has_both_marks_and_still_is_a_lit_wall() {
     let svg = std::fs::read_to_string(&chart).expect("a chart");
     assert!(svg.contains("50 %") && svg.contains("10 %") && svg.matches("<polyline").count() == 2, "{svg}");
     text(&format!("still --lumens 1000 --field 20 --output {}", wall.display()));
-    let mut reader =
-        png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&wall).expect("a picture")))
-            .read_info()
-            .expect("a PNG");
-    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
-    let info = reader.next_frame(&mut pixels).expect("a frame");
-    let at = |x: u32, y: u32| pixels[3 * (y * info.width + x) as usize];
-    let middle = info.width / 2;
+    let (pixels, width) = picture(&wall);
+    let at = |x: u32, y: u32| pixels[3 * (y * width + x) as usize];
+    let middle = width / 2;
     // Full scale on the axis at the throw; half of the light at the beam angle, where the wall is farther
     // away and tilted; and none beyond the cone.
     let cone = Cone::soft(Angle::degrees(20.0)).expect("a cone");
