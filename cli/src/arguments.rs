@@ -29,7 +29,7 @@ The exit code is 0, or 1 if something was refused, or 2 for a wrong option.";
 pub(crate) enum Command {
     /// Show the lights of files, or of the numbers of another tool or a data sheet
     Import(Box<Import>),
-    /// Draw a white wall that a light shines on, as a PNG
+    /// Draw a white wall that lights shine on, as a PNG
     Still(Box<Still>),
     /// Pick the cheapest evaluation of a light whose error is small enough for a display
     Pick(Box<Pick>),
@@ -40,8 +40,9 @@ pub(crate) enum Command {
 /// The options of `pick`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Pick {
-    /// cortex-m0, cortex-m3, cortex-m4f, rv32imc, cortex-m7, cortex-m33 or hazard3
-    #[arg(long)]
+    /// cortex-m0, cortex-m3, cortex-m4f, rv32imc, cortex-m7, cortex-m33 or hazard3; or a part with one of them, such as
+    /// rp2040, rp2350, stm32f411, nrf52840 or esp32-c3
+    #[arg(long, value_parser = Chip::of_part)]
     pub(crate) chip: Chip,
     /// gray1, gray2, gray4, gray8, rgb332, rgb444, rgb555, rgb565, rgb666, rgb888, ws2812-8, pwm-10, pwm-12 or
     /// pwm-16
@@ -59,10 +60,10 @@ pub(crate) struct Pick {
     /// soft or hard [default: soft]
     #[arg(long, conflicts_with_all = ELSEWHERE, conflicts_with = "falloff")]
     edge: Option<Edge>,
-    /// The nearest surface [default: 1, or the farthest if that is nearer]
+    /// The nearest surface [default: where the light is full scale on its axis, or the farthest if that is nearer]
     #[arg(long)]
     pub(crate) near: Option<f32>,
-    /// The farthest surface [default: 7, or the nearest if that is farther]
+    /// The farthest surface [default: 7, or twice the nearest if that is farther]
     #[arg(long)]
     pub(crate) far: Option<f32>,
     #[command(flatten)]
@@ -152,8 +153,6 @@ impl Pick {
     /// The light: its angles and edge, or as a whole if these do not tell it.
     pub(crate) fn light(&self) -> Result<Light, Refusal> {
         let standard = Light::default();
-        let near = self.near.unwrap_or(self.far.map_or(standard.near, |far| far.min(standard.near)));
-        let far = self.far.unwrap_or(self.near.map_or(standard.far, |near| near.max(standard.far)));
         let Spot { beam, field, outer, inner, falloff, cutoff, range, .. } = self.spot;
         let law = self.spot.attenuation.as_ref().map(|law| law.name.as_str());
         let attenuation = law.map_or(Ok(standard.attenuation), str::parse);
@@ -162,7 +161,7 @@ impl Pick {
             let falloff = falloff.or(edge.map(Edge::falloff));
             let spot = Spot { falloff, ..self.spot.clone() };
             let light = model::light(&spot, None, self.source.kelvin)?;
-            return Ok(Light { near, far, ..Light::of(&standard.name, &light.into()) });
+            return self.lit(Light::of(&standard.name, &light.into()));
         };
         let intensity = if attenuation == Attenuation::None { 1.0 } else { standard.intensity };
         let (mut color, mut intensity) = (standard.color, self.spot.intensity.unwrap_or(intensity));
@@ -171,7 +170,7 @@ impl Pick {
             color = white.map(|channel| channel / white.strongest()).into();
             intensity *= white.strongest();
         }
-        Ok(Light {
+        self.lit(Light {
             position: self.spot.position.unwrap_or(standard.position),
             axis: self.spot.axis.unwrap_or(standard.axis),
             edge: self.edge.unwrap_or(standard.edge),
@@ -182,9 +181,18 @@ impl Pick {
             attenuation,
             intensity,
             color,
-            near,
-            far,
             ..standard
         })
+    }
+
+    /// Returns a light with the distances of its surfaces.
+    pub(crate) fn lit(&self, light: Light) -> Result<Light, Refusal> {
+        let most = self.far.unwrap_or(f32::INFINITY);
+        let near = match self.near {
+            Some(near) => near,
+            // Nearer than that, light is clipped, and its error is seen in part.
+            None => light.full_scale()?.unwrap_or(light.near).min(most),
+        };
+        Ok(Light { near, far: self.far.unwrap_or(light.far.max(2.0 * near)), ..light })
     }
 }

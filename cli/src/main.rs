@@ -19,7 +19,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use luminaire_export::printable;
-use luminaire_pick::{Light, Refusal, Request, Scene};
+use luminaire_pick::{Farther, Light, Refusal, Request, Scene};
 use serde_json::{Value, to_value};
 
 use arguments::{Command, Pick};
@@ -96,19 +96,40 @@ fn answer(pick: &Pick) -> Result<(String, bool), Refusal> {
         [] => String::new(),
         [light] if pick.scene.is_none() => {
             let answer = request.pick(light)?;
-            shown(to_value(&answer), text::answer(&answer))
+            let farther = request.farther(&answer)?;
+            let text = text::answer(&answer, &farther);
+            shown(to_value(&answer).map(|value| with(value, &farther)), text)
         }
         lights if pick.each => {
             let answers: Result<Vec<_>, _> = lights.iter().map(|light| request.pick(light)).collect();
             let answers = answers?;
-            shown(to_value(&answers), text::lights(&answers))
+            let farther: Result<Vec<_>, _> = answers.iter().map(|answer| request.farther(answer)).collect();
+            let farther = farther?;
+            let each = to_value(&answers).map(|value| with_each(value, &farther));
+            shown(each, text::lights(&answers, &farther))
         }
         _ => {
             let answer = request.pick_scene(&scene)?;
-            shown(to_value(&answer), text::scene(&answer))
+            let farther = request.farther_in_scene(&answer)?;
+            let value = to_value(&answer).map(|mut value| {
+                value["lights"] = with_each(value["lights"].take(), &farther);
+                value
+            });
+            shown(value, text::scene(&answer, &farther))
         }
     };
     Ok((text, is_whole))
+}
+
+/// Returns an answer with the evaluations that cost less farther away.
+fn with(mut answer: Value, farther: &[Farther]) -> Value {
+    answer["farther"] = to_value(farther).unwrap_or_default();
+    answer
+}
+
+fn with_each(answers: Value, farther: &[Vec<Farther>]) -> Value {
+    let Value::Array(answers) = answers else { return answers };
+    answers.into_iter().zip(farther).map(|(answer, farther)| with(answer, farther)).collect()
 }
 
 /// Returns the lights of a source, or without one the light of the options.
@@ -131,7 +152,7 @@ fn lights(source: &source::Source, pick: &Pick) -> Result<(Scene, bool), Refusal
     let light = |(lamp, usage): &(luminaire_exchange::Lamp, luminaire_exchange::Use)| {
         let named = lamp.named(*usage).map_err(told)?;
         let light = Light::of(&named.name, &named.light);
-        let [near, far] = named.surfaces.unwrap_or([light.near, light.far]);
+        let Some([near, far]) = named.surfaces else { return pick.lit(light) };
         Ok(Light { near: pick.near.unwrap_or(near), far: pick.far.unwrap_or(far), ..light })
     };
     Ok((Scene { lights: lamps.iter().map(light).collect::<Result<_, Refusal>>()? }, is_whole))

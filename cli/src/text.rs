@@ -6,7 +6,7 @@ use std::io::Write as _;
 use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire_export::printable;
-use luminaire_pick::{Answer, Counted, Light, SceneAnswer, Tolerance};
+use luminaire_pick::{Answer, Counted, Farther, Light, SceneAnswer, Tolerance};
 
 /// Writes a line to the standard error. Nothing can be done if that fails.
 pub(crate) fn say(word: &str, text: impl Display) {
@@ -14,7 +14,7 @@ pub(crate) fn say(word: &str, text: impl Display) {
 }
 
 /// Returns an answer as text, with all parameters of its request, including defaults.
-pub(crate) fn answer(answer: &Answer) -> String {
+pub(crate) fn answer(answer: &Answer, farther: &[Farther]) -> String {
     let Answer { light, chip, display, evaluation, price, bound, .. } = answer;
     let at = bound.at;
     let unit = unit(answer);
@@ -55,7 +55,7 @@ pub(crate) fn answer(answer: &Answer) -> String {
          code         {} bytes\n\
          error        at most {} {unit} ({}; largest found {}){excepted}\n\
          \x20            largest {:.3} degrees off axis, distance {:.3}, cosine of incidence {:.3}\n\
-         {cheaper}\n\
+         {cheaper}{}\n\
          {}",
         described(light, answer.outer),
         answer.tolerance.amount(),
@@ -67,8 +67,14 @@ pub(crate) fn answer(answer: &Answer) -> String {
         at.degrees_off_axis,
         at.distance,
         at.cosine,
+        farther.iter().map(|own| format!("farther      {}\n", beyond(own))).collect::<String>(),
         answer.code,
     )
+}
+
+/// Returns from which distance on an evaluation is good enough.
+fn beyond(Farther { evaluation, instructions, from }: &Farther) -> String {
+    format!("{evaluation}: {instructions:.1} instructions, with surfaces from {} on", short((*from).into()))
 }
 
 /// Returns what a light is and where its surfaces are.
@@ -129,9 +135,9 @@ fn unit(answer: &Answer) -> &'static str {
 }
 
 /// Returns a line for each answer, and the sum of the instructions.
-pub(crate) fn lights(answers: &[Answer]) -> String {
+pub(crate) fn lights(answers: &[Answer], farther: &[Vec<Farther>]) -> String {
     let mut text = String::new();
-    for answer in answers {
+    for (answer, farther) in answers.iter().zip(farther) {
         let Answer { light, outer, evaluation, price, bound, .. } = answer;
         let (edge, instructions) = (falloff(light), price.instructions);
         let outer = outer.map_or_else(String::new, |outer| format!("{outer:.2} degrees"));
@@ -143,6 +149,9 @@ pub(crate) fn lights(answers: &[Answer]) -> String {
             digits(bound.value),
             unit(answer)
         );
+        for own in farther {
+            let _ = writeln!(text, "{:24} {}", "", beyond(own));
+        }
     }
     let sum: f64 = answers.iter().map(|answer| answer.price.instructions).sum();
     let _ = writeln!(text, "sum {sum:.1} instructions");
@@ -150,9 +159,9 @@ pub(crate) fn lights(answers: &[Answer]) -> String {
 }
 
 /// Returns the lights and the error budget of a scene as text.
-pub(crate) fn scene(answer: &SceneAnswer) -> String {
+pub(crate) fn scene(answer: &SceneAnswer, farther: &[Vec<Farther>]) -> String {
     let budget = answer.budget;
-    let mut text = lights(&answer.lights);
+    let mut text = lights(&answer.lights, farther);
     if let Some(fx16) = answer.instructions_fx16 {
         let _ = writeln!(text, "by fx16 everywhere {fx16:.1} instructions");
     }

@@ -20,11 +20,12 @@ fn pick_without_a_light_answers_for_the_default_and_states_it() {
     assert!(answer["bound"]["value"].as_f64().unwrap() <= 1.0);
     assert!(answer["code"].as_str().unwrap().contains("pub const LIGHT"));
     let text = String::from_utf8(pick(&["--steps", "1"]).stdout).unwrap();
-    for stated in ["soft edge, ends at 43.62 degrees", "inverse-square", "distances 1 to 7", "derived"] {
+    for stated in ["soft edge, ends at 43.62 degrees", "inverse-square", "distances 4 to 8", "derived"] {
         assert!(text.contains(stated), "{text}");
     }
 }
 
+<<<<<<< HEAD
 /// In `fx16` a point near the light takes two evaluations, in `fx32` one.
 #[test]
 fn pick_for_the_worst_case_takes_another_evaluation() {
@@ -32,6 +33,78 @@ fn pick_for_the_worst_case_takes_another_evaluation() {
     let [mean, worst] = [&light[..], &[&light[..], &["--worst"]].concat()].map(json);
     assert_ne!(mean["evaluation"], worst["evaluation"]);
     assert!(worst["worst"].as_f64() < mean["worst"].as_f64(), "{mean} {worst}");
+=======
+/// The nearest surface is where a light is full scale, unless a light has none or the user says otherwise.
+#[test]
+fn pick_begins_where_the_light_is_full_scale() {
+    for (options, near, far) in [
+        ("--intensity 100", 10.0, 20.0),
+        ("--intensity 1", 1.0, 7.0),
+        ("--intensity 0", 1.0, 7.0),
+        ("--attenuation none", 1.0, 7.0),
+        ("--intensity 16 --far 3", 3.0, 3.0),
+        ("--near 9", 9.0, 18.0),
+        ("--from three kind=point intensity=25", 5.0, 10.0),
+    ] {
+        let answer =
+            json(&["--json", "--steps", "1e9"].into_iter().chain(options.split(' ')).collect::<Vec<_>>());
+        let light = &answer["light"];
+        assert_eq!((&light["near"], &light["far"]), (&near.into(), &far.into()), "{options}: {light}");
+    }
+}
+
+/// An evaluation that costs less is good enough from the distance on that is stated, and not a thousandth before it.
+#[test]
+fn pick_says_from_which_distance_less_is_enough() {
+    let answer = json(&["--near", "1", "--far", "7", "--json"]);
+    let farther = answer["farther"].as_array().expect("a list");
+    assert!(farther.len() == 2 && answer["evaluation"] == "fx32", "{farther:?}");
+    let mut instructions = answer["instructions"].as_f64().expect("a number");
+    for own in farther {
+        let [from, fewer] = ["from", "instructions"].map(|key| own[key].as_f64().expect("a number"));
+        assert!(fewer < instructions);
+        instructions = fewer;
+        let at = |near: f64| {
+            let answer = json(&["--near", &near.to_string(), "--far", "7", "--json"]);
+            answer["instructions"].as_f64().expect("a number")
+        };
+        assert!(at(from) <= fewer && at(from - 0.003) > fewer, "{own}");
+    }
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../exchange/tests/files/three.gltf");
+    let told = String::from_utf8(pick(&["--from", scene, "--near", "2", "--steps", "2"]).stdout).unwrap();
+    assert!(told.contains("\nsum ") && told.contains("instructions, with surfaces from "), "{told}");
+}
+
+/// A chip is named by its processor or by its part; of one that is not counted it is said what is known.
+#[test]
+fn pick_knows_chips_by_their_parts() {
+    let told = |chip: &str| {
+        let mut pick = Command::new(env!("CARGO_BIN_EXE_luminaire"));
+        let output =
+            pick.args(["pick", "--display", "rgb565", "--steps", "9", "--chip", chip]).output().unwrap();
+        String::from_utf8([output.stdout, output.stderr].concat()).unwrap()
+    };
+    for (part, chip) in [
+        ("rp2040", "cortex-m0"),
+        ("RP2350", "cortex-m33"),
+        ("STM32F411CEU6", "cortex-m4f"),
+        ("esp32-c3", "rv32imc"),
+        ("hazard3", "hazard3"),
+    ] {
+        assert!(told(part).contains(&format!("target       {chip}, rgb565")), "{part}: {}", told(part));
+    }
+    for (part, known) in [
+        ("esp32", "the Xtensa of an ESP32, ESP32-S2 and -S3 is not counted"),
+        ("esp32-s3", "rv32imc is an ESP32-C3"),
+        ("atmega328p", "of an AVR the cycles of C alone are counted"),
+        (
+            "z80",
+            "expected cortex-m0, cortex-m3, cortex-m4f, rv32imc, cortex-m7, cortex-m33, hazard3, or a part such as",
+        ),
+    ] {
+        assert!(told(part).contains(known), "{part}: {}", told(part));
+    }
+>>>>>>> 92f2db9e (pick: begin at full scale, know parts and say from where on)
 }
 
 #[test]
@@ -71,9 +144,9 @@ fn pick_takes_the_light_that_export_takes() {
 
 #[test]
 fn a_bright_light_is_refused_with_a_larger_full_scale_as_remedy() {
-    let told = String::from_utf8(pick(&["--from", "bevy"]).stderr).unwrap();
+    let told = String::from_utf8(pick(&["--from", "bevy", "--near", "1"]).stderr).unwrap();
     assert!(told.contains("or a larger illuminance as full scale: the nearest surface has 79"), "{told}");
-    assert!(pick(&["--from", "bevy", "--full-scale", "5000"]).status.success());
+    assert!(pick(&["--from", "bevy", "--near", "1", "--full-scale", "5000"]).status.success());
 }
 
 #[test]

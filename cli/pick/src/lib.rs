@@ -17,14 +17,16 @@
 //! derived when `pick` is called: see [`Bound`]. The prices are counted under
 //! an emulator: see [`Price`]. Several lights can share a tolerance: see [`Scene`].
 //!
-//! Files, in the order in which they build on one another: `target`, `refusal`, `light`, `truth`,
-//! `evaluation`, `search`, `price`, `request`, `survey`, `scene`, `measure`.
+//! Files, in the order in which they build on one another: `target`, `part`, `refusal`, `light`,
+//! `truth`, `evaluation`, `search`, `price`, `request`, `survey`, `scene`, `farther`, `measure`.
 #![forbid(unsafe_code)]
 
 mod evaluation;
+mod farther;
 mod light;
 #[doc(hidden)]
 pub mod measure;
+mod part;
 mod price;
 mod refusal;
 mod request;
@@ -35,6 +37,7 @@ mod target;
 mod truth;
 
 pub use evaluation::Evaluation;
+pub use farther::Farther;
 pub use light::{Attenuation, Edge, Light};
 pub use price::{Counted, Price};
 pub use refusal::Refusal;

@@ -174,6 +174,21 @@ impl Light {
         Self { name: name.to_owned(), light: Some(*light), ..Self::default() }
     }
 
+    /// Returns the distance at which the light is full scale on its axis, with four digits, and from which on it is at most
+    /// that; `None` of a light that is never so, or always.
+    ///
+    /// # Errors
+    /// A parameter of the light that is invalid.
+    pub fn full_scale(&self) -> Result<Option<f32>, Refusal> {
+        let distance = match self.any()? {
+            AnyLight::Spot(spot) => spot.range_above(1.0),
+            AnyLight::Point(point) => point.range_above(1.0),
+            AnyLight::Directional(_) => return Ok(None),
+        };
+        let short: f32 = format!("{distance:.3e}").parse().unwrap_or(distance);
+        Ok(Some(short).filter(|short| (1e-3..=1e6).contains(short)))
+    }
+
     /// Returns the light that this describes. Its position is rounded to multiples of 2^-16, which every format can
     /// represent.
     ///
