@@ -25,15 +25,15 @@ fn pick_without_a_light_answers_for_the_default_and_states_it() {
     }
 }
 
-<<<<<<< HEAD
 /// In `fx16` a point near the light takes two evaluations, in `fx32` one.
 #[test]
 fn pick_for_the_worst_case_takes_another_evaluation() {
-    let light = ["--steps", "3", "--edge", "hard", "--field", "20", "--json"];
+    let light = ["--steps", "3", "--edge", "hard", "--field", "20", "--near", "1", "--json"];
     let [mean, worst] = [&light[..], &[&light[..], &["--worst"]].concat()].map(json);
     assert_ne!(mean["evaluation"], worst["evaluation"]);
     assert!(worst["worst"].as_f64() < mean["worst"].as_f64(), "{mean} {worst}");
-=======
+}
+
 /// The nearest surface is where a light is full scale, unless a light has none or the user says otherwise.
 #[test]
 fn pick_begins_where_the_light_is_full_scale() {
@@ -104,7 +104,6 @@ fn pick_knows_chips_by_their_parts() {
     ] {
         assert!(told(part).contains(known), "{part}: {}", told(part));
     }
->>>>>>> 92f2db9e (pick: begin at full scale, know parts and say from where on)
 }
 
 #[test]

@@ -31,6 +31,7 @@
 //! | `beacon` | a lighthouse: a direction in integers, tiles that no light reaches, materials that shine |
 //! | `lighting_desk` | cones from the channels of a lighting desk, designed in integers |
 //! | `paper` | a normal map on electronic paper of four greys |
+//! | `leds` | the bytes of four families of LEDs, and the hue that dim light keeps |
 //! | `embedded_graphics` | a display of `embedded-graphics`, with `--features embedded-graphics-core04` |
 //!
 //! Commands are run in a clone of the repository; files such as `docs/EFFECTS.md` and folders such as

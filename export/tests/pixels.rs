@@ -130,11 +130,11 @@ fn strips(count: u32, rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
 fn strip<C: LedChip>(chip: C, order: u32, index: u32, rng: &mut Rng, input: &mut Vec<u32>) -> Vec<u32> {
     let mut expected = Vec::new();
     let leds = rng.u32(0..=MOST);
-    let channel = if index % 5 == 0 { 0 } else { rng.u16(1..) >> rng.u8(..16) };
+    let channel = if index.is_multiple_of(5) { 0 } else { rng.u16(1..) >> rng.u8(..16) };
     let idle = rng.u16(..) >> rng.u8(..16);
     let white = leds * (u32::from(idle) + 3 * u32::from(channel));
     let most = if index % 8 == 1 { rng.u32(..) } else { rng.u32(0..=white) };
-    let brightness = if index % 3 == 0 { 1 << 14 } else { rng.u32(0..=1 << 14) >> rng.u8(..14) };
+    let brightness = if index.is_multiple_of(3) { 1 << 14 } else { rng.u32(0..=1 << 14) >> rng.u8(..14) };
     input.extend([leds, order, most, channel.into(), idle.into(), (1 << 16) - 4 * brightness]);
     let lights: Vec<_> = (0..leds).map(|_| [0; 3].map(|_| rng.u32(0..20_000) >> rng.u8(..15))).collect();
     input.extend(lights.iter().flatten());

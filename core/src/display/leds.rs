@@ -40,7 +40,7 @@ struct Limit {
     idle: u16,
 }
 
-impl<C> LedStrip<C> {
+impl<C: LedChip> LedStrip<C> {
     /// Creates a strip without a limit of its current.
     pub const fn new(chip: C) -> Self {
         Self { chip, brightness: FULL, limit: None }
@@ -52,9 +52,8 @@ impl<C> LedStrip<C> {
     /// dark, both in milliamperes: 20 and 1 are on the safe side for a WS2812B. Where the light of a frame
     /// would take more current, all its light is dimmed by the same factor.
     #[must_use]
-    pub const fn with_limit(mut self, most: u32, channel: u16, idle: u16) -> Self {
-        self.limit = Some(Limit { most, channel, idle });
-        self
+    pub const fn with_limit(self, most: u32, channel: u16, idle: u16) -> Self {
+        Self { limit: Some(Limit { most, channel, idle }), ..self }
     }
 
     /// Dims all light by a share in `[0, 1]`, which is clipped, and rounded up to 2^-16.
@@ -75,9 +74,8 @@ impl<C> LedStrip<C> {
     /// assert!((ratio - 0.5).abs() < 1e-3);
     /// ```
     #[must_use]
-    pub fn with_brightness<S: Scalar>(mut self, share: S) -> Self {
-        self.brightness = rounded_up::<16>(share.word());
-        self
+    pub fn with_brightness<S: Scalar>(self, share: S) -> Self {
+        Self { brightness: rounded_up::<16>(share.word()), ..self }
     }
 }
 

@@ -199,7 +199,7 @@ impl LedChip for Apa102 {
             let duty = shift.map_or((whole * 8457) >> 18, |shift| whole >> shift);
             // A carry of a larger current may be more than one duty.
             let duty = duty.min(last);
-            *carry = (sum - (duty * current << CARRY)) as u16;
+            *carry = (sum - ((duty * current) << CARRY)) as u16;
             duty as u8
         };
         let duties = Rgb::new(duty(light.red, red), duty(light.green, green), duty(light.blue, blue));
