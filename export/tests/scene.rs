@@ -10,14 +10,14 @@ use std::process::{Command, Stdio};
 use fastrand::Rng;
 use luminaire::attenuation::InverseSquare;
 use luminaire::dynamic::AnyLight;
-use luminaire::falloff::{Falloff, Formula, Hard, Smooth, Soft};
+use luminaire::falloff::{AnyFalloff, Falloff, Formula, Hard, Smooth, Soft};
 use luminaire::number::Light16;
 use luminaire::{
     AmbientLight, Angle, Cone, DirectionalLight, Fx16, Length, PointLight, Rgb, SpotLight, Vec3,
 };
 use luminaire_export::{Language, Scene, export_scene, names};
 
-use support::compiler::{bytes, compile_in_integers, compile_rust, run, write_headers};
+use support::compiler::{bytes, compile, compile_in_integers, compile_rust, run, write_headers};
 use support::{points_of_light, spots, suns};
 
 type Failure = Box<dyn std::error::Error>;
@@ -210,7 +210,7 @@ fn a_scene_has_the_same_bits_in_c_and_in_rust() -> Result<(), Failure> {
     all.extend(suns(&mut rng, 4).into_iter().map(AnyLight::from));
     rng.shuffle(&mut all);
     all.truncate(14);
-    let near = |falloff: luminaire::falloff::AnyFalloff, x: f32| {
+    let near = |falloff: AnyFalloff, x: f32| {
         let cone = Cone::from_outer(falloff, Angle::degrees(70.0))?;
         let spot = SpotLight::new([x, 2.0, 0.0], [0.1, -1.0, 0.2], cone)?.with_intensity(8.0)?;
         Ok::<AnyLight, luminaire::Error>(spot.with_color(Rgb::new(1.0, 0.5, x.abs()))?.into())
@@ -408,5 +408,62 @@ luminaire_rgb lit(const room_2_scene *s, const int32_t p[3], const int16_t n[3])
             .to_string();
         assert!(refused.starts_with(told), "{refused}: expected {told}");
     }
+    Ok(())
+}
+
+/// The program of a page between a head and a fence.
+fn program<'a>(page: &'a str, head: &str, language: &str) -> &'a str {
+    let (_, rest) = page.split_once(head).expect("a section");
+    let (_, rest) = rest.split_once(&format!("```{language}\n")).expect("a program");
+    rest.split_once("```").expect("its end").0
+}
+
+/// The programs of the pages compile for a scene of eight lights, and the one in C has less than 6.5 kB on a Cortex-M0.
+#[test]
+fn programs_of_the_pages_draw_a_scene_of_eight_lights() -> Result<(), Failure> {
+    const MOST: usize = 6_500;
+    let spot = |position: [f32; 3], axis: [f32; 3], color: [f32; 3], cone: Cone<AnyFalloff>| {
+        let spot = SpotLight::new(position, axis, cone)?.with_intensity(9.0)?;
+        Ok::<AnyLight, luminaire::Error>(spot.with_color(color.into())?.into())
+    };
+    let soft = |field: f32| Cone::from_field(AnyFalloff::from(Soft), Angle::degrees(field));
+    let fitted = |beam, field| {
+        let cone = Cone::from_beam_and_field(Angle::degrees(beam), Angle::degrees(field))?;
+        Ok::<_, luminaire::Error>(cone.with_falloff(cone.falloff().into()))
+    };
+    let lights = vec![
+        spot([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], [1.0; 3], fitted(15.0, 26.0)?)?,
+        spot([0.0, 4.0, -2.0], [0.0, -2.0, 1.0], [0.4, 0.6, 1.0], fitted(20.0, 34.0)?)?,
+        spot([-2.0, 3.0, 1.0], [1.0, -2.0, 0.0], [1.0, 0.6, 0.2], soft(40.0)?)?,
+        spot([2.0, 3.0, 1.0], [-1.0, -2.0, 0.0], [1.0, 0.3, 0.5], soft(40.0)?)?,
+        spot([0.0, 5.0, 1.0], [0.0, -1.0, 0.0], [1.0; 3], soft(24.0)?)?,
+        PointLight::new([-1.0, 2.0, 0.0])?.with_intensity(0.5)?.into(),
+        DirectionalLight::new([1.0, -2.0, 0.0])?.with_intensity(0.05)?.into(),
+    ];
+    let mut room = Room::new(lights, 1);
+    room.names = ["key", "back", "left", "right", "top", "lamp", "sun"].map(str::to_owned).into();
+    let folder = tempfile::tempdir()?;
+    write_headers(folder.path());
+    fs::write(folder.path().join("room.h"), room.text(Language::CFixed))?;
+    let main = folder.path().join("main.c");
+    fs::write(&main, program(include_str!("../c/README.md"), "## A scene of another tool", "c"))?;
+    for (compiler, flags) in
+        [("cc", "-std=c99 -O1"), ("c++", "-std=c++11 -O1 -Wno-missing-field-initializers")]
+    {
+        compile(compiler, &format!("{flags} -c -Wconversion -Wshadow"), &main, &folder.path().join("main.o"));
+    }
+    let flags = "-std=c99 -Os -mcpu=cortex-m0 -mthumb -ffunction-sections -fdata-sections -Wl,--gc-sections -nostartfiles \
+                 --specs=nosys.specs -Wl,-e,main";
+    let elf = folder.path().join("main.elf");
+    if compile("arm-none-eabi-gcc", flags, &main, &elf).is_some() {
+        let told = Command::new("arm-none-eabi-size").arg(&elf).output()?.stdout;
+        let bytes = String::from_utf8(told)?;
+        let bytes = bytes.lines().nth(1).and_then(|line| line.split_whitespace().next()).expect("a size");
+        println!("{bytes} bytes of code and constants, of eight lights on a Cortex-M0");
+        assert!(bytes.parse::<usize>()? < MOST, "{bytes}");
+    }
+    fs::write(folder.path().join("room.rs"), room.text(Language::RustFixed16))?;
+    let text = program(include_str!("../../docs/LIGHTS.md"), "a file for `include!`:", "rust");
+    compile_rust(text, "lib", &folder.path().join("draw"))?;
     Ok(())
 }
