@@ -24,7 +24,7 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
             options.source.own(light)?
         }
     };
-    let Found { mut lamps, ambient, mut is_whole } = found;
+    let Found { mut lamps, ambient, is_scene, mut is_whole } = found;
     let is_one = lamps.len() + ambient.len() == 1;
     for (number, (lamp, _)) in (1..).zip(&mut lamps) {
         match &options.name {
@@ -40,7 +40,7 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
         say("error", if is_one { refusal } else { refusal.at(name) });
         is_whole = false;
     };
-    let is_alone = lamps.len() < 2 && ambient.is_empty();
+    let is_alone = !is_scene || lamps.len() < 2 && ambient.is_empty();
     let scene_name = scene_name(options, is_alone)?.filter(|_| !(lamps.is_empty() && ambient.is_empty()));
     if scene_name.is_none() && !matches!(options.to, Target::Language(Language::Json)) {
         for own in &ambient {
@@ -139,8 +139,8 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
     Ok((text, is_whole))
 }
 
-/// Returns the name of the scene in a source that has one: that of all lights together, or of one light if the user names
-/// it.
+/// Returns the name of the scene in a source that has one: that of lights which shine together, or of any if the user
+/// names it.
 fn scene_name(options: &Export, is_alone: bool) -> Result<Option<String>, Refusal> {
     let language = match options.to {
         Target::Language(language) if language.has_scenes() => language,

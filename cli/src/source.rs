@@ -126,6 +126,8 @@ pub(crate) struct Found {
     pub(crate) lamps: Vec<(Lamp, Use)>,
     /// The ambient light, in the unit of full scale.
     pub(crate) ambient: Vec<NamedAmbient>,
+    /// Whether the lights shine together: those of a fixture may be the ends of its zoom.
+    pub(crate) is_scene: bool,
     pub(crate) is_whole: bool,
 }
 
@@ -138,12 +140,13 @@ impl Source {
         if inputs.is_empty() {
             return Ok(None);
         }
-        let (mut found, count) =
-            (Found { lamps: Vec::new(), ambient: Vec::new(), is_whole: true }, inputs.len());
+        let count = inputs.len();
+        let mut found = Found { lamps: Vec::new(), ambient: Vec::new(), is_scene: true, is_whole: true };
         for Input { name, is_file, loaded } in inputs {
             let refused = match loaded {
                 Err(refusal) => vec![refusal],
                 Ok(Loaded { lamps, usage }) => {
+                    found.is_scene &= !matches!(lamps.system, System::Gdtf | System::Ofl);
                     for ambient in &lamps.ambient {
                         found.ambient.push(usage.ambient(ambient)?);
                     }
@@ -162,7 +165,8 @@ impl Source {
     /// Returns the light that a command describes by other options, in units of full scale.
     pub(crate) fn own(&self, light: SpotLight<AnyFalloff, AnyAttenuation>) -> Result<Found, Refusal> {
         let usage = Use { throw: self.throw()?, full_scale: 1.0, is_photometric: false };
-        Ok(Found { lamps: vec![(Lamp::new("light", light), usage)], ambient: Vec::new(), is_whole: true })
+        let lamps = vec![(Lamp::new("light", light), usage)];
+        Ok(Found { lamps, ambient: Vec::new(), is_scene: true, is_whole: true })
     }
 
     /// Returns what the words and options name; nothing if the command describes its light by other

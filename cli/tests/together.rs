@@ -67,6 +67,10 @@ fn lights_have_their_own_names_in_each_language() {
             assert!(code == Some(0) && text.contains(function), "{to}: {text}{errors}");
         }
     }
+    // The lights of a fixture are the ends of its zoom.
+    let fixture = concat!(env!("CARGO_MANIFEST_DIR"), "/../exchange/tests/files/fixture.gdtf");
+    let (_, text, errors) = told(words(&format!("export {fixture} --to c-f32")));
+    assert!(text.matches("_irradiance(const").count() > 1 && !text.contains("_SCENE_H"), "{text}{errors}");
     let (_, text, _) = told(words(&format!("export {file} {file} --to rust-fx16")));
     assert!(text.contains("pub mod scene {") && text.contains("pub key_light_3: "), "{text}");
     for (options, error) in [
