@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail, ensure};
 use fastrand::Rng;
 use luminaire::Fx16;
 use luminaire::dynamic::AnyLight;
-use luminaire_export::{C_HEADERS, Language, export};
+use luminaire_export::{C_HEADERS, Language, Scene, export_scene};
 
 use tools::progress::Progress;
 use tools::suite::Suite;
@@ -110,15 +110,18 @@ fn prove(progress: &Progress) -> Result<Vec<String>> {
     Ok(remarks)
 }
 
-/// Lights of all falloffs and attenuations, and a function that evaluates them at a point.
+/// Lights of all falloffs and attenuations, and a function that evaluates them at a point, one by one and together.
 fn constant_lights() -> Result<String> {
     let mut rng = Rng::with_seed(2001);
     let spots = lights::spots::<Fx16>(&mut rng, VARIANTS).into_iter().map(AnyLight::from);
     let all: Vec<_> =
         spots.chain(lights::points_of_light::<Fx16>(&mut rng).into_iter().map(AnyLight::from)).collect();
-    let (mut text, mut calls) = (String::new(), String::new());
+    let names: Vec<_> = (0..all.len()).map(|index| format!("light{index}")).collect();
+    let named = names.iter().map(String::as_str).zip(all.iter().copied());
+    let (text, refused) = export_scene(&Scene { name: "room", ambient: &[] }, named, Language::CFixed)?;
+    ensure!(refused.is_empty(), "expected C of each light, found {refused:?}");
+    let mut calls = "    room_light(&room_start, point, normal);\n".to_owned();
     for (index, light) in all.into_iter().enumerate() {
-        text += &export(light, &format!("light{index}"), Language::CFixed)?;
         let _ = writeln!(calls, "    light{index}_irradiance(point, normal);");
         if matches!(light, AnyLight::Spot(_)) {
             let _ = writeln!(calls, "    light{index}_falloff(point);");
