@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use luminaire::Rgb;
 use luminaire_pick::{Attenuation, Chip, Display, Edge, Light, Refusal, Tolerance};
 
+use crate::leds::Leds;
 use crate::model;
 use crate::source::{ELSEWHERE, Source, Spot, vector};
 use crate::words::Target;
@@ -35,6 +36,8 @@ pub(crate) enum Command {
     Pick(Box<Pick>),
     /// Write lights as source of another language, or as the parameters of another tool
     Export(Box<Export>),
+    /// Write a program for Arduino that lights LEDs at the places of a map
+    Leds(Box<Leds>),
 }
 
 /// The options of `pick`.

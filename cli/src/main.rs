@@ -1,12 +1,14 @@
 //! `luminaire pick`: the cheapest evaluation of a light whose error is small enough for a
 //! display. `luminaire export`: lights as source of another language, or as the parameters of another
-//! tool. `luminaire import`: the lights of files. `luminaire still`: a wall lit by a light.
+//! tool. `luminaire import`: the lights of files. `luminaire still`: a wall lit by a light. `luminaire leds`: a sketch
+//! that lights a strip of LEDs at their places.
 #![forbid(unsafe_code)]
 
 mod arguments;
 mod chart;
 mod export;
 mod import;
+mod leds;
 mod model;
 mod show;
 mod source;
@@ -38,6 +40,7 @@ fn main() -> ExitCode {
         },
         Command::Export(options) => export::export(&options),
         Command::Import(options) => import::import(&options),
+        Command::Leds(options) => leds::leds(&options).map(|is_whole| (String::new(), is_whole)),
         Command::Still(options) => still::still(&options).map(|is_whole| (String::new(), is_whole)),
     };
     let (text, is_whole) = match told {
