@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use luminaire::dynamic::AnyLight;
-use luminaire::{Fx16, Scalar};
+use luminaire::{Fx16, Scalar, Vec3};
 use luminaire_exchange::Refusal;
 use luminaire_export::{Language, Scene, export_scene, identifier, names};
 
@@ -160,6 +160,18 @@ impl Placed {
     }
 }
 
+impl Placed {
+    /// Returns how many LEDs have light other than the ambient one.
+    fn lit<'a>(&self, lights: impl Iterator<Item = &'a AnyLight>) -> Result<usize, Refusal> {
+        let lights = lights.map(AnyLight::compile::<f32>).collect::<Result<Vec<_>, _>>()?;
+        let vector = |own: [f64; 3]| Vec3::from(own.map(|c| c as f32));
+        let is_lit = |(place, facing): &(&[f64; 3], &[f64; 3])| {
+            lights.iter().any(|light| light.irradiance(vector(**place), vector(**facing)) > 0.0)
+        };
+        Ok(self.places.iter().zip(&self.facing).filter(is_lit).count())
+    }
+}
+
 /// Writes the sketch. Returns whether no light was refused.
 pub(crate) fn leds(options: &Leds) -> Result<bool, Refusal> {
     if !(0.0..=1.0).contains(&options.brightness) {
@@ -208,7 +220,9 @@ pub(crate) fn leds(options: &Leds) -> Result<bool, Refusal> {
         is_whole = false;
     }
     let kept = (0..).zip(named).filter(|(number, _)| refused.iter().all(|(other, _)| other != number));
-    let turns = turns(&name, kept.map(|(_, light)| light));
+    let kept: Vec<_> = kept.map(|(_, light)| light).collect();
+    let lit = placed.lit(kept.iter().map(|(_, light)| light))?;
+    let turns = turns(&name, kept.into_iter());
     let words = words(options, &name, &placed, &turns);
     let sketch = if matches!(options.chip, Family::Ws2812 | Family::Sk6812Rgbw) { WIRE } else { SPI };
     let folder = &options.output;
@@ -221,12 +235,11 @@ pub(crate) fn leds(options: &Leds) -> Result<bool, Refusal> {
     write("leds.h", &replaced(LEDS, &words))?;
     write(&format!("{name}_lights.h"), &text)?;
     let count = placed.places.len();
+    let (flash, memory) = (18 * count, options.chip.memory() * count);
     say(
         "note",
         format_args!(
-            "{count} LEDs take {} bytes of flash and {} of memory",
-            18 * count,
-            options.chip.memory() * count
+            "{count} LEDs take {flash} bytes of flash and {memory} of memory; lights reach {lit} at first"
         ),
     );
     Ok(is_whole)
@@ -291,6 +304,13 @@ fn words(options: &Leds, name: &str, placed: &Placed, turns: &str) -> Vec<(&'sta
     } else {
         "lights that turn about them"
     };
+    let (period, moves) = match turn {
+        0 => (String::new(), String::new()),
+        seconds => (
+            format!("const uint32_t TURN = {seconds}000; // milliseconds of a turn of the lights\n\n"),
+            format!("    {name}_turn(&scene, (uint32_t)((uint64_t)(millis() % TURN) * 65536 / TURN));\n"),
+        ),
+    };
     vec![
         ("PLACES", lines(&placed.places, 16)),
         ("FACING", lines(&placed.facing, 14)),
@@ -298,7 +318,8 @@ fn words(options: &Leds, name: &str, placed: &Placed, turns: &str) -> Vec<(&'sta
         ("TURNS", turns.to_owned()),
         ("STRIP", strip),
         ("MIDDLE", format!("{x}, {z}")),
-        ("PERIOD", (1_000 * u32::from(*turn)).to_string()),
+        ("PERIOD", period),
+        ("MOVE", moves),
         ("BYTES", bytes.to_string()),
         ("MODE", mode.to_owned()),
         ("BEGIN", begin.to_string()),

@@ -4,9 +4,7 @@
 
 #include "leds.h"
 
-const uint32_t TURN = {PERIOD}; // milliseconds of a turn of the lights; 0 for lights that stand still
-
-{NAME}_scene scene = {NAME}_start;
+{PERIOD}{NAME}_scene scene = {NAME}_start;
 luminaire_frame frame;
 
 void setup() { SPI.begin(); }
@@ -17,8 +15,7 @@ void repeat(uint8_t value, uint32_t count) {
 
 void loop() {
     static uint32_t number = 0;
-    if (TURN > 0) { {NAME}_turn(&scene, (uint32_t)((uint64_t)(millis() % TURN) * 65536 / TURN)); }
-    luminaire_strip_begin(&frame, &{NAME}_strip, {GUARD}_COUNT);
+{MOVE}    luminaire_strip_begin(&frame, &{NAME}_strip, {GUARD}_COUNT);
     SPI.beginTransaction(SPISettings(4000000, MSBFIRST, {MODE}));
     repeat(0, {BEGIN});
     for (uint32_t led = 0; led < {GUARD}_COUNT; ++led) {

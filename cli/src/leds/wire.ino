@@ -5,9 +5,7 @@
 #include "leds.h"
 
 const int PIN = 6; // the data pin of the strip
-const uint32_t TURN = {PERIOD}; // milliseconds of a turn of the lights; 0 for lights that stand still
-
-Adafruit_NeoPixel pixels({GUARD}_COUNT, PIN, {WIRE} + NEO_KHZ800);
+{PERIOD}Adafruit_NeoPixel pixels({GUARD}_COUNT, PIN, {WIRE} + NEO_KHZ800);
 {NAME}_scene scene = {NAME}_start;
 luminaire_frame frame;
 
@@ -15,8 +13,7 @@ void setup() { pixels.begin(); }
 
 void loop() {
     static uint32_t number = 0;
-    if (TURN > 0) { {NAME}_turn(&scene, (uint32_t)((uint64_t)(millis() % TURN) * 65536 / TURN)); }
-    luminaire_strip_begin(&frame, &{NAME}_strip, {GUARD}_COUNT);
+{MOVE}    luminaire_strip_begin(&frame, &{NAME}_strip, {GUARD}_COUNT);
     // The bytes in their order on the wire.
     uint8_t *bytes = pixels.getPixels();
     for (uint32_t led = 0; bytes && led < {GUARD}_COUNT; ++led) {
