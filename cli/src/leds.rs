@@ -30,13 +30,13 @@ pub(crate) struct Leds {
     /// The folder of the sketch, which names it
     #[arg(long, value_name = "FOLDER")]
     output: PathBuf,
-    /// ws2812, sk6812-rgbw, apa102 or hd108
+    /// The family of the chips
     #[arg(long, default_value = "ws2812")]
     chip: Family,
-    /// The order of the channels: grb, rgb or bgr [default: grb, of apa102 bgr]
+    /// The order of the channels [default: grb, of apa102 bgr]
     #[arg(long)]
     order: Option<Order>,
-    /// The axis of the map that points up: y or z
+    /// The axis of the map that points up
     #[arg(long, default_value = "z")]
     up: Up,
     /// The height to which the map is scaled, its lowest LED at 0 and its middle above 0,0,0 [default: as it is]
@@ -46,7 +46,8 @@ pub(crate) struct Leds {
     #[arg(long, value_name = "MA")]
     limit: Option<u32>,
     /// The current of a channel at full duty in milliamperes
-    #[arg(long, value_name = "MA", default_value = "20", requires = "limit")]
+    #[arg(long, value_name = "MA", default_value = "20", requires = "limit",
+        value_parser = clap::value_parser!(u16).range(1..))]
     channel: u16,
     /// The share of all light that is shown, which keeps the hue of dim light
     #[arg(long, value_name = "SHARE", default_value = "1")]
@@ -158,9 +159,7 @@ impl Placed {
         };
         Ok(Self { places, facing: facing.into_iter().map(unit).collect(), middle })
     }
-}
 
-impl Placed {
     /// Returns how many LEDs have light other than the ambient one.
     fn lit<'a>(&self, lights: impl Iterator<Item = &'a AnyLight>) -> Result<usize, Refusal> {
         let lights = lights.map(AnyLight::compile::<f32>).collect::<Result<Vec<_>, _>>()?;
@@ -205,11 +204,22 @@ pub(crate) fn leds(options: &Leds) -> Result<bool, Refusal> {
         );
     }
     let placed = Placed::new(map, options.up, options.height)?;
+    let count = placed.places.len();
+    if let Some(limit) = options.limit.filter(|limit| *limit as usize <= count) {
+        let expected = format_args!("more than {count} mA, which {count} dark LEDs take");
+        return Err(Refusal::new("limit", limit, expected));
+    }
 
     let name = identifier(&stem, language);
     let mut lights = Vec::new();
     for (lamp, usage) in &lamps {
-        lights.push((lamp.name.as_str(), lamp.named(*usage)?.light));
+        match lamp.named(*usage) {
+            Ok(named) => lights.push((lamp.name.as_str(), named.light)),
+            Err(refusal) => {
+                say("error", refusal.at(&lamp.name));
+                is_whole = false;
+            }
+        }
     }
     let own = names(lights.iter().map(|(name, _)| *name), language);
     let named = own.iter().map(String::as_str).zip(lights.iter().map(|(_, light)| *light));
@@ -230,11 +240,16 @@ pub(crate) fn leds(options: &Leds) -> Result<bool, Refusal> {
         Refusal::new("output", shown(folder.as_os_str()), format_args!("a folder that can be made: {error}"))
     })?;
     let write = |file: &str, text: &str| save("output", &folder.join(file), text);
-    // The builder of Arduino takes the sketch of the folder's own name.
-    write(&format!("{stem}.ino"), &replaced(sketch, &words))?;
+    // The builder of Arduino takes the sketch of the folder's own name. People change it, such as its pin.
+    let (file, sketch) = (format!("{stem}.ino"), replaced(sketch, &words));
+    if fs::read(folder.join(&file)).is_ok_and(|found| found != sketch.as_bytes()) {
+        let expected =
+            format_args!("a folder without another {file}: move that away, or give --output another name");
+        return Err(Refusal::new("output", shown(folder.as_os_str()), expected));
+    }
+    write(&file, &sketch)?;
     write("leds.h", &replaced(LEDS, &words))?;
     write(&format!("{name}_lights.h"), &text)?;
-    let count = placed.places.len();
     let (flash, memory) = (18 * count, options.chip.memory() * count);
     say(
         "note",

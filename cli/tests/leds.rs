@@ -267,6 +267,8 @@ fn refusals_name_the_option_and_the_remedy() {
         ),
         (format!("--map {map} --brightness 2"), "brightness = 2: expected a share from 0 to 1"),
         (format!("--map {map} {zoom}"), "lights = 4: expected one end of a zoom: choose it by --light"),
+        (format!("--map {map} --limit 2"), "limit = 2: expected more than 2 mA, which 2 dark LEDs take"),
+        (format!("--map {map} --limit 9 --channel 0"), "0 is not in 1..=65535"),
         ("--map none.csv".to_owned(), "map = none.csv: expected a file of text that can be read"),
     ] {
         let told = luminaire(&format!("leds {words} --output {}", output.display()));
@@ -278,4 +280,32 @@ fn refusals_name_the_option_and_the_remedy() {
         String::from_utf8_lossy(&told.stderr).contains("a folder whose name is that of a sketch"),
         "{told:?}"
     );
+}
+
+/// A sketch that was changed, as for another pin, is not written over; the same one is written again, and a light that
+/// the language lacks does not stop the others.
+#[test]
+fn a_changed_sketch_stays() {
+    let folder = folder("again");
+    let file = |name: &str| folder.join(name);
+    fs::write(file("map.csv"), "1,0,1\n0,1,2").expect("a file");
+    let far = SCENE.replace("[-2, 1, 1]", "[-20000, 1, 1]");
+    fs::write(file("scene.json"), far).expect("a file");
+    let sketch = file("tree").join("tree.ino");
+    let write = || {
+        let [map, scene, tree] =
+            ["map.csv", "scene.json", "tree"].map(|name| file(name).display().to_string());
+        let output = luminaire(&format!("leds --map {map} {scene} --output {tree}"));
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let lights = || fs::read_to_string(file("tree").join("tree_lights.h")).expect("a file");
+    for told in [write(), write()] {
+        assert!(told.contains("error: Rim: ") && told.contains("2 LEDs take"), "{told}");
+        assert!(lights().contains("tree_light(") && lights().contains("luminaire_spot key;"), "{}", lights());
+    }
+    let own = fs::read_to_string(&sketch).expect("a file").replace("PIN = 6", "PIN = 2");
+    fs::write(&sketch, &own).expect("a file");
+    let told = write();
+    assert!(told.contains("expected a folder without another tree.ino: move that away"), "{told}");
+    assert_eq!(fs::read_to_string(&sketch).expect("a file"), own);
 }
