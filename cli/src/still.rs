@@ -50,6 +50,7 @@ impl Wall {
         for light in lights {
             let axis = match light {
                 AnyLight::Spot(spot) => spot.axis(),
+                AnyLight::Measured(light) => light.frame()[2],
                 AnyLight::Directional(sun) => sun.direction(),
                 AnyLight::Point(_) => continue,
             };
@@ -72,6 +73,7 @@ impl Wall {
                     let half = (0.5 * spot.cone().outer().to_degrees() * 1.25).min(45.0);
                     Some((spot.position().into(), spot.axis().into(), half))
                 }
+                AnyLight::Measured(light) => Some((light.position().into(), light.frame()[2].into(), 45.0)),
                 AnyLight::Point(point) => Some((point.position().into(), axis, 45.0)),
                 AnyLight::Directional(_) => None,
             })

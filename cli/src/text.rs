@@ -93,6 +93,11 @@ fn described(light: &Light, outer: Option<f32>) -> String {
             attenuation(light, &point.attenuation()),
             point.intensity()
         ),
+        Ok(AnyLight::Measured(measured)) => format!(
+            "measured light; attenuation {}, intensity {}, {distances}",
+            attenuation(light, &measured.attenuation()),
+            measured.intensity()
+        ),
         Ok(AnyLight::Directional(sun)) => format!("directional light; intensity {}", sun.intensity()),
         Err(refusal) => refusal.to_string(),
     }
@@ -104,6 +109,7 @@ fn falloff(light: &Light) -> &'static str {
         _ if light.light.is_none() && light.beam.is_some() && light.field.is_some() => "fitted",
         Ok(AnyLight::Spot(spot)) => spot.cone().falloff().row().name,
         Ok(AnyLight::Point(_)) => "point",
+        Ok(AnyLight::Measured(_)) => "measured",
         Ok(AnyLight::Directional(_)) => "directional",
         Err(_) => light.edge.name(),
     }

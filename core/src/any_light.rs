@@ -10,11 +10,12 @@ use crate::{
     effect::{Effect, Effects},
     error::Error,
     falloff::{AnyFalloff, Falloff},
-    light::{DirectionalLight, PointLight, SpotLight},
+    light::{DirectionalLight, MeasuredLight, PointLight, SpotLight},
     number::Scalar,
     points::{SurfacePoint, SurfacePoints},
     shade::{
-        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, sealed::Sealed,
+        CompiledDirectionalLight, CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight, Incident,
+        LightModel, sealed::Sealed,
     },
     specular::{NoSpecular, SpecularLobe},
     vec3::Vec3,
@@ -48,6 +49,8 @@ pub enum AnyLight {
     Point(PointLight<AnyAttenuation>),
     /// Light from a position within a cone.
     Spot(SpotLight<AnyFalloff, AnyAttenuation>),
+    /// Light from a position by a distribution over all directions.
+    Measured(MeasuredLight<'static, AnyAttenuation>),
 }
 
 /// An [`AnyLight`] compiled for the format `S`. Made by [`AnyLight::compile`].
@@ -59,6 +62,8 @@ pub enum CompiledAnyLight<S: Scalar> {
     Point(CompiledPointLight<S, AnyAttenuation>),
     /// Light from a position within a cone.
     Spot(CompiledSpotLight<S, AnyFalloff, AnyAttenuation>),
+    /// Light from a position by a distribution over all directions.
+    Measured(CompiledMeasuredLight<'static, S, AnyAttenuation>),
 }
 
 /// Evaluates an expression with the light of the variant.
@@ -68,6 +73,7 @@ macro_rules! any {
             $kind::Directional($light) => $answer,
             $kind::Point($light) => $answer,
             $kind::Spot($light) => $answer,
+            $kind::Measured($light) => $answer,
         }
     };
 }
@@ -139,6 +145,7 @@ impl AnyLight {
             Self::Spot(spot) => {
                 effects.with(Effect::Spot).union(cone_effects(spot)).union(spot.attenuation().effects())
             }
+            Self::Measured(light) => effects.with(Effect::Measured).union(light.attenuation().effects()),
         }
     }
 
@@ -151,6 +158,7 @@ impl AnyLight {
             Self::Directional(light) => CompiledAnyLight::Directional(light.compile()),
             Self::Point(light) => CompiledAnyLight::Point(light.compile()?),
             Self::Spot(light) => CompiledAnyLight::Spot(light.compile()?),
+            Self::Measured(light) => CompiledAnyLight::Measured(light.compile()?),
         })
     }
 }
@@ -185,6 +193,12 @@ impl<P: Falloff + Into<AnyFalloff>, A: Attenuation + Into<AnyAttenuation>> From<
     fn from(light: SpotLight<P, A>) -> Self {
         let cone = light.cone().with_falloff(light.cone().falloff().into());
         Self::Spot(light.with_cone(cone).with_attenuation(light.attenuation().into()))
+    }
+}
+
+impl<A: Attenuation + Into<AnyAttenuation>> From<MeasuredLight<'static, A>> for AnyLight {
+    fn from(light: MeasuredLight<'static, A>) -> Self {
+        Self::Measured(light.with_attenuation(light.attenuation().into()))
     }
 }
 
@@ -254,6 +268,7 @@ impl<S: Scalar> LightModel<S> for CompiledAnyLight<S> {
             Self::Directional(light) => each.light(light),
             Self::Point(light) => each.point(light),
             Self::Spot(light) => each.spot(light),
+            Self::Measured(light) => each.measured(light),
         }
     }
 

@@ -2,7 +2,8 @@
 //!
 //! A bound follows from the errors of the stages of an evaluation, which each format states: the
 //! direction, the ramp, the falloff, the cosine, the share, the attenuation and the light. Nothing is
-//! searched; the stages of fixed point are proved by machine (`core/proofs`). The kernel's own code
+//! searched; the stages of fixed point are proved by machine (`core/proofs`), but for those of a measured
+//! light's distribution, which are derived by hand. The kernel's own code
 //! of falloffs and attenuations carries the errors: it runs on numbers that know the interval in which
 //! the exact result lies, its derivative with respect to the falloff's argument, and the roundings so
 //! far. The cone and the distances are divided into cells, so that an interval is narrow.
@@ -31,9 +32,10 @@ use crate::{
     angle::Angle,
     any_light::AnyLight,
     attenuation::{Attenuation, NoAttenuation},
+    distribution::FULL,
     error::{Error, Expected, Parameter},
-    falloff::{CompiledFalloff, Falloff, Formula, STRIP, Soft},
-    light::{DirectionalLight, PointLight, SpotLight, check_reach},
+    falloff::{CompiledFalloff, Falloff, Formula, STRIP},
+    light::{DirectionalLight, MeasuredLight, PointLight, SpotLight, check_reach},
     number::{Fraction, Offset, Quick, Scalar, Stages, Types},
     trig::square_root,
     vec3::Vec3,
@@ -186,6 +188,12 @@ impl<P: Falloff> Edge<P> {
     }
 }
 
+/// The shares of a light that emits the same in all directions.
+fn everywhere(pass: &Pass, _: f64, shares: &mut Shares) -> Moved {
+    each_cosine(pass, |cosine| shares.add(&cosine.value()));
+    Moved::NONE
+}
+
 /// Where the edge of a cone may move.
 struct Moved {
     /// The intensity of the falloff at the edge, beyond which it is 0.
@@ -194,6 +202,11 @@ struct Moved {
     edge: f64,
     /// The angle beside the edge or the hotspot in which the derivative is too large.
     strip: f64,
+}
+
+impl Moved {
+    /// No edge.
+    const NONE: Self = Self { jump: 0.0, edge: 0.0, strip: 0.0 };
 }
 
 /// Returns the angle of a versine.
@@ -249,15 +262,20 @@ fn largest<A: Attenuation>(
 /// An evaluation between two distances.
 struct Followed {
     stages: Stages,
+    is_fine: bool,
     zoom: f64,
     /// Whether only light is followed that the coarse evaluation keeps because it is clipped.
     is_kept: bool,
     distances: [f64; 2],
 }
 
+/// What is known of the shares of the intensity: adds those of all points for each cosine, and returns where an
+/// edge may move.
+type AddShares<'a> = &'a dyn Fn(&Pass, f64, &mut Shares) -> Moved;
+
 /// Returns the bound over all evaluations of a light.
-fn derived<P: Falloff, A: Attenuation>(
-    cone: Option<(P, [f32; 3])>,
+fn derived<A: Attenuation>(
+    add_shares: AddShares<'_>,
     attenuation: A,
     intensity: f32,
     evaluations: impl Iterator<Item = Followed>,
@@ -270,7 +288,7 @@ fn derived<P: Falloff, A: Attenuation>(
         let light = (share * f64::from(intensity) * attenuation.exact(distance)).min(1.0);
         measure(Lit { from: 0.0, to: light, error: light })
     };
-    for Followed { stages, zoom, is_kept, distances: [mut near, mut far] } in evaluations {
+    for Followed { stages, is_fine, zoom, is_kept, distances: [mut near, mut far] } in evaluations {
         if let Some(range) = attenuation.range().map(f64::from) {
             // The squared fraction of the range is wrong by this much where it is 1.
             let moved = range * stages.near.of(1.0) / 2.0;
@@ -284,17 +302,12 @@ fn derived<P: Falloff, A: Attenuation>(
             (near, far) = (near.min(range - moved), far.min(range));
         }
         let distances = [near, far];
-        let mut pass = Pass { stages, distances, intensity: intensity.into(), is_kept, lit: Cell::default() };
+        let mut pass =
+            Pass { stages, is_fine, distances, intensity: intensity.into(), is_kept, lit: Cell::default() };
         let mut shares = Shares::none();
-        if let Some((falloff, versines)) = cone {
-            let [inner, outer, limit] = versines.map(f64::from);
-            let cone = Edge { falloff, inner, outer, limit, stages, zoom };
-            let moved = cone.shares(&pass, &mut shares);
-            at_edge = most_of(at_edge, [lit(moved.jump, near), moved.edge]);
-            strip = strip.max(moved.strip);
-        } else {
-            each_cosine(&pass, |cosine| shares.add(&cosine.value()));
-        }
+        let moved = add_shares(&pass, zoom, &mut shares);
+        at_edge = most_of(at_edge, [lit(moved.jump, near), moved.edge]);
+        strip = strip.max(moved.strip);
         light = light.max(largest(attenuation, &mut pass, &shares, measure));
     }
     // On the wrong side of a jump the light is wrong by the jump, and by its error beside it. A jump of at most
@@ -364,10 +377,16 @@ fn evaluations<S: Scalar>(
     let fine = [near, far.min(fine_within * (1.0 + NEARLY))];
     let coarse = [if is_always_fine { f64::INFINITY } else { near.max(fine_within * (1.0 - NEARLY)) }, far];
     let kept = [if is_always_fine { f64::INFINITY } else { near }, fine[1]];
-    let followed = move |stages, is_kept, distances| Followed { stages, zoom, is_kept, distances };
-    let coarse = divided::<S>(coarse).map(move |it| followed(S::stages(it[0]), false, it));
-    let kept = divided::<S>(kept).map(move |it| followed(S::stages(it[0]), true, it));
-    let fine = (fine[0] <= fine[1]).then(|| followed(S::fine_stages(fine[1]), false, fine));
+    let followed = move |is_kept, distances: [f64; 2]| {
+        let stages = S::stages(distances[0]);
+        Followed { stages, is_fine: false, zoom, is_kept, distances }
+    };
+    let coarse = divided::<S>(coarse).map(move |it| followed(false, it));
+    let kept = divided::<S>(kept).map(move |it| followed(true, it));
+    let fine = (fine[0] <= fine[1]).then(|| {
+        let stages = S::fine_stages(fine[1]);
+        Followed { stages, is_fine: true, zoom, is_kept: false, distances: fine }
+    });
     coarse.chain(kept).chain(fine)
 }
 
@@ -431,7 +450,7 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         self.cone().compile_quick::<S>()?;
         let followed = |distances: [f64; 2]| {
             let stages = S::quick_stages(distances[0]);
-            Followed { stages, zoom: 1.0, is_kept: false, distances }
+            Followed { stages, is_fine: false, zoom: 1.0, is_kept: false, distances }
         };
         Ok(self.derived(divided::<S>(distances).map(followed), measure))
     }
@@ -441,8 +460,12 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
         evaluations: impl Iterator<Item = Followed>,
         measure: &dyn Fn(Lit) -> f64,
     ) -> ErrorBound {
-        let cone = Some((self.cone().falloff(), self.cone().versines()));
-        derived(cone, self.attenuation(), self.intensity(), evaluations, measure)
+        let (falloff, versines) = (self.cone().falloff(), self.cone().versines());
+        let [inner, outer, limit] = versines.map(f64::from);
+        let add_shares = |pass: &Pass, zoom, shares: &mut Shares| {
+            Edge { falloff, inner, outer, limit, stages: pass.stages, zoom }.shares(pass, shares)
+        };
+        derived(&add_shares, self.attenuation(), self.intensity(), evaluations, measure)
     }
 }
 
@@ -471,7 +494,53 @@ impl<A: Attenuation> PointLight<A> {
         let (attenuation, intensity) = (self.attenuation(), self.intensity());
         let fine_within = S::fine_within(0.0, intensity, attenuation.growth());
         let followed = evaluations::<S>(distances, fine_within, 1.0);
-        Ok(derived::<Soft, A>(None, attenuation, intensity, followed, measure))
+        Ok(derived(&everywhere, attenuation, intensity, followed, measure))
+    }
+}
+
+impl<A: Attenuation> MeasuredLight<'_, A> {
+    /// Returns an upper bound of the error of the light compiled for the format `S`, at surfaces
+    /// within these distances from the light.
+    ///
+    /// The exact light is that of the distribution as it is, without what its table differs from a measurement. An error of the
+    /// place on the square moves the intensity by at most the largest slope of the table.
+    ///
+    /// # Errors
+    /// The errors of [`compile`](Self::compile); distances that are not in (0, 1e18], or not in order.
+    pub fn error_bound<S: Scalar>(&self, distances: RangeInclusive<f32>) -> Result<ErrorBound, Error> {
+        self.error_bound_by::<S>(distances, &linear)
+    }
+
+    /// Returns the bound of [`error_bound`](Self::error_bound) in another measure: see
+    /// [`SpotLight::error_bound_by`].
+    ///
+    /// # Errors
+    /// The errors of [`error_bound`](Self::error_bound).
+    pub fn error_bound_by<S: Scalar>(
+        &self,
+        distances: RangeInclusive<f32>,
+        measure: &dyn Fn(Lit) -> f64,
+    ) -> Result<ErrorBound, Error> {
+        let distances = checked::<S>(distances)?;
+        check_reach::<S>(self.position())?;
+        let (attenuation, intensity, distribution) =
+            (self.attenuation(), self.intensity(), self.distribution());
+        let fine_within = S::fine_within(self.coarse_error::<S>(), intensity, attenuation.growth());
+        let (steepness, peak) = (f64::from(distribution.steepness()), distribution.peak());
+        let add_shares = |pass: &Pass, _, shares: &mut Shares| {
+            let placing = S::placing(pass.is_fine);
+            let error = steepness * placing.error(pass.stages.turn, self.sine().into()) + placing.cell;
+            let mut high = f64::from(peak) / f64::from(FULL);
+            for class in 0..CLASSES {
+                let low = if class + 1 < CLASSES { FINER * high } else { 0.0 };
+                let share = Carried::number(pass, [low, high], error);
+                each_cosine(pass, |cosine| shares.add(&cosine.times_value(share)));
+                high = low;
+            }
+            Moved::NONE
+        };
+        let followed = evaluations::<S>(distances, fine_within, 1.0);
+        Ok(derived(&add_shares, attenuation, intensity, followed, measure))
     }
 }
 
@@ -486,9 +555,9 @@ impl DirectionalLight {
     pub fn error_bound_by<S: Scalar>(&self, measure: &dyn Fn(Lit) -> f64) -> ErrorBound {
         let stages = S::stages(1.0);
         let stages = Stages { cosine: stages.incidence, ..stages };
-        let followed = Followed { stages, zoom: 1.0, is_kept: false, distances: [1.0; 2] };
+        let followed = Followed { stages, is_fine: false, zoom: 1.0, is_kept: false, distances: [1.0; 2] };
         let followed = core::iter::once(followed);
-        derived::<Soft, NoAttenuation>(None, NoAttenuation, self.intensity(), followed, measure)
+        derived(&everywhere, NoAttenuation, self.intensity(), followed, measure)
     }
 }
 
@@ -516,6 +585,7 @@ impl AnyLight {
             Self::Directional(light) => Ok(light.error_bound_by::<S>(measure)),
             Self::Point(light) => light.error_bound_by::<S>(distances, measure),
             Self::Spot(light) => light.error_bound_by::<S>(distances, measure),
+            Self::Measured(light) => light.error_bound_by::<S>(distances, measure),
         }
     }
 }
@@ -527,7 +597,7 @@ mod tests {
         angle::{Angle, HalfAngle},
         attenuation::{AnyAttenuation, CutAt, Decay, FilamentRange, InverseSquare, NoAttenuation},
         cone::Cone,
-        falloff::{AnyFalloff, Hard, Power, RealPower, Step},
+        falloff::{AnyFalloff, Hard, Power, RealPower, Soft, Step},
     };
 
     extern crate std;

@@ -63,13 +63,17 @@ use crate::{
     color::Rgb,
     cone::CompiledCone,
     display::{CompiledExposure, Pixel, Ramp},
+    distribution::Distribution,
     draw::Gradient,
     falloff::Falloff,
     haze::BeamScattering,
     material::CompiledMaterial,
     number::{Quick, Scalar},
     projector::{CompiledGobo, CompiledProjection, Gobo, Shadow},
-    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
+    shade::{
+        CompiledDirectionalLight, CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight,
+        QuickSpotLight,
+    },
     source::{Written, call},
     specular::SpecularLobe,
     vec3::Vec3,
@@ -148,6 +152,29 @@ impl<S: Scalar, A: Attenuation> Source for CompiledPointLight<S, A> {
         let Self { position, attenuation, intensity, fine_below, color, specular_color } = *self;
         let colors = [color, specular_color];
         call(out, "from_parts", &[&position, &attenuation, &intensity, &fine_below, &colors])
+    }
+}
+
+impl Source for Distribution<'_> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(
+            out,
+            "Distribution::of(&{:?}, {}, Symmetry::{:?})",
+            self.samples(),
+            self.size(),
+            self.symmetry()
+        )
+    }
+}
+
+impl<S: Scalar, A: Attenuation> Source for CompiledMeasuredLight<'_, S, A> {
+    fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CompiledMeasuredLight::<{}, {}>::", name::<S>(), name::<A>())?;
+        let Self { position, frame, distribution, outside, attenuation, intensity, fine_below, .. } = *self;
+        let colors = [self.color, self.specular_color];
+        let parts: [&dyn Source; 8] =
+            [&position, &frame, &distribution, &outside, &attenuation, &intensity, &fine_below, &colors];
+        call(out, "from_parts", &parts)
     }
 }
 

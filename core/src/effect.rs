@@ -54,6 +54,8 @@ falloffs! { effects; @falloffs [
     Point = "point",
     /// A spotlight.
     Spot = "spot",
+    /// A measured light, which is not round.
+    Measured = "measured",
 ] [
     /// Full intensity up to an inner angle.
     Hotspot = "hotspot",

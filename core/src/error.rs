@@ -65,10 +65,18 @@ pub enum Parameter {
     Sample,
     /// The number of samples, transmissions or depths.
     SampleCount,
+    /// The size of a distribution of intensity: the number of samples along a whole side of its square.
+    DistributionSize,
+    /// A sample of a distribution on the edge of its square.
+    EdgeSample,
     /// The position of a light.
     Position,
-    /// The axis of a spotlight.
+    /// The axis of a spotlight or of a measured light.
     Axis,
+    /// The direction of the side of a measured light.
+    SideDirection,
+    /// The angle between the axis and the side of a measured light, in degrees.
+    SideAngle,
     /// The intensity of a light; of a spotlight, the intensity on the axis.
     Intensity,
     /// The linear colour of a light or of a material.
@@ -149,6 +157,8 @@ pub enum Expected {
     RangeBetween(f32, f32),
     /// An integer in this closed interval.
     WholeBetween(u32, u32),
+    /// A power of two and one, in this closed interval.
+    PowerAndOne(u32, u32),
     /// A number of pixels in whole rows of this width.
     RowsOf(u32),
     /// A vector of finite components whose length is neither zero nor too large or small to be
@@ -176,8 +186,12 @@ impl fmt::Display for Parameter {
             Self::NarrowRatio => "ratio of the narrow falloff",
             Self::Sample => "sample",
             Self::SampleCount => "number of samples",
+            Self::DistributionSize => "size of the distribution",
+            Self::EdgeSample => "sample on the edge",
             Self::Position => "position",
             Self::Axis => "axis",
+            Self::SideDirection => "side",
+            Self::SideAngle => "angle between axis and side",
             Self::Intensity => "intensity",
             Self::Color => "color",
             Self::ColorCount => "number of colors",
@@ -213,7 +227,8 @@ impl Parameter {
     /// Returns the unit of the limits, where the name does not tell it.
     fn unit(self) -> &'static str {
         match self {
-            Self::Roll => " degrees",
+            Self::Roll | Self::SideAngle => " degrees",
+            Self::EdgeSample => ", the sample of the same direction on the other half of this edge",
             Self::ColorTemperature => " K",
             _ => "",
         }
@@ -245,6 +260,9 @@ impl Expected {
             | Self::Component(_, least, most)
             | Self::RangeBetween(least, most) => (least..=most).contains(&value),
             Self::WholeBetween(least, most) => (least as f32..=most as f32).contains(&value),
+            Self::PowerAndOne(least, most) => {
+                (least as f32..=most as f32).contains(&value) && (value as u32 - 1).is_power_of_two()
+            }
             Self::Exactly(only) => value == only,
             Self::RowsOf(width) => width != 0 && value as u32 % width == 0,
             Self::Direction => false,
@@ -307,6 +325,7 @@ impl fmt::Display for Expected {
                 write!(f, "a distance from {least} to {most}, or an attenuation without a range")
             }
             Self::WholeBetween(least, most) => write!(f, "a whole number from {least} to {most}"),
+            Self::PowerAndOne(least, most) => write!(f, "a power of two and one, from {least} to {most}"),
             Self::RowsOf(width) => write!(f, "whole rows, a multiple of the width {width}"),
             Self::Direction => f.write_str("finite components and a length between 1e-18 and 1e18"),
         }
@@ -317,8 +336,13 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { parameter, value, accepted } = *self;
         write!(f, "{parameter} = ")?;
-        let counts =
-            matches!(accepted, Expected::WholeBetween(..) | Expected::RowsOf(_) | Expected::Exactly(_));
+        let counts = matches!(
+            accepted,
+            Expected::WholeBetween(..)
+                | Expected::PowerAndOne(..)
+                | Expected::RowsOf(_)
+                | Expected::Exactly(_)
+        );
         if counts && (1.0..1e18).contains(&value) && value as u64 as f32 == value {
             write!(f, "{}", value as u64)?;
         } else {

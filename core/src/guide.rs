@@ -30,6 +30,7 @@
 //! | `moving_light` | a light that follows a target, zooms and fades, in integers |
 //! | `beacon` | a lighthouse: a direction in integers, tiles that no light reaches, materials that shine |
 //! | `lighting_desk` | cones from the channels of a lighting desk, designed in integers |
+//! | `street_light` | a light that is not round, by a table over all directions: turned and tilted in integers |
 //! | `paper` | a normal map on electronic paper of four greys |
 //! | `leds` | the bytes of four families of LEDs, and the hue that dim light keeps |
 //! | `embedded_graphics` | a display of `embedded-graphics`, with `--features embedded-graphics-core04` |

@@ -176,7 +176,7 @@
 //! | `arithmetic` | the arithmetic of the number formats, for tests and cost measurements: may change in any version |
 
 // Modules, lowest first: `error`, `search`, `source`, `stored`, `model`, `models`, `trig`, `vec3`, `angle`, `effect`,
-// `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `points`, `interop`, `shade`,
+// `distribution`, `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `points`, `interop`, `shade`,
 // `haze`, `material`, `row`, `draw`, `light`, `any_light`, `bound`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
 
@@ -201,6 +201,7 @@ pub mod bound;
 pub mod codegen;
 mod color;
 pub mod display;
+mod distribution;
 pub mod draw;
 pub mod dynamic;
 mod effect;
@@ -234,7 +235,7 @@ pub use cone::Cone;
 #[doc(inline)]
 pub use error::Error;
 #[doc(inline)]
-pub use light::{AmbientLight, DirectionalLight, PointLight, SpotLight};
+pub use light::{AmbientLight, DirectionalLight, MeasuredLight, PointLight, SpotLight};
 pub use material::Material;
 #[doc(inline)]
 pub use number::Scalar;

@@ -6,8 +6,8 @@
 /// Implements the colours and the intensity of a described light, which are in its field `emission`. `$full` ends the
 /// sentence "An intensity of 1 lights a surface that faces the".
 macro_rules! emits {
-    ($light:ty, $full:literal $(, $parameter:ident: $bound:ident)*) => {
-        impl<$($parameter: $bound),*> $light {
+    ($light:ty, $full:literal $(, $lifetime:lifetime)? $(, $parameter:ident: $bound:ident)*) => {
+        impl<$($lifetime,)? $($parameter: $bound),*> $light {
             /// Returns the light with this linear colour, also for highlights.
             ///
             /// # Errors
@@ -68,17 +68,23 @@ mod ambient;
 mod directional;
 #[cfg(feature = "fixed")]
 mod integer;
+mod measured;
 mod point;
 mod spot;
 
-pub use self::{ambient::AmbientLight, directional::DirectionalLight, point::PointLight, spot::SpotLight};
+pub use self::{
+    ambient::AmbientLight, directional::DirectionalLight, measured::MeasuredLight, point::PointLight,
+    spot::SpotLight,
+};
 pub use crate::{
     cone::CompiledCone,
+    distribution::{Distribution, Symmetry},
     material::CompiledMaterial,
     points::{AlongX, Points, SurfacePoint, SurfacePoints},
     row::{Block, Row},
     shade::{
-        CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel, QuickSpotLight,
+        CompiledDirectionalLight, CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight, Incident,
+        LightModel, QuickSpotLight,
     },
 };
 

@@ -1,6 +1,7 @@
 //! Shading of one surface point by one compiled light.
 
 mod directional;
+mod measured;
 mod point;
 mod quick;
 mod spot;
@@ -9,16 +10,17 @@ mod spot;
 mod change;
 
 pub use self::{
-    directional::CompiledDirectionalLight, point::CompiledPointLight, quick::QuickSpotLight,
-    spot::CompiledSpotLight,
+    directional::CompiledDirectionalLight, measured::CompiledMeasuredLight, point::CompiledPointLight,
+    quick::QuickSpotLight, spot::CompiledSpotLight,
 };
 
 use crate::{
     attenuation::Attenuation,
     color::Rgb,
     cone::CompiledCone,
+    distribution::Distribution,
     falloff::{CompiledFalloff, Falloff, Hard, Soft, Square},
-    number::{Fraction, Lamp, Offset, Ray, Scalar, Share, Vectors},
+    number::{Directed, Fraction, Lamp, Offset, Ray, Scalar, Share, Vectors},
     points::{Points, SurfacePoint, SurfacePoints},
     specular::{NoSpecular, SpecularLobe},
     vec3::{Vec3, nth},
@@ -315,17 +317,45 @@ fn reaches<S: Scalar>(
     tip.is_none_or(|tip| !S::Offset::between(tip, center).is_center_outside(axis, outside))
 }
 
+/// What a light emits in a direction, as a share of its intensity.
+trait Angular<S: Scalar>: Copy {
+    /// Returns the share along a ray; `None` for a light that emits the same in all directions.
+    fn along<R: Directed<S>>(self, ray: &R) -> Option<R::Share>;
+}
+
+impl<S: Scalar> Angular<S> for () {
+    #[inline(always)]
+    fn along<R: Directed<S>>(self, _: &R) -> Option<R::Share> {
+        None
+    }
+}
+
 /// A compiled cone and its axis.
-type Aimed<'a, S, P> = (&'a CompiledCone<S, P>, Vec3<<S as Scalar>::Unit>);
+impl<S: Scalar, P: Falloff> Angular<S> for (&CompiledCone<S, P>, Vec3<S::Unit>) {
+    #[inline(always)]
+    fn along<R: Directed<S>>(self, ray: &R) -> Option<R::Share> {
+        let (cone, axis) = self;
+        Some(cone.at_ray(ray, axis))
+    }
+}
+
+/// The frame of a measured light and its distribution.
+impl<S: Scalar> Angular<S> for (&[Vec3<S::Unit>; 3], Distribution<'_>) {
+    #[inline(always)]
+    fn along<R: Directed<S>>(self, ray: &R) -> Option<R::Share> {
+        let (frame, distribution) = self;
+        Some(ray.distributed(frame, distribution))
+    }
+}
 
 /// Returns the light at a point near a bright light, or in a steep cone, by the fine evaluation.
 ///
 /// Where the coarse evaluation shows that the light is clipped to full scale in any case, its light
-/// is returned. `cone` is `None` for a light without a cone.
+/// is returned.
 #[inline(always)]
-fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
+fn evaluate_finely<S: Scalar, B: Angular<S>, A: Attenuation, H: SpecularLobe>(
     (attenuation, intensity, fine_below): (&A::Constants<S>, S::Gain, u32),
-    cone: Option<Aimed<'_, S, P>>,
+    angular: B,
     (offset, facing): (&S::Offset, <S::Offset as Offset<S>>::Facing),
     (normal, view): (Vec3<S>, Vec3<S::Unit>),
     highlight: &H::Constants<S>,
@@ -337,7 +367,7 @@ fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
         let cosine = ray.cosine(facing, normal);
         lobe = self::lobe::<S, H>(highlight, (normal, view), ray.direction(), cosine.value().scalar());
         let (shares, light) =
-            along_ray::<S, P, A, H, _>((attenuation, intensity), cone, (offset, &ray), cosine, lobe);
+            along_ray::<S, B, A, H, _>((attenuation, intensity), angular, (offset, &ray), cosine, lobe);
         let is_enough = |share, light| {
             !is_always_fine && S::is_clipped(A::windowed(attenuation, offset, &ray, share).scalar(), light)
         };
@@ -354,7 +384,8 @@ fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
     // larger error than a finer direction would remove.
     let ray = S::fine_ray(offset);
     let cosine = ray.cosine(facing, normal);
-    let (_, fine) = along_ray::<S, P, A, H, _>((attenuation, intensity), cone, (offset, &ray), cosine, lobe);
+    let (_, fine) =
+        along_ray::<S, B, A, H, _>((attenuation, intensity), angular, (offset, &ray), cosine, lobe);
     let [keeps_diffuse, keeps_specular] = keeps;
     Incident {
         diffuse: if keeps_diffuse { coarse.diffuse } else { fine.diffuse },
@@ -364,15 +395,15 @@ fn evaluate_finely<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe>(
 
 /// Returns the light along a ray: as shares of the intensity, and as irradiances.
 #[inline(always)] // `lit-table` on Cortex-M0: +29 instructions without.
-fn along_ray<S: Scalar, P: Falloff, A: Attenuation, H: SpecularLobe, R: Ray<S>>(
+fn along_ray<S: Scalar, B: Angular<S>, A: Attenuation, H: SpecularLobe, R: Directed<S>>(
     (attenuation, intensity): (&A::Constants<S>, S::Gain),
-    cone: Option<Aimed<'_, S, P>>,
+    angular: B,
     (offset, ray): (&S::Offset, &R),
     cosine: R::Fraction,
     lobe: S,
 ) -> (Incident<R::Share>, Incident<S::Irradiance>) {
     let light = |share| A::light(attenuation, offset, ray, share, intensity);
-    let falloff = cone.map(|(cone, axis)| cone.at_ray(ray, axis));
+    let falloff = angular.along(ray);
     let share = falloff.map_or(cosine.value(), |falloff| cosine.times_value(falloff));
     let diffuse = Incident { diffuse: share, specular: R::Share::default() };
     let lit = Incident { diffuse: light(share), specular: S::Irradiance::default() };

@@ -1,8 +1,9 @@
 //! A light that was read.
 
+use glam::{DQuat, DVec3};
 use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
-use luminaire::{DirectionalLight, PointLight, SpotLight};
+use luminaire::{DirectionalLight, MeasuredLight, PointLight, SpotLight, Vec3};
 use luminaire_export::json::NamedAmbient;
 
 use crate::curve::Curve;
@@ -103,6 +104,7 @@ impl Lamp {
         match &self.light {
             AnyLight::Spot(spot) => Some(spot.attenuation()),
             AnyLight::Point(point) => Some(point.attenuation()),
+            AnyLight::Measured(light) => Some(light.attenuation()),
             AnyLight::Directional(_) => None,
         }
     }
@@ -199,6 +201,17 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
             let axis = place.axis.map_or(spot.given_axis(), Into::into);
             SpotLight::new(position, axis, spot.cone())?.with_attenuation(spot.attenuation()).into()
         }
+        AnyLight::Measured(light) => {
+            let position = place.position.map_or(light.position(), Into::into);
+            let [own, side] = [light.given_axis(), light.given_side()].map(double);
+            let axis = place.axis.map_or(own, |axis| double(axis.into()));
+            // The side turns with the axis.
+            let turn = DQuat::from_rotation_arc(own.normalize(), axis.normalize_or(own.normalize()));
+            let [axis, side] = [axis, turn * side].map(|v| v.as_vec3().to_array());
+            MeasuredLight::new(position, axis, side, light.distribution())?
+                .with_attenuation(light.attenuation())
+                .into()
+        }
         AnyLight::Point(point) => {
             let position = place.position.map_or(point.position(), Into::into);
             PointLight::new(position)?.with_attenuation(point.attenuation()).into()
@@ -209,6 +222,10 @@ pub fn placed(light: AnyLight, place: Place) -> Result<AnyLight, Refusal> {
     };
     let moved = moved.with_color(light.color())?.with_specular_color(light.specular_color())?;
     Ok(moved.with_intensity(intensity)?)
+}
+
+fn double(v: Vec3<f32>) -> DVec3 {
+    DVec3::from(<[f32; 3]>::from(v).map(f64::from))
 }
 
 /// The lights of one input.

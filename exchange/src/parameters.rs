@@ -56,6 +56,7 @@ impl Parameters {
         let (position, axis) = match &lamp.light {
             AnyLight::Spot(spot) => (Some(spot.position()), Some(spot.given_axis())),
             AnyLight::Point(point) => (Some(point.position()), None),
+            AnyLight::Measured(light) => (Some(light.position()), Some(light.given_axis())),
             AnyLight::Directional(sun) => (None, Some(sun.given_direction())),
         };
         let mut text = format!("# system: {}\n# name: {}\n", self.tool, printable(&lamp.name));
@@ -173,13 +174,20 @@ impl<'a> Target<'a> {
 /// Returns the parameters of a light in a tool.
 ///
 /// # Errors
-/// A system without parameters to write, a cone that is narrower than a search finds, or a throw at
+/// A system without parameters to write, a measured light, a cone that is narrower than a search finds, or a throw at
 /// which the light has ended.
 pub fn parameters(lamp: &Lamp, tool: System, usage: Use) -> Result<Parameters, Refusal> {
     let writer = tool.writer().ok_or_else(|| {
         let names: Vec<_> = System::writable().map(System::name).collect();
         Refusal::new("tool", tool, format_args!("one of {}", names.join(", ")))
     })?;
+    if let AnyLight::Measured(_) = lamp.light {
+        let expected = format_args!(
+            "a light that is round: {tool} has no parameters of a distribution over all directions; \
+             `--round` takes the mean of the planes"
+        );
+        return Err(Refusal::new("light", "measured", expected));
+    }
     let notes = writer.notes(usage);
     let Some(attenuation) = lamp.attenuation() else {
         let values = writer.sun(lamp.light.intensity().into(), usage);

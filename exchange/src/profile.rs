@@ -74,6 +74,7 @@ impl<'a> Profiles<'a> {
         let position = match &own.light {
             AnyLight::Spot(spot) => spot.position(),
             AnyLight::Point(point) => point.position(),
+            AnyLight::Measured(light) => light.position(),
             AnyLight::Directional(_) => {
                 return Err(Refusal::new("light", "directional", "a light with a place"));
             }

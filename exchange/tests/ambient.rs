@@ -133,7 +133,7 @@ fn ambient_light_is_given_by_numbers_and_in_documents() {
         (document.replace("[0.1,", "[1.1,"), "lights[0]: color = 1.1: expected"),
         (
             document.replace("\"ambient\"", "\"glow\""),
-            "lights[0]: kind = glow: expected spot, point, directional or ambient",
+            "lights[0]: kind = glow: expected spot, measured, point, directional or ambient",
         ),
     ] {
         let refused = json::read(&wrong).expect_err(told).to_string();

@@ -23,6 +23,7 @@ fn with(light: AnyLight, attenuation: impl Into<AnyAttenuation>) -> AnyLight {
     match light {
         AnyLight::Spot(spot) => spot.with_attenuation(attenuation.into()).into(),
         AnyLight::Point(point) => point.with_attenuation(attenuation.into()).into(),
+        AnyLight::Measured(light) => light.with_attenuation(attenuation.into()).into(),
         sun @ AnyLight::Directional(_) => sun,
     }
 }
@@ -80,6 +81,7 @@ fn lit(light: &AnyLight, degrees: f64, distance: Option<f64>) -> f64 {
     let (angle, attenuation) = match light {
         AnyLight::Spot(spot) => (share(&spot.cone(), degrees), spot.attenuation()),
         AnyLight::Point(point) => (1.0, point.attenuation()),
+        AnyLight::Measured(_) => unreachable!("no tool has one"),
         AnyLight::Directional(sun) => return sun.intensity().into(),
     };
     f64::from(light.intensity()) * angle * distance.map_or(1.0, |distance| attenuation.exact(distance))
@@ -276,6 +278,7 @@ fn place(light: &AnyLight) -> [Option<Vec3<f32>>; 2] {
     match light {
         AnyLight::Spot(spot) => [Some(spot.position()), Some(spot.axis())],
         AnyLight::Point(point) => [Some(point.position()), None],
+        AnyLight::Measured(light) => [Some(light.position()), Some(light.frame()[2])],
         AnyLight::Directional(sun) => [None, Some(sun.direction())],
     }
 }

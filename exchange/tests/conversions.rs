@@ -111,6 +111,7 @@ fn irradiance(light: &AnyLight, angle: f64, distance: f64) -> f64 {
             intensity * share(&spot.cone(), angle.to_degrees()) * spot.attenuation().exact(distance)
         }
         AnyLight::Point(point) => intensity * point.attenuation().exact(distance),
+        AnyLight::Measured(_) => unreachable!("no tool has one"),
         AnyLight::Directional(_) => intensity,
     }
 }
@@ -126,7 +127,7 @@ fn check(rng: &mut Rng, tool: &str, lamp: &Lamp, formula: &dyn Fn(f64, f64) -> f
     let range = match &lamp.light {
         AnyLight::Spot(spot) => spot.attenuation().range(),
         AnyLight::Point(point) => point.attenuation().range(),
-        AnyLight::Directional(_) => None,
+        AnyLight::Measured(_) | AnyLight::Directional(_) => None,
     };
     let range = f64::from(range.unwrap_or(16.0));
     // Over the distance a difference is the largest at the nearest distance that it compares, and no more is stated.

@@ -14,7 +14,7 @@ use luminaire::{Fx16, Fx32, Length, Rgb, SpotLight, Vec3};
 
 use self::formula::{Precision, gain_of};
 pub(crate) use self::scene::scene;
-use crate::error::ExportError;
+use crate::error::{ExportError, no_table};
 use crate::head::{guarded, head};
 use crate::name::global;
 use crate::trace::Trace;
@@ -66,6 +66,7 @@ impl Compiled {
                 law: point.attenuation(),
                 weights: None,
             }),
+            AnyLight::Measured(_) => return Err(no_table("C")),
             AnyLight::Directional(sun) => {
                 let (direction, intensity) = sun.compile::<Fx16>().parts();
                 let (direction, color) = (list(direction.map(Fx32::to_bits)), steps(sun.color()));

@@ -5,7 +5,10 @@ use std::fmt;
 use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula, Soft};
-use luminaire::{AmbientLight, Angle, Cone, DirectionalLight, PointLight, Rgb, SpotLight, Vec3};
+use luminaire::light::{Distribution, Symmetry};
+use luminaire::{
+    AmbientLight, Angle, Cone, DirectionalLight, MeasuredLight, PointLight, Rgb, SpotLight, Vec3,
+};
 use serde::de::{Deserializer, Error as _, IgnoredAny, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, value::RawValue};
@@ -114,18 +117,30 @@ object! {
         name: String,
         kind: String,
         position: [f32; 3],
-        /// The axis of a spotlight, or the direction of a directional light.
+        /// The axis of a spotlight or of a measured light, or the direction of a directional light.
         axis: [f32; 3],
         color: [f32; 3],
         specular_color: [f32; 3],
         intensity: f32,
+        /// The direction of the side of a measured light: the plane C0 of photometry.
+        side: [f32; 3],
         cone: Shape,
+        distribution: Samples,
         #[serde(deserialize_with = "short")]
         attenuation: Map<String, Value>,
         near: f32,
         far: f32,
         #[serde(deserialize_with = "skipped")]
         about: Value,
+    }
+}
+
+object! {
+    /// A distribution of intensity over all directions: a table on an unfolded octahedron.
+    Samples {
+        size: u32,
+        symmetry: String,
+        samples: Vec<u16>,
     }
 }
 
@@ -238,6 +253,18 @@ fn described(NamedLight { name, light, surfaces, about }: &NamedLight) -> Light 
             described.position = Some(point.position().into());
             described.attenuation = Some(law(&point.attenuation()));
         }
+        AnyLight::Measured(light) => {
+            let distribution = light.distribution();
+            described.position = Some(light.position().into());
+            described.axis = Some(light.given_axis().into());
+            described.side = Some(light.given_side().into());
+            described.distribution = Some(Samples {
+                size: Some(distribution.size()),
+                symmetry: Some(symmetry(distribution.symmetry()).to_owned()),
+                samples: Some(distribution.samples().to_vec()),
+            });
+            described.attenuation = Some(law(&light.attenuation()));
+        }
         AnyLight::Directional(directional) => described.axis = Some(directional.given_direction().into()),
     }
     described
@@ -258,10 +285,23 @@ fn law(attenuation: &AnyAttenuation) -> Map<String, Value> {
 /// The kind of ambient light.
 pub const AMBIENT: &str = "ambient";
 
-/// Returns the kind of a light: `spot`, `point` or `directional`.
+/// The symmetries of distributions.
+const SYMMETRIES: [Symmetry; 3] = [Symmetry::None, Symmetry::Bilateral, Symmetry::Quadrant];
+
+/// Returns the name of a symmetry: `none`, `bilateral` or `quadrant`.
+pub fn symmetry(symmetry: Symmetry) -> &'static str {
+    match symmetry {
+        Symmetry::None => "none",
+        Symmetry::Bilateral => "bilateral",
+        Symmetry::Quadrant => "quadrant",
+    }
+}
+
+/// Returns the kind of a light: `spot`, `measured`, `point` or `directional`.
 pub fn kind(light: &AnyLight) -> &'static str {
     match light {
         AnyLight::Spot(_) => "spot",
+        AnyLight::Measured(_) => "measured",
         AnyLight::Point(_) => "point",
         AnyLight::Directional(_) => "directional",
     }
@@ -313,7 +353,7 @@ fn profile(falloff: AnyFalloff) -> Profile {
 /// Returns the lights of a document, each of the two lists in its order.
 ///
 /// A cone is read from its versines, which are exact, and without them from its angles. Angles beside
-/// versines must agree with these. A table lives as long as the program.
+/// versines must agree with these. A table and a distribution live as long as the program.
 ///
 /// # Errors
 /// Text that is not a document of this format, with its line, or a value that the constructors of
@@ -372,13 +412,31 @@ fn named(described: &Light) -> Result<NamedLight, ExportError> {
             let shape = described.cone.as_ref().ok_or_else(none)?;
             SpotLight::new(position, axis, cone(shape)?)?.with_attenuation(attenuation?).into()
         }
+        "measured" => {
+            let none = || ExportError::new("distribution", "none", "the distribution of a measured light");
+            let samples = described.distribution.as_ref().ok_or_else(none)?;
+            let side = described.side.unwrap_or([1.0, 0.0, 0.0]);
+            MeasuredLight::new(position, axis, side, distribution(samples)?)?
+                .with_attenuation(attenuation?)
+                .into()
+        }
         "point" => PointLight::new(position)?.with_attenuation(attenuation?).into(),
         "directional" => DirectionalLight::new(axis)?.into(),
-        kind => return Err(ExportError::new("kind", kind, "spot, point, directional or ambient")),
+        kind => return Err(ExportError::new("kind", kind, "spot, measured, point, directional or ambient")),
     };
     let light = light.with_color(color)?.with_specular_color(specular)?.with_intensity(intensity)?;
     let name = described.name.clone().unwrap_or_else(|| "light".to_owned());
     Ok(NamedLight { name, light, surfaces, about: None })
+}
+
+fn distribution(described: &Samples) -> Result<Distribution<'static>, ExportError> {
+    let name = described.symmetry.as_deref().unwrap_or("none");
+    let symmetry = SYMMETRIES.into_iter().find(|own| symmetry(*own) == name);
+    let symmetry =
+        symmetry.ok_or_else(|| ExportError::new("symmetry", name, "none, bilateral or quadrant"))?;
+    let (samples, size) = (described.samples.as_deref().unwrap_or(&[]), described.size.unwrap_or(65));
+    Distribution::new(samples, size, symmetry)?;
+    Ok(Distribution::new(samples.to_vec().leak(), size, symmetry)?)
 }
 
 fn cone(shape: &Shape) -> Result<Cone<AnyFalloff>, ExportError> {

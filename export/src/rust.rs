@@ -8,8 +8,9 @@ use luminaire::attenuation::{AnyAttenuation, Attenuation, WithAttenuation};
 use luminaire::codegen::{Parts, Source, as_source, name};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Formula, WithFalloff, with_falloff};
+use luminaire::light::Distribution;
 use luminaire::number::Quick;
-use luminaire::{Fx16, Scalar, SpotLight};
+use luminaire::{Fx16, MeasuredLight, Scalar, SpotLight};
 
 use crate::error::ExportError;
 use crate::head::head;
@@ -36,6 +37,7 @@ pub fn constant<S: Scalar>(light: &AnyLight) -> Result<Constant, ExportError> {
             let (attenuation, falloff) = (spot.attenuation(), spot.cone().falloff());
             placed("CompiledSpotLight", light, &spot.compile::<S>()?.parts(), attenuation, Some(falloff))
         }
+        AnyLight::Measured(light) => measured::<S>(light)?,
         AnyLight::Point(point) => {
             placed("CompiledPointLight", light, &point.compile::<S>()?.parts(), point.attenuation(), None)
         }
@@ -219,6 +221,32 @@ fn placed<S: Scalar>(
     let colors = [light.color(), light.specular_color()].map(|color| color.map(S::from_f32));
     arguments.push(expression(&colors));
     Constant { type_name, value: as_source(&Text(call(&function, &arguments))).to_string() }
+}
+
+/// Returns a measured light, of a concrete attenuation.
+fn measured<S: Scalar>(light: &MeasuredLight<'static, AnyAttenuation>) -> Result<Constant, ExportError> {
+    let (compiled, format) = (light.compile::<S>()?, name::<S>());
+    let [law, constants] = light.attenuation().with(AttenuationSource(PhantomData::<S>));
+    let parts = compiled.parts();
+    let colors = [compiled.color(), compiled.specular_color()];
+    let arguments = [
+        expression(&parts.position),
+        expression(&compiled.frame()),
+        distribution(light.distribution()),
+        expression(&compiled.outside()),
+        constants,
+        expression(&parts.intensity),
+        expression(&parts.fine_below),
+        expression(&colors),
+    ];
+    let function = format!("CompiledMeasuredLight::<{format}, {law}>::from_parts");
+    let value = as_source(&Text(call(&function, &arguments))).to_string();
+    Ok(Constant { type_name: format!("CompiledMeasuredLight<'static, {format}, {law}>"), value })
+}
+
+/// Returns a distribution as an expression, with the samples on one line.
+pub(crate) fn distribution(distribution: Distribution<'_>) -> String {
+    fmt::from_fn(|out| distribution.write(out)).to_string().replace('\n', "")
 }
 
 /// Returns a call of a function, with one argument per line.

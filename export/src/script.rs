@@ -8,7 +8,7 @@ use luminaire::{Angle, Cone, Fx16, Rgb};
 use crate::error::ExportError;
 use crate::head::head;
 use crate::item::Item;
-use crate::rust::{falloff_source, structure};
+use crate::rust::{distribution, falloff_source, structure};
 use crate::scene::Together;
 
 /// The parts of a script that depend on the kind of a light.
@@ -68,7 +68,7 @@ pub(crate) fn joined(items: &[Item<'_>], together: Option<&Together<'_>>) -> Str
     let [structure, scene] = together.map(scene).unwrap_or_default();
     format!(
         r#"#[allow(unused_imports, reason = "not every light names a type of each module")]
-use luminaire::{{attenuation::*, codegen::*, falloff::*, *}};
+use luminaire::{{attenuation::*, codegen::*, falloff::*, light::*, *}};
 
 {functions}{structure}
 fn main() -> Result<(), Box<dyn std::error::Error>> {{
@@ -121,7 +121,10 @@ fn scene(together: &Together<'_>) -> [String; 2] {
 /// Returns the type of a compiled light in `Fx16`, of that of a light.
 fn compiled(kind: &str) -> String {
     match kind.split_once('<') {
-        Some((kind, models)) => format!("Compiled{kind}<Fx16, {models}"),
+        Some((kind, models)) => match models.strip_prefix("'static, ") {
+            Some(models) => format!("Compiled{kind}<'static, Fx16, {models}"),
+            None => format!("Compiled{kind}<Fx16, {models}"),
+        },
         None => format!("Compiled{kind}<Fx16>"),
     }
 }
@@ -135,6 +138,15 @@ fn parts(light: &AnyLight) -> Parts {
             let new = format!("SpotLight::new({position:?}, {axis:?}, cone)?");
             let calls = [new].into_iter().chain(call).collect();
             Parts { kind: format!("SpotLight<{falloff}, {law}>"), cone, calls }
+        }
+        AnyLight::Measured(light) => {
+            let (law, call) = attenuation(light.attenuation());
+            let [position, axis, side] =
+                [light.position(), light.given_axis(), light.given_side()].map(<[f32; 3]>::from);
+            let distribution = distribution(light.distribution());
+            let new = format!("MeasuredLight::new({position:?}, {axis:?}, {side:?}, {distribution})?");
+            let calls = [new].into_iter().chain(call).collect();
+            Parts { kind: format!("MeasuredLight<'static, {law}>"), cone: String::new(), calls }
         }
         AnyLight::Point(point) => {
             let (law, call) = attenuation(point.attenuation());

@@ -90,6 +90,7 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> (Vec<Answer>, usize) {
             let at = |place| (light.irradiance(words(place).1).to_bits(), None);
             (places.iter().map(at).collect(), 0)
         }
+        AnyLight::Measured(_) => unreachable!("not exported"),
     }
 }
 
@@ -100,6 +101,7 @@ fn places(rng: &mut Rng, light: &AnyLight, count: usize) -> Vec<Place> {
         AnyLight::Spot(spot) => spot.position(),
         AnyLight::Point(point) => point.position(),
         AnyLight::Directional(_) => Vec3::default(),
+        AnyLight::Measured(_) => unreachable!("not exported"),
     };
     let position: [i32; 3] = position.map(|c| Length::from_f32(c).to_bits()).into();
     let place = |index| {

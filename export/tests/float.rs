@@ -95,6 +95,7 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> Vec<[f32; 2]> {
             let light = point.compile::<f32>().expect("a light");
             at(&|point, normal| [light.irradiance(point, normal), 0.0])
         }
+        AnyLight::Measured(_) => unreachable!("not exported"),
         AnyLight::Directional(sun) => {
             let light = sun.compile::<f32>();
             at(&|_, normal| [light.irradiance(normal), 0.0])
@@ -133,6 +134,7 @@ fn program(lights: &[AnyLight]) -> (tempfile::TempDir, std::path::PathBuf) {
         let (irradiance, falloff) = match light {
             AnyLight::Spot(_) => ("(w, w + 3)", format!("light{index}_falloff(w)")),
             AnyLight::Point(_) => ("(w, w + 3)", "0.0f".to_owned()),
+            AnyLight::Measured(_) => unreachable!("not exported"),
             AnyLight::Directional(_) => ("(w + 3)", "0.0f".to_owned()),
         };
         let _ = writeln!(

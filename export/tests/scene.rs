@@ -146,6 +146,7 @@ fn in_rust(room: &Room) -> String {
              scene.light_0 = scene.light_0.aimed_along(point).unwrap_or(scene.light_0);"
         }
         Some(AnyLight::Point(_)) => "scene.light_0 = scene.light_0.moved_to(point);",
+        Some(AnyLight::Measured(_)) => unreachable!("no table in C"),
         None => "",
     };
     format!(

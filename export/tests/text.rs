@@ -7,9 +7,10 @@ use luminaire::attenuation::{FilamentRange, InverseSquare, SmoothRange};
 use luminaire::codegen::as_source;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{Cubic, Falloff, Formula, Hard, Power, Smooth, Table};
-use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, PointLight, Rgb, SpotLight, Vec3};
+use luminaire::light::{Distribution, Symmetry};
+use luminaire::{Angle, Cone, DirectionalLight, Fx16, Fx32, MeasuredLight, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::rust::{constant, quick_constant};
-use luminaire_export::{C_HEADERS, Language, check_text, export};
+use luminaire_export::{C_HEADERS, Language, check_text, export, json};
 use luminaire_oracle::{DVec3, versine_between};
 use serde_json::Value;
 
@@ -279,6 +280,56 @@ fn the_build_scripts_of_drawn_lights_compile() -> Result<(), Box<dyn std::error:
         file += &format!("pub mod light{index} {{\n{text}}}\n");
     }
     compile_rust(&file, "lib", &tempfile::tempdir()?.path().join("scripts"))
+}
+
+/// A light that is not round is written as JSON, as constants of concrete types and as a build script, with the same bits,
+/// and refused with what takes it by a language without its table.
+#[test]
+fn measured_lights_are_written_where_their_table_is() -> Result<(), Box<dyn std::error::Error>> {
+    let samples: &[u16] = &[65_535, 3, 40_000, 0, 7, 9, 1, 40_000, 0, 7, 65_535, 3, 1, 3, 65_535];
+    let distribution = Distribution::new(samples, 5, Symmetry::Bilateral)?;
+    let light = MeasuredLight::new([1.0, 2.0, 3.0], [0.3, -1.0, 0.5], [0.9, 0.1, 0.1], distribution)?
+        .with_color(Rgb::new(1.0, 0.5, 0.25))?
+        .with_intensity(16.0)?
+        .with_attenuation(FilamentRange::new(InverseSquare, Some(9.0))?);
+    let text = export(light, "street", Language::Json)?;
+    let read = json::read(&text)?;
+    assert_eq!(read.lights[0].light, light.into());
+    for (part, wrong, told) in [
+        ("\"size\": 5", "\"size\": 6", "size of the distribution = 6: expected a power of two and one"),
+        (
+            "1, 3, 65535",
+            "1, 4, 65535",
+            "sample on the edge = 3: expected 4, the sample of the same direction",
+        ),
+        ("bilateral", "lateral", "symmetry = lateral: expected none, bilateral or quadrant"),
+        ("\"side\": [", "\"side\": [0, 0, 0], \"near\": [", ""),
+        ("40000", "-1", ""),
+    ] {
+        let refusal = json::read(&text.replacen(part, wrong, 1)).expect_err(wrong).to_string();
+        assert!(refusal.contains(told), "{refusal}");
+    }
+    let fine = constant::<Fx32>(&light.into())?;
+    assert_eq!(fine.type_name, "CompiledMeasuredLight<'static, Fx32, Windowed<InverseSquare>>");
+    let close = |text: &str| text.split_whitespace().collect::<String>().replace(",]", "]");
+    assert_eq!(close(&fine.value), close(&as_source(&light.compile::<Fx32>()?).to_string()));
+    let script = export(light, "street", Language::RustBuild)?;
+    let module = export(light, "street", Language::RustFixed16)?;
+    let file = format!(
+        "mod script {{\n{script}}}\n{}\nfn main() {{\n    let light = script::street().unwrap();\n    \
+         assert_eq!(light.compile::<luminaire::Fx16>().unwrap(), street16::LIGHT);\n}}\n",
+        module.replace("pub mod street", "pub mod street16")
+    );
+    let folder = tempfile::tempdir()?;
+    let program = folder.path().join("street");
+    compile_rust(&file, "bin", &program)?;
+    assert!(std::process::Command::new(program).status()?.success(), "{file}");
+    use Language::{CFixed, CFloat, Glsl, GlslUniforms, RustProgram, Wgsl};
+    for language in [Glsl, GlslUniforms, Wgsl, CFloat, CFixed, RustProgram] {
+        let refusal = export(light, "street", language).expect_err("no table").to_string();
+        assert!(refusal.starts_with("light = measured: expected a spotlight"), "{language:?}: {refusal}");
+    }
+    Ok(())
 }
 
 /// The programs of lights of each falloff and each attenuation compile, and one of two angles,

@@ -5,11 +5,14 @@ use super::scene;
 use super::words::Words;
 use core::array;
 use luminaire::{
-    DirectionalLight, Fx16, PointLight, Vec3,
+    DirectionalLight, Fx16, MeasuredLight, PointLight, Vec3,
     dynamic::AnyLight,
-    light::{LightModel, SurfacePoint},
+    light::{Distribution, LightModel, SurfacePoint, Symmetry},
     specular::NoSpecular,
 };
+
+const LOBES: Distribution<'static> =
+    Distribution::of(&[65_535, 1, 40_000, 0, 7, 300, 9_000, 0, 60_000], 5, Symmetry::Quadrant);
 
 /// Number of different points.
 const COUNT: usize = 3;
@@ -31,7 +34,15 @@ fn entries<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let point =
         PointLight::new(places[0]).ok()?.with_intensity(spot.intensity()).ok()?.with_attenuation(model);
     let sun = DirectionalLight::new(words.direction()).ok()?.with_intensity(spot.intensity()).ok()?;
+    let axes = [(); 2].map(|()| words.direction());
+    let measured = MeasuredLight::new(places[0], axes[0], axes[1], LOBES).ok();
+    let measured = measured.and_then(|light| light.with_intensity(spot.intensity()).ok());
     let surfaces = [(); COUNT].map(|()| words.surface::<S>(places[1]));
+    if let Some(light) = measured.map(|light| light.with_attenuation(model))
+        && let Ok(lit) = light.compile::<S>()
+    {
+        agree(&lit, Some(light.into()), &surfaces);
+    }
     if let Ok(light) = spot.compile::<S>() {
         agree(&light, Some(spot.into()), &surfaces);
     }

@@ -14,8 +14,8 @@ use luminaire::{
         AnyFalloff, CompiledAnyFalloff, Cubic, Falloff, Hard, IntegerPower, Quadratic, Soft, SoftPair,
     },
     light::{
-        CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight,
-        LightModel, QuickSpotLight, Row, SurfacePoint,
+        CompiledCone, CompiledDirectionalLight, CompiledMaterial, CompiledMeasuredLight, CompiledPointLight,
+        CompiledSpotLight, Distribution, LightModel, QuickSpotLight, Row, SurfacePoint, Symmetry,
     },
     number::InversePower,
     specular::{BlinnPhong, DifferenceForm, NoSpecular, Phong, SpecularLobe},
@@ -197,8 +197,30 @@ fn assert_distances<S: Raw>(rng: &mut Rng) {
         let point =
             CompiledPointLight::<S, AnyAttenuation>::from_parts(position, distance, intensity, near, colors);
         assert_lights(rng, point);
+        let frame = [(); 3].map(|()| vector(rng, S::unit_from_bits));
+        let (distribution, outside) = (DISTRIBUTIONS[rng.usize(..3)], S::scalar_from_bits(bits(rng)));
+        assert_lights(
+            rng,
+            CompiledMeasuredLight::<S, AnyAttenuation>::from_parts(
+                position,
+                frame,
+                distribution,
+                outside,
+                distance,
+                intensity,
+                near,
+                colors,
+            ),
+        );
     }
 }
+
+/// The smallest table, the largest and one between.
+const DISTRIBUTIONS: [Distribution<'static>; 3] = [
+    Distribution::of(&[1, 2, 65_535, 4], 3, Symmetry::Quadrant),
+    Distribution::of(&[65_535; 257 * 257], 257, Symmetry::None),
+    Distribution::of(&[0; 17 * 9], 17, Symmetry::Bilateral),
+];
 
 /// A row looks at the last of its points first, and takes those between it and the first as being between.
 #[test]

@@ -3,8 +3,8 @@
 
 use fastrand::Rng;
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Length, Material, PointLight, Rgb,
-    SpotLight, Vec3,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Length, Material, MeasuredLight,
+    PointLight, Rgb, SpotLight, Vec3,
     attenuation::{
         AnyAttenuation, CutAt, Decay, FilamentRange, GltfRange, InverseSquare, NoAttenuation, Polynomial,
         SmoothRange, Windowed,
@@ -15,7 +15,7 @@ use luminaire::{
         Soft, SoftOrHard,
     },
     haze::{Haze, ViewRay, ViewRays},
-    light::{Incident, LightModel, SurfacePoint, SurfacePoints},
+    light::{Distribution, Incident, LightModel, SurfacePoint, SurfacePoints, Symmetry},
     projector::{Fixture, Gobo, Projection},
     specular::{NoSpecular, Phong, SpecularLobe},
 };
@@ -28,6 +28,8 @@ use support::{
 };
 
 const COUNT: usize = 32;
+const LOBES: Distribution<'static> =
+    Distribution::of(&[65_535, 1, 40_000, 0, 7, 300, 9_000, 0, 60_000], 5, Symmetry::Quadrant);
 
 /// Every attenuation, as a variant of `AnyAttenuation`.
 fn distances() -> Result<Vec<AnyAttenuation>, Error> {
@@ -63,6 +65,12 @@ fn any_lights(rng: &mut Rng) -> Result<Vec<AnyLight>, Error> {
         lights.push(sweep::spot(rng, cone).with_attenuation(distance).with_intensity(3.0)?.into());
         let point = PointLight::new(Vec3::new(0.5, 1.0, -1.0))?.with_attenuation(distance);
         lights.push(point.with_intensity(2.0)?.into());
+        let axes = [(); 2].map(|()| sweep::single(sweep::direction(rng)));
+        let measured = MeasuredLight::new(Vec3::new(-0.5, 1.0, 2.0), axes[0], axes[1], LOBES);
+        // Two directions that are one have no frame.
+        if let Ok(measured) = measured {
+            lights.push(measured.with_attenuation(distance).with_intensity(2.0)?.into());
+        }
     }
     Ok(lights)
 }
@@ -72,6 +80,7 @@ fn surfaces<S: Format>(rng: &mut Rng, light: &AnyLight) -> [SurfacePoint<S>; COU
     let (position, axis) = match light {
         AnyLight::Spot(spot) => (spot.position(), spot.axis()),
         AnyLight::Point(point) => (point.position(), Vec3::new(0.0, 1.0, 0.0)),
+        AnyLight::Measured(light) => (light.position(), light.frame()[2]),
         AnyLight::Directional(sun) => (Vec3::default(), sun.direction()),
     };
     let stored = S::exact_point(position.map(S::length));
@@ -411,8 +420,9 @@ fn what_projects_no_square_is_refused() -> Result<(), Error> {
     assert_eq!(key.compile_gobo::<f32>()?, Some(BARS.on(square.compile()?)));
     assert_eq!(Fixture::from(spot(Soft)?).compile_gobo::<f32>()?, None);
     let wide = spot(Soft)?.with_cone(Cone::from_outer(Soft, Angle::degrees(170.0))?);
-    let odd: [(Fixture, u32); 3] = [
+    let odd: [(Fixture, u32); 4] = [
         (wide.into(), 170),
+        (MeasuredLight::new([0.0; 3], down(), Vec3::new(1.0, 0.0, 0.0), LOBES)?.into(), 360),
         (PointLight::new(down())?.into(), 360),
         (DirectionalLight::new(down())?.into(), 0),
     ];

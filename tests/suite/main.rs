@@ -27,6 +27,7 @@ mod haze_rays;
 mod kept;
 mod lit;
 mod many_points;
+mod measured;
 mod numbers;
 mod operations;
 mod outputs;

@@ -35,6 +35,7 @@ pub(crate) fn arriving(light: &AnyLight, distance: f32) -> f64 {
     let attenuation = match light {
         AnyLight::Spot(spot) => spot.attenuation(),
         AnyLight::Point(point) => point.attenuation(),
+        AnyLight::Measured(light) => light.attenuation(),
         AnyLight::Directional(_) => return 1.0,
     };
     let is_near_end = attenuation.range().is_some_and(|range| distance > 0.9 * range);

@@ -97,16 +97,17 @@ pub(crate) fn position_of(light: &AnyLight) -> Option<Vec3<f32>> {
     match light {
         AnyLight::Spot(spot) => Some(spot.position()),
         AnyLight::Point(point) => Some(point.position()),
+        AnyLight::Measured(light) => Some(light.position()),
         AnyLight::Directional(_) => None,
     }
 }
 
-/// The luminous flux of an intensity in candela; `None` for a directional light.
+/// The luminous flux of an intensity in candela; `None` for a measured or a directional light.
 pub(crate) fn lumens_of(light: &AnyLight, candela: f32) -> Option<f32> {
     match light {
         AnyLight::Spot(spot) => Some(spot.cone().lumens(candela)),
         AnyLight::Point(point) => Some(point.lumens(candela)),
-        AnyLight::Directional(_) => None,
+        AnyLight::Measured(_) | AnyLight::Directional(_) => None,
     }
 }
 

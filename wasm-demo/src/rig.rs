@@ -187,6 +187,8 @@ impl Rig {
                 let way = target.zip(point.position(), |to, from| to - from);
                 SpotLight::new(point.position(), way, cone)?.with_attenuation(point.attenuation())
             }
+            AnyLight::Measured(light) => SpotLight::new(light.position(), light.given_axis(), cone)?
+                .with_attenuation(light.attenuation()),
             AnyLight::Directional(sun) => {
                 let free = Surfaces::of(&self.setup.scene).first(target, sun.given_direction());
                 let distance = self.setup.camera.distance().min(0.9 * free.unwrap_or(FARTHEST));

@@ -313,6 +313,8 @@ impl Setting {
                 let moved = PointLight::new(self.position.unwrap_or(point.position()))?;
                 as_bright(moved.with_attenuation(point.attenuation()).into(), original.light())?
             }
+            // No scene has a measured light.
+            AnyLight::Measured(light) => light.into(),
             AnyLight::Directional(sun) => sun.into(),
         };
         let light = self.emitting(light, self.intensity.unwrap_or(light.intensity()))?;

@@ -6,7 +6,9 @@ use luminaire::attenuation::AnyAttenuation;
 use luminaire::bound::{ErrorBound, Lit};
 use luminaire::dynamic::{AnyLight, CompiledAnyLight};
 use luminaire::falloff::AnyFalloff;
-use luminaire::light::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight};
+use luminaire::light::{
+    CompiledDirectionalLight, CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight,
+};
 use luminaire::number::Quick;
 use luminaire::{Error, Fx16, Fx32, Scalar, Vec3};
 use luminaire_export::ExportError;
@@ -81,18 +83,29 @@ trait Evaluated<S: Scalar> {
     fn fine_below(&self) -> u32;
 }
 
-impl<S: Scalar> Evaluated<S> for CompiledSpotLight<S, AnyFalloff, AnyAttenuation> {
-    fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.irradiance(point, normal)
-    }
+/// Implements the evaluation of lights with a place.
+macro_rules! placed {
+    ($($light:ty)*) => {$(
+        impl<S: Scalar> Evaluated<S> for $light {
+            fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
+                self.irradiance(point, normal)
+            }
 
-    fn is_fine_at(&self, point: Vec3<S::Length>) -> bool {
-        self.is_fine(point)
-    }
+            fn is_fine_at(&self, point: Vec3<S::Length>) -> bool {
+                self.is_fine(point)
+            }
 
-    fn fine_below(&self) -> u32 {
-        self.parts().fine_below
-    }
+            fn fine_below(&self) -> u32 {
+                self.parts().fine_below
+            }
+        }
+    )*};
+}
+
+placed! {
+    CompiledSpotLight<S, AnyFalloff, AnyAttenuation>
+    CompiledPointLight<S, AnyAttenuation>
+    CompiledMeasuredLight<'static, S, AnyAttenuation>
 }
 
 impl<S: Quick> Evaluated<S> for QuickSpotLight<S, AnyFalloff, AnyAttenuation> {
@@ -106,20 +119,6 @@ impl<S: Quick> Evaluated<S> for QuickSpotLight<S, AnyFalloff, AnyAttenuation> {
 
     fn fine_below(&self) -> u32 {
         0
-    }
-}
-
-impl<S: Scalar> Evaluated<S> for CompiledPointLight<S, AnyAttenuation> {
-    fn irradiance_at(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
-        self.irradiance(point, normal)
-    }
-
-    fn is_fine_at(&self, point: Vec3<S::Length>) -> bool {
-        self.is_fine(point)
-    }
-
-    fn fine_below(&self) -> u32 {
-        self.parts().fine_below
     }
 }
 
@@ -172,7 +171,7 @@ impl Evaluation {
         Ok(Some(match self {
             Self::Fx16Quick => match light {
                 AnyLight::Spot(spot) => boxed::<Fx16, _>(spot.compile_quick::<Fx16>()?),
-                AnyLight::Point(_) | AnyLight::Directional(_) => return Ok(None),
+                AnyLight::Point(_) | AnyLight::Measured(_) | AnyLight::Directional(_) => return Ok(None),
             },
             Self::Fx16 => compiled::<Fx16>(light)?,
             Self::Fx32 => compiled::<Fx32>(light)?,
@@ -196,7 +195,7 @@ impl Evaluation {
         match self {
             Self::Fx16Quick => match light {
                 AnyLight::Spot(spot) => spot.quick_error_bound_by::<Fx16>(distances, measure),
-                AnyLight::Point(_) | AnyLight::Directional(_) => {
+                AnyLight::Point(_) | AnyLight::Measured(_) | AnyLight::Directional(_) => {
                     light.error_bound_by::<Fx16>(distances, measure)
                 }
             },
@@ -211,7 +210,9 @@ impl Evaluation {
         match self {
             Self::Fx16Quick => match light {
                 AnyLight::Spot(spot) => quick_constant::<Fx16>(spot),
-                AnyLight::Point(_) | AnyLight::Directional(_) => constant::<Fx16>(light),
+                AnyLight::Point(_) | AnyLight::Measured(_) | AnyLight::Directional(_) => {
+                    constant::<Fx16>(light)
+                }
             },
             Self::Fx16 => constant::<Fx16>(light),
             Self::Fx32 => constant::<Fx32>(light),
@@ -224,6 +225,7 @@ fn compiled<S: Exact>(light: &AnyLight) -> Result<Box<dyn Kernel>, Error> {
     Ok(match light.compile::<S>()? {
         CompiledAnyLight::Spot(light) => boxed::<S, _>(light),
         CompiledAnyLight::Point(light) => boxed::<S, _>(light),
+        CompiledAnyLight::Measured(light) => boxed::<S, _>(light),
         CompiledAnyLight::Directional(light) => boxed::<S, _>(light),
     })
 }

@@ -3,7 +3,7 @@
 use luminaire::attenuation::{InverseSquare, NoAttenuation};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Cubic, Hard, Quadratic, Soft};
-use luminaire::{Angle, Cone, PointLight, Rgb, SpotLight, Vec3};
+use luminaire::{Angle, Cone, MeasuredLight, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::check_text;
 use luminaire_export::json::{self, Lights, NamedLight};
 use luminaire_oracle as oracle;
@@ -183,6 +183,7 @@ impl Light {
         let distance = match self.any()? {
             AnyLight::Spot(spot) => spot.range_above(1.0),
             AnyLight::Point(point) => point.range_above(1.0),
+            AnyLight::Measured(own) => own.range_above(1.0),
             AnyLight::Directional(_) => return Ok(None),
         };
         let short: f32 = format!("{distance:.3e}").parse().unwrap_or(distance);
@@ -212,6 +213,12 @@ impl Light {
                 .into(),
             AnyLight::Point(point) => {
                 PointLight::new(placed(point.position()))?.with_attenuation(point.attenuation()).into()
+            }
+            AnyLight::Measured(own) => {
+                let axes = (own.given_axis(), own.given_side());
+                MeasuredLight::new(placed(own.position()), axes.0, axes.1, own.distribution())?
+                    .with_attenuation(own.attenuation())
+                    .into()
             }
             AnyLight::Directional(_) => light,
         };
@@ -270,6 +277,7 @@ impl Light {
         match self.light {
             Some(AnyLight::Spot(spot)) => self.check_grid(spot.position().into()),
             Some(AnyLight::Point(point)) => self.check_grid(point.position().into()),
+            Some(AnyLight::Measured(light)) => self.check_grid(light.position().into()),
             Some(AnyLight::Directional(_)) => Ok(()),
             None => self.check_grid(self.position),
         }

@@ -210,6 +210,7 @@ impl Prices {
             AnyLight::Spot(spot) => Parts::new(Some(spot.cone().falloff()), &spot.attenuation()),
             AnyLight::Point(point) => Parts::new(None, &point.attenuation()),
             AnyLight::Directional(_) => return Ok((self.get("directional")?, Counted::Whole)),
+            AnyLight::Measured(_) => return Ok((self.get("measured")?, Counted::Whole)),
         };
         match parts.whole().and_then(|name| self.find(&name)) {
             Some(cost) => Ok((cost, Counted::Whole)),
@@ -266,6 +267,7 @@ impl Price {
         let prices = Prices { chip, evaluation: evaluation.name() };
         let (coarse, counted) = prices.of(light)?;
         let steep = || Ok::<_, Refusal>(Prices { chip, evaluation: FINE }.of(light)?.0);
+        let is_placed = !matches!(light, AnyLight::Directional(_));
         let (share, fine) = match (light, evaluation, fine) {
             (AnyLight::Spot(spot), Evaluation::Fx16, Fine::Bright(share)) if share > 0.0 => {
                 // The code is that of both. A point outside takes the same in any case.
@@ -277,12 +279,9 @@ impl Price {
                 (share, Cost { worst, ..both })
             }
             // A point light is on record with both evaluations.
-            (AnyLight::Spot(_) | AnyLight::Point(_), Evaluation::Fx16, Fine::Bright(share)) => {
-                (share, steep()?)
-            }
-            (AnyLight::Spot(_) | AnyLight::Point(_), Evaluation::Fx16, Fine::Steep) => (1.0, steep()?),
-            (AnyLight::Directional(_), ..)
-            | (_, Evaluation::Fx16Quick | Evaluation::Fx32 | Evaluation::F32, _) => (0.0, coarse),
+            (_, Evaluation::Fx16, Fine::Bright(share)) if is_placed => (share, steep()?),
+            (_, Evaluation::Fx16, Fine::Steep) if is_placed => (1.0, steep()?),
+            _ => (0.0, coarse),
         };
         let mean = |coarse: f64, fine: f64| (10.0 * (coarse + share * (fine - coarse))).round() / 10.0;
         Ok(Self {

@@ -173,7 +173,7 @@ impl Request {
             light: light.clone(),
             outer: match &any {
                 AnyLight::Spot(spot) => Some(spot.cone().outer().to_degrees()),
-                AnyLight::Point(_) | AnyLight::Directional(_) => None,
+                AnyLight::Point(_) | AnyLight::Measured(_) | AnyLight::Directional(_) => None,
             },
             chip: self.chip,
             display: self.display,
@@ -217,6 +217,7 @@ fn farthest(light: &Light, any: &AnyLight) -> f32 {
     let position = match any {
         AnyLight::Spot(spot) => spot.position(),
         AnyLight::Point(point) => point.position(),
+        AnyLight::Measured(light) => light.position(),
         // Its points may be anywhere.
         AnyLight::Directional(_) => return 0.0,
     };

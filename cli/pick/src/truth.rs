@@ -31,6 +31,7 @@ impl Truth {
         let (position, axis) = match &light {
             AnyLight::Spot(spot) => (exact(spot.position()), exact(spot.given_axis()).normalize()),
             AnyLight::Point(point) => (exact(point.position()), DVec3::NEG_Y),
+            AnyLight::Measured(light) => (exact(light.position()), exact(light.given_axis()).normalize()),
             AnyLight::Directional(sun) => (DVec3::ZERO, exact(sun.given_direction()).normalize()),
         };
         Self { light, position, axis }
@@ -39,7 +40,7 @@ impl Truth {
     /// Returns whether the light has a position.
     pub(crate) fn is_placed(&self) -> bool {
         match self.light {
-            AnyLight::Spot(_) | AnyLight::Point(_) => true,
+            AnyLight::Spot(_) | AnyLight::Point(_) | AnyLight::Measured(_) => true,
             AnyLight::Directional(_) => false,
         }
     }
@@ -48,7 +49,7 @@ impl Truth {
     pub(crate) fn half_angle(&self) -> f64 {
         match &self.light {
             AnyLight::Spot(spot) => angle(spot.cone().versines()[2].into()),
-            AnyLight::Point(_) => std::f64::consts::PI,
+            AnyLight::Point(_) | AnyLight::Measured(_) => std::f64::consts::PI,
             AnyLight::Directional(_) => 0.0,
         }
     }
@@ -68,7 +69,7 @@ impl Truth {
     pub(crate) fn degrees_off_axis(&self, point: DVec3) -> f64 {
         match self.light {
             AnyLight::Spot(_) => half_degrees(versine_between(point - self.position, self.axis)),
-            AnyLight::Point(_) | AnyLight::Directional(_) => 0.0,
+            AnyLight::Point(_) | AnyLight::Measured(_) | AnyLight::Directional(_) => 0.0,
         }
     }
 
@@ -97,12 +98,20 @@ impl Truth {
                 f64::from(spot.intensity()) * share * spot.attenuation().exact(distance)
             }
             AnyLight::Point(light) => f64::from(light.intensity()) * light.attenuation().exact(distance),
+            AnyLight::Measured(light) => {
+                let DVec3 { x, y, z } = point - self.position;
+                light.exact_intensity(Vec3::new(x, y, z)) * light.attenuation().exact(distance)
+            }
             AnyLight::Directional(light) => light.intensity().into(),
         }
     }
 
-    /// Returns the light on the axis that arrives at a surface that faces the light at a distance.
+    /// Returns the light on the axis that arrives at a surface that faces the light at a distance; of a measured light,
+    /// that of full intensity.
     pub(crate) fn most(&self, distance: f64) -> f64 {
+        if let AnyLight::Measured(light) = &self.light {
+            return f64::from(light.intensity()) * light.attenuation().exact(distance);
+        }
         self.arriving(self.position + distance * self.axis)
     }
 
@@ -128,6 +137,7 @@ impl Truth {
                 at_range(spot.attenuation().range()) || is_near(limit) || (is_steep && is_near(inner))
             }
             AnyLight::Point(point) => at_range(point.attenuation().range()),
+            AnyLight::Measured(light) => at_range(light.attenuation().range()),
             AnyLight::Directional(_) => false,
         }
     }

@@ -68,7 +68,7 @@ fn every_model_is_answered_by_every_evaluation_on_every_chip() {
         assert!(survey.picked.is_some(), "{name}");
         let expected: &[Evaluation] = match light {
             AnyLight::Spot(_) => Evaluation::ALL,
-            AnyLight::Point(_) | AnyLight::Directional(_) => &Evaluation::ALL[1..],
+            AnyLight::Point(_) | AnyLight::Measured(_) | AnyLight::Directional(_) => &Evaluation::ALL[1..],
         };
         for evaluation in expected {
             let found = survey.evaluations.iter().find(|each| each.evaluation == *evaluation);

@@ -17,7 +17,7 @@ use crate::{
     falloff::{AnyFalloff, Falloff, WithFalloff, with_falloff},
     number::{Offset, Scalar, Share},
     points::SurfacePoints,
-    shade::{CompiledPointLight, CompiledSpotLight, Incident, LightModel},
+    shade::{CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight, Incident, LightModel},
     specular::SpecularLobe,
     vec3::{Vec3, nth},
 };
@@ -75,6 +75,21 @@ impl<S: Scalar, H: SpecularLobe, const N: usize> Loop<'_, S, H, N> {
                 self.fall(position, &light.attenuation, intensity);
             }
         }
+    }
+
+    /// A measured light has one loop for the inverse square, and else one that matches the attenuation at every point.
+    pub(super) fn measured(&mut self, light: &CompiledMeasuredLight<'_, S, AnyAttenuation>) {
+        let Some(Plain::InverseSquare) = plain(&light.attenuation) else { return self.light(light) };
+        self.light(&CompiledMeasuredLight::<S>::from_parts(
+            light.position,
+            light.frame,
+            light.distribution,
+            light.outside,
+            (),
+            light.intensity,
+            light.fine_below,
+            [light.color, light.specular_color],
+        ));
     }
 
     pub(super) fn spot(&mut self, light: &CompiledSpotLight<S, AnyFalloff, AnyAttenuation>) {

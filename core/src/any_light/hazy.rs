@@ -13,7 +13,7 @@ impl CompiledAnyLight<f32> {
     pub fn in_haze(&self, haze: &Haze) -> Option<BeamScattering<AnyFalloff, AnyAttenuation>> {
         match self {
             Self::Spot(spot) => Some(spot.in_haze(haze)),
-            Self::Directional(_) | Self::Point(_) => None,
+            Self::Directional(_) | Self::Point(_) | Self::Measured(_) => None,
         }
     }
 }

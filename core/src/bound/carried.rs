@@ -15,6 +15,8 @@ use crate::{
 #[derive(Debug)]
 pub(super) struct Pass {
     pub(super) stages: Stages,
+    /// Whether the evaluation is the fine one.
+    pub(super) is_fine: bool,
     /// The nearest and the farthest distance of a cell.
     pub(super) distances: [f64; 2],
     pub(super) intensity: f64,

@@ -7,11 +7,14 @@ use crate::{
     attenuation::Attenuation,
     falloff::Falloff,
     number::{Quick, Scalar},
-    shade::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight},
+    shade::{
+        CompiledDirectionalLight, CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight,
+        QuickSpotLight,
+    },
     vec3::Vec3,
 };
 
-/// The constants that determine the irradiance of a compiled spotlight or point light.
+/// The constants that determine the irradiance of a compiled spotlight, point light or measured light.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts<S: Scalar, A: Attenuation> {
     /// The position.
@@ -22,7 +25,7 @@ pub struct Parts<S: Scalar, A: Attenuation> {
     pub intensity: S::Gain,
     /// The encoded distance below which a point needs the fine evaluation.
     pub fine_below: u32,
-    /// The cone; `None` for a point light.
+    /// The cone; `None` for a light of another kind.
     pub cone: Option<ConeParts<S>>,
 }
 
@@ -58,6 +61,20 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
     /// Returns the direction and the intensity of the light.
     pub fn parts(&self) -> (Vec3<S::Unit>, S::Gain) {
         (self.direction, self.intensity)
+    }
+}
+
+impl<S: Scalar, A: Attenuation> CompiledMeasuredLight<'_, S, A> {
+    /// Returns the constants of the light, except its [frame](Self::frame), its [distribution](Self::distribution), its
+    /// [bound](Self::outside) and its colours.
+    pub fn parts(&self) -> Parts<S, A> {
+        let Self { position, attenuation, intensity, fine_below, .. } = *self;
+        Parts { position, attenuation, intensity, fine_below, cone: None }
+    }
+
+    /// Returns the squared cosine of the largest angle with light, less a margin; -2 for a light at a right angle or behind.
+    pub fn outside(&self) -> S {
+        self.outside
     }
 }
 

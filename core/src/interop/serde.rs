@@ -158,7 +158,9 @@ mod tests {
         cone::Cone,
         dynamic::AnyLight,
         falloff::{AnyFalloff, Falloff, IntegerPower, InvertedRealPower, Power, Quadratic, Soft, SoftOrHard},
-        light::{AmbientLight, DirectionalLight, PointLight, SpotLight},
+        light::{
+            AmbientLight, DirectionalLight, Distribution, MeasuredLight, PointLight, SpotLight, Symmetry,
+        },
     };
     use core::fmt::Debug;
     use serde::de::value::F32Deserializer;
@@ -236,6 +238,11 @@ mod tests {
             }
             read_back(AnyLight::from(spot(falloff)));
         }
+        let distribution = Distribution::of(&[1, 2, 3, 4], 3, Symmetry::Quadrant);
+        let measured = MeasuredLight::new([0.0; 3], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], distribution);
+        let text = to_string(&AnyLight::from(measured.unwrap())).unwrap_err().to_string();
+        assert!(text.starts_with("distribution = borrowed samples: "), "{text}");
+        assert!(refusal::<AnyLight>(r#"{"Measured":[1]}"#).starts_with(&text));
         let [some, none] = [Some(9.3), None];
         let polynomial = Polynomial::new(0.1, 0.2, 0.3).unwrap();
         let decay = Decay::new(1.7, 100.0).unwrap();

@@ -22,7 +22,7 @@
 //! - `ONE.times(x) == x` for x in `[0, 1]`.
 
 use super::{InversePower, Knot, RealExponent};
-use crate::vec3::Vec3;
+use crate::{distribution::Distribution, vec3::Vec3};
 
 /// The types of a number format.
 pub trait Types: Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> {
@@ -45,7 +45,7 @@ pub trait Types: Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> {
     type Fine: Fraction<Self>;
     /// A ray with more bits than that of [`Offset`](Self::Offset), for the same points; the same
     /// type in a format with only one evaluation.
-    type FineRay: Ray<Self, Fraction = Self::Fine>;
+    type FineRay: Directed<Self, Fraction = Self::Fine>;
     /// Coefficient of a falloff, in `[-4, 4]`.
     type Weight: Copy + PartialEq + core::fmt::Debug;
     /// Compiled ramp of a cone: the map from versines to the falloff's argument `t`.
@@ -58,7 +58,7 @@ pub trait Types: Copy + Default + PartialOrd + core::fmt::Debug + Share<Self> {
     /// Vector from a light to a point, before its length is computed.
     type Offset: Vectors<
             Self,
-            Ray: Ray<Self, Fraction = Self::Fraction, Share = <Self::Fraction as Fraction<Self>>::Value>,
+            Ray: Directed<Self, Fraction = Self::Fraction, Share = <Self::Fraction as Fraction<Self>>::Value>,
         >;
 }
 
@@ -250,6 +250,16 @@ pub trait Ray<S: Types>: Copy + core::fmt::Debug {
     fn light_by_decay(&self, share: Self::Share, power: InversePower, gain: S::Gain) -> S::Received {
         share.light(self.distance().inverse_power(power).times(gain))
     }
+}
+
+/// A ray along which a light with a distribution is evaluated. The quick evaluations have no such light.
+pub trait Directed<S: Types>: Ray<S> {
+    /// Returns the intensity of a distribution in the direction of the ray, and zero for a direction that is NaN.
+    ///
+    /// The vectors of the frame are the side, the front and the axis of the light. The function takes nine multiplications
+    /// for the components of the direction, three for the interpolation, and in fixed point six for the reciprocal
+    /// `1 / s` and the places: a quadratic, and one step of Newton's iteration.
+    fn distributed(&self, frame: &[Vec3<S::Direction>; 3], distribution: Distribution<'_>) -> Self::Share;
 }
 
 /// A number in `[0, 1]`: the argument of a falloff, or the cosine of an angle of incidence.

@@ -42,16 +42,19 @@ mod vectors;
 
 pub use self::frame::Frame16;
 use super::{
-    Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, OffsetAlong, Quick, Ray,
-    RealExponent, Share, Stages, Versine, Weight16, cold_path,
-    fx32::{Fine, FineRay, Ratio},
+    Directed, Fraction, Fx16, Fx32, Gain, InversePower, Knot, Length, Light16, Offset, OffsetAlong, Quick,
+    Ray, RealExponent, Share, Stages, Versine, Weight16, cold_path,
+    fx32::{Fine, FineRay, Ratio, from_first, inverse_sum_16},
     knot::{SLOPE_BITS, neighbours},
     mantissa_and_shift,
     ramp::{Chords, FixedRamp, MOST_ZOOM, is_outside},
     root::{self, high_half, high_product, size, squared_length},
     within_reach,
 };
-use crate::vec3::Vec3;
+use crate::{
+    distribution::{Corners, Distribution},
+    vec3::Vec3,
+};
 
 // ---- Offset ----
 
@@ -319,6 +322,38 @@ impl Ray<Fx16> for Ray16 {
     #[inline]
     fn light(&self, share: Fx16, gain: Gain16) -> Light16 {
         light_at(self.reciprocal, self.bits, share, gain)
+    }
+}
+
+// ---- Distribution ----
+
+impl Directed<Fx16> for Ray16 {
+    /// The components and the places have 15 fraction bits, so that products fit 32 bits. Vectors that are not of unit length
+    /// wrap: the result is the intensity in some direction.
+    #[inline]
+    fn distributed(&self, frame: &[Vec3<Fx32>; 3], distribution: Distribution<'_>) -> Fx16 {
+        const ONE: u32 = 1 << 15;
+        const HALF: i32 = 1 << 14;
+        let direction = self.direction.map(|c| c.wrapping_add(CUT_OFF + HALF) >> 15);
+        let [a, b, c] = frame.map(|axis| {
+            let products = direction.zip(axis, |d, s| d.wrapping_mul(s.to_bits().wrapping_add(HALF) >> 15));
+            products.x.wrapping_add(products.y).wrapping_add(products.z)
+        });
+        let [x, y] = [a, b].map(i32::unsigned_abs);
+        let rounded = |sum: u32| sum.wrapping_add(HALF as u32) >> 15;
+        let reciprocal = inverse_sum_16(rounded(x.wrapping_add(y).wrapping_add(c.unsigned_abs())));
+        let place = |size: u32| (rounded(size).wrapping_mul(reciprocal).wrapping_add(ONE) >> 16).min(ONE);
+        let (x, y) = (place(x), place(y));
+        let (x, y) = if c < 0 { (ONE - y, ONE - x) } else { (x, y) };
+        let x = if distribution.folds_side() { x } else { from_first(a, x, ONE) };
+        let y = if distribution.folds_front() { y } else { from_first(b, y, ONE) };
+        let bits = 15 - distribution.fineness();
+        let Corners { index: [i, j], samples } = distribution.corners([x >> bits, y >> bits]);
+        let (u, v) = ((x - (i << bits)) as i32, (y - (j << bits)) as i32);
+        let between =
+            |from: i32, to: i32, share: i32| from + (((to - from) * share + (1 << (bits - 1))) >> bits);
+        let [near, far] = samples.map(|[from, to]| between(from.into(), to.into(), u));
+        Fraction16::of_sixteen_bits(between(near, far, v))
     }
 }
 
@@ -730,6 +765,13 @@ impl Ray<Fx16> for FineRay {
         // share has at least 16 bits, unless the light is far below one linear code.
         let here = self.attenuated(gain.mantissa);
         Light16::shifted(high_half(share.0, here), gain.shift + 2 * self.bits - 49)
+    }
+}
+
+impl Directed<Fx16> for FineRay {
+    #[inline]
+    fn distributed(&self, frame: &[Vec3<Fx32>; 3], distribution: Distribution<'_>) -> Fine {
+        self.distributed(frame, distribution)
     }
 }
 

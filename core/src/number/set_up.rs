@@ -2,7 +2,7 @@
 //! [stages of a point](super::arithmetic): set-up and its error bounds, projections, colours, and the directions of
 //! specular lobes.
 
-use super::{Rise, Stages, Types};
+use super::{Placing, Rise, Stages, Types};
 use crate::vec3::Vec3;
 
 /// What the kernel asks of a number format beside the stages of a point: here of its numbers, and in the supertraits
@@ -52,6 +52,8 @@ pub trait Directions: Types {
     ///
     /// For equal directions the result is (nearly) zero, and so not close to any unit direction.
     fn direction_between(a: Vec3<Self::Direction>, b: Vec3<Self::Direction>) -> Vec3<Self::Direction>;
+    /// Returns a vector along the cross product of two unit directions.
+    fn cross(a: Vec3<Self::Direction>, b: Vec3<Self::Direction>) -> Vec3<Self::Direction>;
     /// Returns the versine of the angle between two unit directions, in the scale of a ramp.
     ///
     /// The versine is half the squared difference of the directions.
@@ -169,6 +171,13 @@ pub trait Errors: Types {
     fn coarse_error(_edge: &Slopes, _outer: f32, _limit: f32) -> f32 {
         0.0
     }
+    /// Returns an upper bound of the intensity error of the coarse evaluation of a distribution of this steepness: the
+    /// largest sum of the magnitudes of the two derivatives of a cell.
+    ///
+    /// The bound is zero in a format that has only one evaluation.
+    fn distribution_error(_steepness: f32) -> f32 {
+        0.0
+    }
     /// Returns the distance from a light within which points need the fine evaluation.
     ///
     /// The result is encoded for [`Offset::is_near`](super::Offset::is_near). The light at a point is a share (falloff
@@ -200,6 +209,8 @@ pub trait Errors: Types {
     fn fine_stages(far: f64) -> Stages {
         Self::stages(far)
     }
+    /// Returns the errors of the stages of a distribution in the coarse evaluation, or in the fine one.
+    fn placing(is_fine: bool) -> Placing;
     /// Returns the next distance from which on the errors of the stages may be larger.
     fn larger_errors_from(_distance: f64) -> f64 {
         f64::INFINITY

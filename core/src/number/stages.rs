@@ -104,3 +104,27 @@ pub struct Stages {
     /// The rounding of light.
     pub light: Rounding,
 }
+
+/// Upper bounds of the errors of the stages that a [`Distribution`](crate::light::Distribution) adds, derived beside their
+/// numbers and searched by `tests/suite/measured.rs`.
+#[derive(Clone, Copy, Debug)]
+pub struct Placing {
+    /// The error of the components of a direction in the frame of a light, as the length of a vector: by the
+    /// vectors of the frame, if its side is orthogonal to its axis.
+    pub frame: f64,
+    /// The error of a place on the square, without those of the direction and the frame.
+    pub square: f64,
+    /// The interpolation in a cell.
+    pub cell: f64,
+}
+
+impl Placing {
+    /// Returns the error of a place on the square, for a direction with this error and a side at an angle of this sine to the
+    /// axis.
+    ///
+    /// The gradient of `x = a / s` has the square `(1 - 2 x + 3 x^2) / s^2`, which is at most 2: an error of a direction
+    /// changes a place by at most `sqrt(2)` times as much. So it is behind, where `1 - x` takes the place of y.
+    pub(crate) fn error(&self, turn: f64, sine: f64) -> f64 {
+        core::f64::consts::SQRT_2 * (turn + self.frame / sine) + self.square
+    }
+}

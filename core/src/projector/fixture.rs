@@ -59,7 +59,7 @@ impl Fixture {
 
     /// Returns the square around the cone of the light, on which a gobo or a shadow map lies.
     ///
-    /// In the error, a point light counts as a cone of 360 degrees and a directional light as a
+    /// In the error, a point light and a measured light count as a cone of 360 degrees and a directional light as a
     /// cone of 0 degrees.
     fn project(&self) -> Result<Projection, Error> {
         let refused = |value| {
@@ -68,7 +68,7 @@ impl Fixture {
         };
         match &self.light {
             AnyLight::Spot(spot) => Projection::of(spot),
-            AnyLight::Point(_) => refused(360.0),
+            AnyLight::Point(_) | AnyLight::Measured(_) => refused(360.0),
             AnyLight::Directional(_) => refused(0.0),
         }
     }

@@ -3,20 +3,22 @@
 //! No function of this module computes in floats in a fixed-point format. A change costs a small
 //! part of [`SpotLight::compile`](crate::SpotLight::compile), because the cone stays compiled.
 
-use super::{CompiledDirectionalLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight};
+use super::{
+    CompiledDirectionalLight, CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight, QuickSpotLight,
+};
 use crate::{
     attenuation::Attenuation,
     color::Rgb,
     cone::CompiledCone,
     falloff::Falloff,
-    number::{Gain, Offset, Quick, Scalar, unit},
+    number::{Gain, Offset, Quick, Scalar, across, unit},
     vec3::Vec3,
 };
 
 /// Implements the colours and the changes that every kind of light has.
 macro_rules! change {
-    ($light:ty, $($parameter:ident: $bound:ident),*) => {
-        impl<$($parameter: $bound),*> $light {
+    ($light:ty, $($lifetime:lifetime,)? $($parameter:ident: $bound:ident),*) => {
+        impl<$($lifetime,)? $($parameter: $bound),*> $light {
             /// Returns the light's linear colour.
             pub fn color(&self) -> Rgb<S> {
                 self.color
@@ -56,6 +58,7 @@ macro_rules! change {
 change!(CompiledSpotLight<S, P, A>, S: Scalar, P: Falloff, A: Attenuation);
 change!(QuickSpotLight<S, P, A>, S: Quick, P: Falloff, A: Attenuation);
 change!(CompiledPointLight<S, A>, S: Scalar, A: Attenuation);
+change!(CompiledMeasuredLight<'a, S, A>, 'a, S: Scalar, A: Attenuation);
 change!(CompiledDirectionalLight<S>, S: Scalar);
 
 impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
@@ -160,6 +163,52 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
     #[must_use]
     pub fn moved_to(self, position: Vec3<S::Length>) -> Self {
         Self { position, ..self }
+    }
+}
+
+impl<S: Scalar, A: Attenuation> CompiledMeasuredLight<'_, S, A> {
+    /// Returns the same light at another position, with the same axis and side.
+    #[must_use]
+    pub fn moved_to(self, position: Vec3<S::Length>) -> Self {
+        Self { position, ..self }
+    }
+
+    /// Returns the same light with its axis through a point and the side turned with it as little as possible: towards
+    /// the present side. `None` if the point is the light's position, if the new axis is along the present side, and in `f32` if
+    /// the squared distance is not a normal number.
+    ///
+    /// The error of the axis is that of [`CompiledSpotLight::aimed_at`]. Side and front are within 2.1e-8 radians of
+    /// orthogonal to it in fixed point, and within 7e-7 in `f32`, over the sine of the angle between the new axis and the
+    /// present side (derived). A light that follows a target is best aimed from where it was compiled, so that no
+    /// errors add up.
+    #[must_use]
+    pub fn aimed_at(self, point: Vec3<S::Length>) -> Option<Self> {
+        self.aimed(S::Offset::between(self.position, point))
+    }
+
+    /// Returns the same light with its axis along a vector of any length, which has the type of a point: see
+    /// [`aimed_at`](Self::aimed_at).
+    #[must_use]
+    pub fn aimed_along(self, direction: Vec3<S::Length>) -> Option<Self> {
+        self.aimed(S::Offset::between(Vec3::default(), direction))
+    }
+
+    fn aimed(self, offset: S::Offset) -> Option<Self> {
+        let (axis, [side, ..]) = (unit::<S>(offset)?, self.frame);
+        self.framed(axis, side)
+    }
+
+    /// Returns the same light, turned about its axis until its side is nearest to a vector of any length, which has the
+    /// type of a point. `None` if the vector is zero or along the axis.
+    #[must_use]
+    pub fn turned_to(self, side: Vec3<S::Length>) -> Option<Self> {
+        let (side, [.., axis]) = (unit::<S>(S::Offset::between(Vec3::default(), side))?, self.frame);
+        self.framed(axis, side)
+    }
+
+    fn framed(self, axis: Vec3<S::Unit>, side: Vec3<S::Unit>) -> Option<Self> {
+        let [side, front] = across::<S>(axis, side)?;
+        Some(Self { frame: [side, front, axis], ..self })
     }
 }
 

@@ -4,7 +4,6 @@ use super::{Incident, LightModel, lobe, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
-    falloff::SoftOrHard,
     number::{Fraction, Offset, Ray, Scalar, Share},
     points::SurfacePoint,
     specular::{NoSpecular, SpecularLobe},
@@ -116,12 +115,6 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
             return Incident::default();
         }
         let light = (&self.attenuation, self.intensity, self.fine_below);
-        super::evaluate_finely::<S, SoftOrHard, A, H>(
-            light,
-            None,
-            (&offset, facing),
-            (normal, view),
-            highlight,
-        )
+        super::evaluate_finely::<S, (), A, H>(light, (), (&offset, facing), (normal, view), highlight)
     }
 }

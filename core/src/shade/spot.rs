@@ -293,7 +293,7 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
             return Incident::default();
         }
         let light = (&self.attenuation, self.intensity, self.fine_below);
-        let cone = Some((&self.cone, self.axis));
-        super::evaluate_finely::<S, P, A, H>(light, cone, (&offset, facing), (normal, view), highlight)
+        let cone = (&self.cone, self.axis);
+        super::evaluate_finely::<S, _, A, H>(light, cone, (&offset, facing), (normal, view), highlight)
     }
 }

@@ -50,6 +50,7 @@ pub(super) fn node<'a>(entry: &'a Entry, name: String, stem: &str) -> Node<'a> {
     let lamp = entry.lamp;
     let (position, axis) = match &lamp.light {
         AnyLight::Spot(spot) => (spot.position().into(), spot.given_axis().into()),
+        AnyLight::Measured(light) => (light.position().into(), light.given_axis().into()),
         AnyLight::Point(point) => (point.position().into(), [0.0, 0.0, -1.0]),
         AnyLight::Directional(sun) => ([0.0; 3], sun.given_direction().into()),
     };

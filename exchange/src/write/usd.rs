@@ -29,7 +29,7 @@ fn prim(text: &mut String, Node { entry, name, position, rotation, profile, line
     let light = &entry.lamp.light;
     let (kind, is_shaped) = match light {
         AnyLight::Spot(_) => ("SphereLight", true),
-        AnyLight::Point(_) => ("SphereLight", false),
+        AnyLight::Point(_) | AnyLight::Measured(_) => ("SphereLight", false),
         AnyLight::Directional(_) => ("DistantLight", false),
     };
     let schemas = if is_shaped { "        prepend apiSchemas = [\"ShapingAPI\"]\n" } else { "" };

@@ -11,7 +11,7 @@ use super::expression::{
 };
 use super::formula::{self, Lowering};
 use super::names::Names;
-use crate::error::ExportError;
+use crate::error::{ExportError, no_table};
 use crate::trace::Trace;
 
 /// Returns the functions of a light.
@@ -21,6 +21,7 @@ pub(super) fn program(names: Names<'_>, light: &AnyLight) -> Result<Program, Exp
         names.constant("color", doc, Value::Vector([color.red, color.green, color.blue]))
     };
     match light {
+        AnyLight::Measured(_) => return Err(no_table("a shader")),
         AnyLight::Spot(spot) => {
             let parts = spot.compile::<f32>()?.parts();
             let (Some(cone), intensity) = (parts.cone, parts.intensity) else {

@@ -1,5 +1,5 @@
 #[allow(unused_imports, reason = "not every light names a type of each module")]
-use luminaire::{attenuation::*, codegen::*, falloff::*, *};
+use luminaire::{attenuation::*, codegen::*, falloff::*, light::*, *};
 
 // The light cubic, written by luminaire-export 0.1.0.
 // A spotlight: falloff cubic, full angles in degrees: beam 18.61, field 37.93, outer 40.00.

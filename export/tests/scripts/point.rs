@@ -1,5 +1,5 @@
 #[allow(unused_imports, reason = "not every light names a type of each module")]
-use luminaire::{attenuation::*, codegen::*, falloff::*, *};
+use luminaire::{attenuation::*, codegen::*, falloff::*, light::*, *};
 
 // The light point, written by luminaire-export 0.1.0.
 // Lengths have the unit of the scene; light is linear, and 1 is full scale.

@@ -136,6 +136,7 @@ pub(crate) fn place(rng: &mut Rng, light: &AnyLight) -> ([f32; 3], [f32; 3]) {
     let (position, axis, half) = match light {
         AnyLight::Spot(spot) => (spot.position(), spot.axis(), spot.cone().outer().to_radians() / 2.0),
         AnyLight::Point(point) => (point.position(), direction(rng).into(), std::f32::consts::PI),
+        AnyLight::Measured(light) => (light.position(), light.frame()[2], std::f32::consts::PI),
         AnyLight::Directional(light) => (Vec3::default(), light.direction(), 1.0),
     };
     let angle = match rng.u8(..6) {

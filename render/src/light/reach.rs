@@ -42,6 +42,11 @@ impl Reach {
                 range: point.attenuation().range(),
                 beam: None,
             },
+            AnyLight::Measured(light) => Self {
+                source: Source::Place(light.position().into()),
+                range: light.attenuation().range(),
+                beam: None,
+            },
             AnyLight::Spot(spot) => {
                 let outer = spot.cone().outer().to_radians();
                 let beam = Beam { axis: spot.axis().into(), edge: Vec2::from_angle(outer / 2.0) };

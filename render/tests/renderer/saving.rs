@@ -71,6 +71,7 @@ fn off(fixture: &Fixture) -> Fixture {
         AnyLight::Directional(light) => light.with_intensity(0.0).unwrap().into(),
         AnyLight::Point(light) => light.with_intensity(0.0).unwrap().into(),
         AnyLight::Spot(light) => light.with_intensity(0.0).unwrap().into(),
+        AnyLight::Measured(light) => light.with_intensity(0.0).unwrap().into(),
     }
 }
 

@@ -33,6 +33,7 @@
 //! | [`attenuation`] | intensity over the distance |
 //! | [`specular`] | specular lobes and the classic equation |
 //! | [`light`] | the spotlight |
+//! | [`measured`] | the light of a table over all directions |
 //! | [`display`] | sRGB, and errors in linear codes |
 //! | [`vector`] | what `glam` does not have |
 //! | [`random`] | random numbers for inputs that are on record |
@@ -51,6 +52,7 @@ pub mod falloff;
 #[cfg(feature = "search")]
 pub mod kernel;
 pub mod light;
+pub mod measured;
 pub mod random;
 pub mod specular;
 #[cfg(feature = "search")]
@@ -62,6 +64,7 @@ pub use display::{counted, linear_codes, srgb_code, srgb_linear};
 pub use falloff::*;
 pub use glam::DVec3;
 pub use light::SpotLight;
+pub use measured::{MeasuredLight, Octahedron};
 pub use random::SplitMix64;
 pub use specular::{Classic, Lobe, blinn_phong, dual_cone, lyon, phong};
 pub use vector::{on_grid, turned};

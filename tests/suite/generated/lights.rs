@@ -15,12 +15,13 @@ use luminaire::models;
 use luminaire::number::Quick;
 use luminaire::specular::{LobeVisitor, Phong, SpecularLobe, lobes};
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, Scalar,
-    SpotLight, Vec3,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, MeasuredLight, PointLight, Rgb,
+    Scalar, SpotLight, Vec3,
     codegen::{Named, Source},
     display::{Exposure, Gray4, Ramp, Rgb565, Rgb565Ramp},
     draw::Gradient,
     haze::Haze,
+    light::{Distribution, Symmetry},
     projector::{Gobo, Projection, Shadow},
 };
 
@@ -190,6 +191,10 @@ fn at_distances<S: Scalar, A: Attenuation>(
     visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);
     let point = PointLight::new(PLACES[1])?.with_attenuation(attenuation).with_specular_color(AMBER)?;
     visit.value(format!("{} {point:?}", S::NAME), point.compile::<S>()?);
+    let distribution = Distribution::of(&[65_535, 1, 40_000, 0, 7, 0, 0, 0, 0], 5, Symmetry::Quadrant);
+    let measured =
+        MeasuredLight::new(PLACES[1], AXES[1], AXES[2], distribution)?.with_attenuation(attenuation);
+    visit.value(format!("{} {measured:?}", S::NAME), measured.with_specular_color(AMBER)?.compile::<S>()?);
     Ok(())
 }
 

@@ -12,7 +12,8 @@ use fastrand::Rng;
 extern crate std;
 
 fn pass(distances: [f64; 2], intensity: f64) -> Pass {
-    Pass { stages: f32::stages(1.0), distances, intensity, is_kept: false, lit: Cell::default() }
+    let stages = f32::stages(1.0);
+    Pass { stages, is_fine: false, distances, intensity, is_kept: false, lit: Cell::default() }
 }
 
 /// Returns two random numbers in order.

@@ -1,6 +1,6 @@
 //! The errors of the stages of `f32`, where each of them comes from.
 
-use crate::number::{Rounding, Stages};
+use crate::number::{Placing, Rounding, Stages};
 
 /// The relative error of a rounding to nearest.
 const UNIT: f64 = f32::EPSILON as f64 / 2.0;
@@ -53,4 +53,17 @@ pub(super) const STAGES: Stages = Stages {
     inverse_power: [3e-7, 1.5e-7],
     // A decay of less than 2^-95 is 0, times an intensity of 1e9.
     light: Rounding { absolute: 2.6e-20, relative: UNIT },
+};
+
+/// The stages of a distribution.
+pub(super) const PLACING: Placing = Placing {
+    // A cross product has three roundings of each component, which turn it by up to 3 units, and scaling it to length 1
+    // one more, beside a length of 4.5: the front, of two vectors that are off by one each, is off by 6, and the side,
+    // of axis and front, by 11.
+    frame: (12.6 + 4.5) * UNIT,
+    // Three products and two sums of magnitudes of at most 1 are a component, within 3 units; two sums, the
+    // reciprocal, the product, and its place from the first sample: each of up to 1. Another place is its complement.
+    square: (2.0 * 3.0 + 6.0) * UNIT,
+    // As of samples, twice.
+    cell: 12.0 * UNIT,
 };

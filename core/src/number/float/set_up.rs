@@ -4,8 +4,8 @@
 use super::{FloatFrame, FloatOffset, FloatRamp, FloatRay, clamp, errors, positive};
 use crate::{
     number::{
-        Arithmetic, Directions, Errors, Irradiance, Lights, Offset, Places, Ramps, Ray, Rise, Scalar, Share,
-        Slopes, Stages, Types, Vectors, Word, outside_bound, raised,
+        Arithmetic, Directions, Errors, Irradiance, Lights, Offset, Places, Placing, Ramps, Ray, Rise,
+        Scalar, Share, Slopes, Stages, Types, Vectors, Word, outside_bound, raised,
     },
     trig,
     vec3::Vec3,
@@ -118,6 +118,11 @@ impl Directions for f32 {
     }
 
     #[inline]
+    fn cross(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
+        a.cross(b)
+    }
+
+    #[inline]
     fn versine_between(a: Vec3<f32>, b: Vec3<f32>, _: FloatRamp) -> f32 {
         let difference = a.zip(b, |a, b| a - b);
         0.5 * difference.dot(difference)
@@ -227,6 +232,10 @@ impl Errors for f32 {
 
     fn stages(_: f64) -> Stages {
         errors::STAGES
+    }
+
+    fn placing(_: bool) -> Placing {
+        errors::PLACING
     }
 
     fn magnification(_: f32) -> f64 {

@@ -4,7 +4,7 @@
 //! its reciprocal length `2^30 / |v|`.
 
 use crate::number::{
-    Rounding, Stages, float, fx32,
+    Placing, Rounding, Stages, float, fx32,
     real::INVERSE_POWER,
     stages::{RANGE, power_of_two},
 };
@@ -143,6 +143,23 @@ pub(super) const FINE: Stages = Stages {
     inverse_power: [POWER, fx32::errors::DISTANCE + MANTISSA[0] + INVERSE_POWER[1]],
     light: Rounding::absolute(STEP / 2.0),
 };
+
+/// As in `Fx32`, of axes that are off by [`AXIS_TURN`]: the front by twice as much, and the side by three times.
+const FRAME: f64 = fx32::errors::PLACING.frame + 3.75 * AXIS_TURN + AXIS_LENGTH;
+
+/// The stages of a distribution in the coarse evaluation.
+pub(super) const COARSE_PLACING: Placing = Placing {
+    frame: FRAME,
+    // Direction and frame are rounded to 15 fraction bits: each component of the direction by half a unit, which is
+    // a vector of `sqrt(3) / 2`, and each of three vectors by as much, together 1.5; a place changes by `sqrt(2)` times
+    // as much. Then a component and `s` are rounded, the reciprocal has 3.4e-5 (exhaustive), and a place is rounded.
+    square: core::f64::consts::SQRT_2 * (0.866_1 + 1.5) * FINER + 1.5 * FINER + 3.4e-5,
+    // Two of 16 bits are rounded to half a unit, and then one between them, which is rounded to a scalar.
+    cell: STEP / 2.0 + 2.0 * power_of_two(-16),
+};
+
+/// The stages of a distribution in the fine evaluation.
+pub(super) const FINE_PLACING: Placing = Placing { frame: FRAME, ..fx32::errors::PLACING };
 
 /// What coordinates that are halved lose: up to half a unit of a difference of at least 2^23, which turns it by up to
 /// `sqrt(3) / 2^24`, and changes its length by this part.

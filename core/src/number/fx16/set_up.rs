@@ -8,7 +8,7 @@ use super::{
 use crate::{
     number::{
         Arithmetic, Directions, Errors, Fx16, Fx32, HALF_A_CODE, KEPT, Length, Light16, Lights, Offset,
-        Places, Ramps, Ray, Rise, Scalar, Slopes, Stages, Types, Versine, Weight16, Word,
+        Places, Placing, Ramps, Ray, Rise, Scalar, Slopes, Stages, Types, Versine, Weight16, Word,
         fx32::{Fine, FineRay},
         raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
@@ -116,6 +116,11 @@ impl Directions for Fx16 {
     fn direction_between(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
         // Half the difference of two components always fits 32 bits.
         Offset16::new(b.zip(a, |b, a| (b.to_bits() >> 1) - (a.to_bits() >> 1))).ray().direction()
+    }
+
+    #[inline]
+    fn cross(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
+        Fx32::cross(a, b)
     }
 
     #[inline]
@@ -305,6 +310,11 @@ impl Errors for Fx16 {
         i32::from(share.to_bits()) > least_share as i32 && light.to_bits() > least_light
     }
 
+    fn distribution_error(steepness: f32) -> f32 {
+        let (placing, turn) = (errors::COARSE_PLACING, errors::coarse(u32::BITS).turn);
+        (f64::from(steepness) * placing.error(turn, 1.0) + placing.cell) as f32
+    }
+
     fn stages(distance: f64) -> Stages {
         errors::coarse(errors::bits_at(distance))
     }
@@ -315,6 +325,10 @@ impl Errors for Fx16 {
 
     fn larger_errors_from(distance: f64) -> f64 {
         errors::more_bits_from(distance)
+    }
+
+    fn placing(is_fine: bool) -> Placing {
+        if is_fine { errors::FINE_PLACING } else { errors::COARSE_PLACING }
     }
 
     fn magnification(limit: f32) -> f64 {

@@ -1,7 +1,7 @@
 //! The errors of the stages of the 32-bit format, where each of them comes from.
 
 use crate::number::{
-    Rounding, Stages,
+    Placing, Rounding, Stages,
     real::INVERSE_POWER,
     stages::{RANGE, power_of_two},
 };
@@ -75,4 +75,19 @@ pub(in crate::number) const STAGES: Stages = Stages {
     inverse_polynomial: 2.0 * (DISTANCE + MANTISSA) + 6.81 * MANTISSA,
     inverse_power: [2.0 * MANTISSA + INVERSE_POWER[0], DISTANCE + MANTISSA + INVERSE_POWER[1]],
     light: Rounding::absolute(STEP / 2.0),
+};
+
+/// The stages of a distribution, which the fine evaluation of `Fx16` shares.
+pub(in crate::number) const PLACING: Placing = Placing {
+    // A component of a cross product is within 2^-28 of one of length 1, which turns it by up to 6.5e-9; scaled to length
+    // 1, it is off by a direction's 1.9e-9 more. So the front, of two vectors within an axis' turn, is off by 1e-8, and
+    // the side by 1.9e-8 more. A direction's length is within 2.4e-8.
+    frame: 3.1e-8 + 2.4e-8,
+    // Three products are rounded down in units of 2^-28, of which half is added: a component is within 1.5 units, and `s`
+    // within three times as much. The reciprocal is within 4e-9 of its size (searched), and a place is rounded down to 30
+    // bits.
+    square: 5.0 * 1.5 * 4.0 * STEP + 4e-9 + STEP,
+    // A share of a step of 16 bits is rounded down to 31 bits, and again that of the step between two of these; the
+    // conversion rounds by half a unit.
+    cell: 2.5 * power_of_two(-31),
 };

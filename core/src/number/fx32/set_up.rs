@@ -4,10 +4,10 @@
 use super::{Fine, FineRay, Frame32, Gain32, Offset32, errors, versine};
 use crate::{
     number::{
-        Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Ramps, Rise, Slopes,
-        Stages, Types, Versine, Weight32, Word, nearest, raised,
+        Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Placing, Ramps, Rise,
+        Slopes, Stages, Types, Versine, Weight32, Word, nearest, raised,
         ramp::{FixedRamp, MOST_ZOOM, zoom},
-        root::{self, high_half, wide},
+        root::{self, high_half, signed_high_half, wide},
         rounded, sphere,
     },
     vec3::Vec3,
@@ -18,6 +18,16 @@ use crate::{
 pub(super) fn inner(direction: Vec3<Fx32>, normal: Vec3<Fx32>) -> i64 {
     let products = direction.zip(normal, |d, n| wide(d.to_bits(), n.to_bits()) >> 2);
     products.x + products.y + products.z
+}
+
+/// Returns the cross product of two directions, with 28 fraction bits. Each component is within one unit of 2^-28.
+#[inline]
+pub(in crate::number) fn cross(a: Vec3<Fx32>, b: Vec3<Fx32>) -> Vec3<Fx32> {
+    let [a, b] = [a, b].map(|direction| direction.map(Fx32::to_bits));
+    let minor = |a: i32, b: i32, c: i32, d: i32| {
+        Fx32::from_bits(signed_high_half(a, b).wrapping_sub(signed_high_half(c, d)))
+    };
+    Vec3::new(minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x))
 }
 
 impl Offset32 {
@@ -106,6 +116,11 @@ impl Directions for Fx32 {
 
     fn aim(toward: Vec3<f32>, _: Vec3<f32>) -> Vec3<Self> {
         Self::axis(toward)
+    }
+
+    #[inline]
+    fn cross(a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
+        cross(a, b)
     }
 
     #[inline]
@@ -251,6 +266,10 @@ impl Errors for Fx32 {
 
     fn stages(_: f64) -> Stages {
         errors::STAGES
+    }
+
+    fn placing(_: bool) -> Placing {
+        errors::PLACING
     }
 
     fn magnification(limit: f32) -> f64 {

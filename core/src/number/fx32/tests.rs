@@ -181,3 +181,27 @@ fn the_model_of_the_proofs_has_the_bits_of_the_fine_stages() {
         assert_eq!(i128::from(fraction.lifted(slope).0), t + model.lift(t, u, slope.into()));
     }
 }
+
+/// Exhaustive over all sums, and 3e-4 beyond both ends.
+#[test]
+fn reciprocal_of_a_sum_has_its_error() {
+    let sums = 32_758..=56_774_u32;
+    let error = |sum| f64::from(inverse_sum_16(sum)) / 65_536.0 * f64::from(sum) / 32_768.0 - 1.0;
+    let worst = sums.map(|sum| error(sum).abs()).fold(0.0, f64::max);
+    assert!((3.2e-5..=3.4e-5).contains(&worst), "{worst:.3e}");
+    // A sum of any other size has some reciprocal.
+    assert!((0..=u32::from(u16::MAX) * 2).chain([u32::MAX]).all(|sum| inverse_sum_16(sum) < 1 << 18));
+}
+
+#[test]
+fn reciprocal_of_a_finer_sum_has_its_error() {
+    let mut worst = 0.0_f64;
+    for sum in ((1 << 28)..=464_943_849_u32).step_by(611) {
+        let product = f64::from(inverse_sum_32(sum)) / 2_f64.powi(31) * f64::from(sum) / 2_f64.powi(28);
+        worst = worst.max((product - 1.0).abs());
+    }
+    assert!((2e-9..=4e-9).contains(&worst), "{worst:.3e}");
+    for sum in [0, 1, 1 << 20, 1 << 29, 1 << 31, u32::MAX] {
+        inverse_sum_32(sum);
+    }
+}
