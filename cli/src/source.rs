@@ -106,6 +106,10 @@ pub(crate) struct Source {
     /// Take the mean of a measured light's planes, however they differ
     #[arg(long)]
     pub(crate) round: bool,
+    /// The size of the table of a photometric light that is not round: 3, 5, 9, 17, 33, 65, 129 or 257 samples along a
+    /// side [default: the smallest that is within --fit of the file, at most 65]
+    #[arg(long, value_name = "SAMPLES", conflicts_with = "round")]
+    pub(crate) size: Option<u32>,
 }
 
 /// A file, or another source, with its lights.
@@ -307,7 +311,7 @@ impl Source {
     /// How measured intensities are read.
     fn reading(&self) -> Reading {
         let fit = self.fit.unwrap_or(Reading::default().fit);
-        Reading { fit, is_round: self.round, remedy: ROUND }
+        Reading { fit, is_round: self.round, size: self.size, remedy: ROUND, ..Reading::default() }
     }
 
     /// Says which options have no effect on these lights. `has_throw` is whether the command has a
@@ -326,6 +330,8 @@ impl Source {
         }
         use System::{Eulumdat, Gdtf, Ies, Ofl};
         let lamps = loaded.iter().flat_map(|loaded| &loaded.lamps.lamps);
+        let mut tables = loaded.iter().flat_map(|loaded| &loaded.lamps.lamps);
+        let is_table = is_none || tables.any(|lamp| matches!(lamp.light, AnyLight::Measured(_)));
         let is_measured = has(&[Ies, Eulumdat]) || lamps.into_iter().any(|lamp| lamp.measured.is_some());
         for (option, is_idle, why) in [
             ("light", self.light.is_some() && is_own, "there is no file"),
@@ -336,6 +342,11 @@ impl Source {
                 "only photometry is scaled by the light at a distance",
             ),
             ("fit", self.fit.is_some() && !is_measured, "no light is that of a photometric file"),
+            (
+                "size",
+                self.size.is_some() && (is_own || !is_table),
+                "no light of a photometric file is other than round",
+            ),
             ("round", self.round && !is_measured, "no light is that of a photometric file"),
             ("position", spot.position.is_some() && !placed, "a directional light has none"),
             ("axis", spot.axis.is_some() && !aimed, "a point light has none"),

@@ -60,11 +60,11 @@ impl Wall {
         // Lights that shine against one another have no axis, and point lights none either.
         let axis = if length > 1e-3 { sum.map(|c| c / length) } else { [0.0, -1.0, 0.0] };
         let [x, y, z] = axis;
-        // Any two directions across the axis.
-        let across = if y.abs() < 0.9 { [z, 0.0, -x] } else { [0.0, -z, y] };
+        // To the right and up for a viewer at the lights: of lights that point down, along x and -z.
+        let across = if y.abs() < 0.9 { [-z, 0.0, x] } else { [-y, x, 0.0] };
         let across = across.map(|c| c / dot(across, across).sqrt());
         let up =
-            [y * across[2] - z * across[1], z * across[0] - x * across[2], x * across[1] - y * across[0]];
+            [across[1] * z - across[2] * y, across[2] * x - across[0] * z, across[0] * y - across[1] * x];
         // Position, axis and half angle in degrees of the pools.
         let pools: Vec<([f32; 3], [f32; 3], f32)> = lights
             .iter()

@@ -253,16 +253,43 @@ fn errors_name_the_parameter_and_stay_short() {
 }
 
 #[test]
-fn planes_that_differ_are_taken_by_fit_or_as_round() {
+fn planes_that_differ_are_a_table_or_taken_by_fit_or_as_round() {
     let file = temporary("uneven.ies");
     let uneven =
         "IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 3 2 1 2 0 0 0\n1 1 1\n0 10 20\n0 180\n1000 500 0\n1000 700 0\n";
     std::fs::write(&file, uneven).expect("a file");
-    let output = luminaire(&["import", &file.display().to_string()]);
-    let told = String::from_utf8(output.stdout).expect("a text");
+    let told = text(&format!("import {}", file.display()));
+    assert!(
+        told.contains(": measured, intensity 1000 cd") && told.contains("a table of 65 x 33 samples"),
+        "{told}"
+    );
+    let sized = text(&format!("import {} --size 17", file.display()));
+    assert!(sized.contains("a table of 17 x 9 samples"), "{sized}");
+    let json = temporary("uneven.json");
+    text(&format!("export --from {} --to json --output {}", file.display(), json.display()));
+    let [own, again] = [&file, &json]
+        .map(|file| text(&format!("export --from {} --to rust-fx16 --name key", file.display())));
+    assert!(
+        own == again && own.contains("LIGHT: CompiledMeasuredLight<'static, Fx16, InverseSquare>"),
+        "{own}"
+    );
+    let wall = temporary("uneven.png");
+    text(&format!("still --from {} --output {}", json.display(), wall.display()));
+    let from = file.display().to_string();
+    for (tool, told) in [
+        ("blender", "`--round` takes the mean of the planes"),
+        ("ies", "a spotlight"),
+        ("glsl", "`json` have"),
+    ] {
+        let output = luminaire(&["export", "--from", &from, "--to", tool]);
+        let found = String::from_utf8(output.stderr).expect("a text");
+        assert!(
+            !output.status.success() && found.contains("measured: expected") && found.contains(told),
+            "{found}"
+        );
+    }
     let differs = "the horizontal plane 180 differs from the mean of the planes by 25.5 of 255 codes (10.0 % of the peak) at \
                    the vertical angle 10";
-    assert!(!output.status.success() && told.contains(differs) && told.contains("--round"), "{told}");
     for option in ["--fit 26", "--round"] {
         let told = text(&format!("import {} {option}", file.display()));
         assert!(told.contains(&format!("The light is taken as round: {differs}.")), "{told}");
@@ -321,8 +348,8 @@ fn still_shows_all_lights_of_a_file() {
     let away = (side / (1.0 + 4.0 * 12.5_f32.to_radians().tan())) as u32;
     let middle = width / 2;
     for (x, y, light) in [
-        (middle, middle - away, [1.0, 0.25, 0.5]),
-        (middle, middle + away, [0.0, 0.25, 1.0]),
+        (middle + away, middle, [1.0, 0.25, 0.5]),
+        (middle - away, middle, [0.0, 0.25, 1.0]),
         (3, 3, [0.0, 0.25, 0.5]),
     ] {
         let at = 3 * (y * width + x) as usize;

@@ -9,7 +9,10 @@ use crate::convert;
 use crate::lamp::{Lamp, Lamps};
 use crate::measured;
 use crate::profile::{Beside, Profiles};
-use crate::read::{self, Found, photometry::Photometry};
+use crate::read::{
+    self, Found,
+    photometry::{Photometry, Shape},
+};
 use crate::reading::Reading;
 use crate::record::{Kind, Record, Value};
 use crate::refusal::Refusal;
@@ -239,9 +242,13 @@ fn photometry(
     if !(0.0..=255.0).contains(&reading.fit) {
         return Err(Refusal::new("fit", reading.fit, "a number from 0 to 255 linear codes"));
     }
-    let Photometry { name, curve, difference, kelvin, notes } = reader(text, reading)?;
+    let Photometry { name, shape, kelvin, notes } = reader(text, reading)?;
     let name = if name.is_empty() { "light" } else { &name };
-    let lamps = measured::lamps(name, &curve, difference, reading.fit)?;
+    let lamps = match shape {
+        Shape::Round(curve, difference) => measured::lamps(name, &curve, difference, reading.fit)?,
+        Shape::Planes(_, refusal) if !reading.takes_planes => return Err(refusal),
+        Shape::Planes(sphere, _) => vec![measured::lamp(name, &sphere, reading)?],
+    };
     let lamps = lamps.into_iter().map(|lamp| lamp.in_white(kelvin)).collect();
     Ok(Lamps { lamps, notes, ..Lamps::new(system) })
 }

@@ -20,6 +20,7 @@ mod refusal;
 mod residual;
 mod search;
 mod sheet;
+mod sphere;
 mod system;
 mod tabulate;
 mod text;

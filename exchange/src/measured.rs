@@ -1,12 +1,15 @@
 //! Lights of measured intensities.
 
-use luminaire::{PointLight, SpotLight};
+use luminaire::light::Distribution;
+use luminaire::{MeasuredLight, PointLight, SpotLight};
 
 use crate::curve::Curve;
 use crate::difference::Difference;
 use crate::fit;
 use crate::lamp::Lamp;
+use crate::reading::Reading;
 use crate::refusal::Refusal;
+use crate::sphere::{Sphere, Table};
 
 /// Returns the lights of a curve whose axis points down: one, and a second one that points up if there
 /// is light more than 90 degrees off the axis, where no cone of one light reaches; or a point light, if the
@@ -56,6 +59,44 @@ pub(crate) fn lamps(
     let first = lamps.first_mut().ok_or_else(|| Refusal::new("intensities", "0", "a light"))?;
     first.notes.extend(faint);
     Ok(lamps)
+}
+
+/// Sizes of tables that are tried, the last one whatever its difference.
+const SIZES: [u32; 4] = [9, 17, 33, 65];
+
+/// Returns the light of intensities that are not round, which points down: one light over the whole sphere.
+pub(crate) fn lamp(name: &str, sphere: &Sphere, reading: Reading) -> Result<Lamp, Refusal> {
+    let is_enough =
+        |table: &Table| sphere.sampled(table).is_some_and(|difference| difference.found <= reading.fit);
+    let table = match reading.size {
+        // Too large a size is refused before its samples are taken.
+        Some(size) => {
+            // Another size is refused before its samples are taken.
+            let is_size = (3..=257).contains(&size) && (size - 1).is_power_of_two();
+            let expected = "a power of two and one, from 3 to 257";
+            is_size.then(|| sphere.table(size)).ok_or_else(|| Refusal::new("size", size, expected))?
+        }
+        None => {
+            let last = SIZES[SIZES.len() - 1];
+            let found = SIZES.into_iter().map(|size| sphere.table(size)).find(is_enough);
+            found.unwrap_or_else(|| sphere.table(last))
+        }
+    };
+    let none = || Refusal::new("intensities", "not finite", "numbers");
+    let difference = sphere.difference(&table).ok_or_else(none)?;
+    let samples: &'static [u16] = table.samples.leak();
+    let distribution = Distribution::new(samples, table.size, table.symmetry)?;
+    let side = if table.is_turned { [0.0, 0.0, -1.0] } else { [1.0, 0.0, 0.0] };
+    let light = MeasuredLight::new([0.0; 3], [0.0, -1.0, 0.0], side, distribution)?;
+    let mut lamp = Lamp::new(name, light.with_intensity(sphere.peak() as f32)?);
+    lamp.difference.angle = (difference.bound / 255.0).min(1.0) as f32;
+    let [columns, rows] = distribution.shape();
+    lamp.notes.push(format!(
+        "the light is not round: a table of {columns} x {rows} samples over all directions differs from the file by {:.2} \
+         of 255 codes in the mean square and at most {:.1} (found), {:.1} (bound)",
+        difference.rms, difference.found, difference.bound
+    ));
+    Ok(lamp)
 }
 
 /// Returns the half of a curve up to 90 degrees off the axis, or off the opposite axis; `None` without light.

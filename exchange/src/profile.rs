@@ -11,7 +11,7 @@ use crate::curve::Curve;
 use crate::fit::share;
 use crate::lamp::{Lamp, Place, placed};
 use crate::measured;
-use crate::read::{ies, photometry::Photometry};
+use crate::read::ies;
 use crate::reading::Reading;
 use crate::record::Profile;
 use crate::refusal::Refusal;
@@ -114,7 +114,10 @@ fn shape(beside: Beside, reading: Reading, profile: &Profile, own: &Lamp) -> Res
         unread(format!("it ends after {} bytes, before byte {}", bytes.len(), own_part.end))
     })?;
     let text = decode(bytes)?;
-    let Photometry { mut curve, difference, notes, .. } = ies::read(&text, reading)?;
+    // How a light with planes is turned about its axis, the scene does not say in a way that tools share.
+    let photometry = ies::read(&text, reading)?;
+    let (curve, difference) = photometry.round()?;
+    let mut curve = curve.clone();
     if let AnyLight::Spot(spot) = own.light
         && let Some(cone) = Lamp::new("", spot.with_intensity(1.0)?).curve()
     {
@@ -132,5 +135,5 @@ fn shape(beside: Beside, reading: Reading, profile: &Profile, own: &Lamp) -> Res
         }
     }
     let lamps = measured::lamps("", &curve, difference, reading.fit)?;
-    Ok(Shape { lamps, lumens: curve.lumens(), notes })
+    Ok(Shape { lamps, lumens: curve.lumens(), notes: photometry.notes })
 }

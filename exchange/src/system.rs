@@ -77,9 +77,9 @@ systems! {
     /// Babylon.js.
     Babylon(Babylon) = "babylon", ["babylon"], "lights of a scene, or numbers";
     /// IES LM-63.
-    Ies = "ies", ["ies"], "rotational photometry of 1986 to 2019";
+    Ies = "ies", ["ies"], "photometry of type C of 1986 to 2019";
     /// EULUMDAT.
-    Eulumdat = "eulumdat", ["ldt"], "rotational photometry";
+    Eulumdat = "eulumdat", ["ldt"], "photometry of any symmetry";
     /// The General Device Type Format.
     Gdtf = "gdtf", ["gdtf"], "the beams of a fixture, its zoom and its gobos";
     /// The Open Fixture Library.

@@ -28,6 +28,7 @@
 //!
 //! Spotlights have all falloffs and attenuations of the kernel. Point lights and directional lights
 //! have an irradiance and no falloff; that of a directional light takes the normal alone.
+//! A measured light, which has a table over all directions, is written as constants of Rust, as a build script and as JSON.
 //!
 //! # Scenes
 //!
@@ -74,7 +75,7 @@
 //! |---|---|
 //! | `format` | `luminaire-lights-1` |
 //! | `lights` | an array of lights, each with the members below |
-//! | `name`, `kind` | any text; `spot` (the default), `point`, `directional` or `ambient` |
+//! | `name`, `kind` | any text; `spot` (the default), `measured`, `point`, `directional` or `ambient` |
 //! | `position`, `axis` | three numbers; the axis points along the light and has any length |
 //! | `color`, `specular_color` | linear red, green and blue, each up to 1; white, and the colour, by default |
 //! | `intensity` | 1 is full scale on the axis at distance 1 |
@@ -83,6 +84,8 @@
 //! | `cone.beam_degrees`, `field_degrees`, `outer_degrees`, `inner_degrees`, `cutoff_degrees` | full angles: 50 % and 10 % of the intensity, the end of the falloff, full intensity, the end of the light before that of its falloff |
 //! | `cone.inner_versine`, `outer_versine`, `cutoff_versine` | `1 - cos` of half of three of these angles, which are exact: with them the angles are for readers |
 //! | `cone.falloff` | `name` and `parameters`, those of `luminaire export --falloff`; and for readers its [`formula`](luminaire::falloff::Formula) at `t = (outer - v) / (outer - inner)` with the versine `v`: `coefficients`, or `exponent` and `floor` |
+//! | `side` | of a measured light three numbers, at least 6 degrees off the axis: of photometry the plane C0; 1, 0, 0 by default |
+//! | `distribution.size`, `symmetry`, `samples` | of a measured light: 3, 5, 9, 17, 33, 65 (the default), 129 or 257; `none` (the default), `bilateral` or `quadrant`; and the intensities as [`Distribution`](luminaire::light::Distribution) has them, of which 65,535 is 1 |
 //! | `attenuation.law` | `constant`, `inverse-square` (the default), `polynomial` with `constant`, `linear` and `quadratic`, `decay` with `exponent` and its cap `most`, or `smoothstep` to `range` |
 //! | `attenuation.window`, `range` | `cut`, `gltf` or `square`, at the range; absent without a range |
 //!

@@ -16,10 +16,12 @@ pub struct LightFile(Lamps, Use);
 #[wasm_bindgen]
 impl LightFile {
     /// Reads a file. `throw` is the distance in metres of the surface that counts, and `is_round` whether a measured
-    /// light is the mean of its planes whatever their difference. Throws what the reader refuses, in its words.
+    /// light is the mean of its planes whatever their difference; one that is not round is refused without it. Throws what the reader refuses, in its words.
     #[wasm_bindgen(constructor)]
     pub fn new(name: &str, bytes: &[u8], throw: f64, is_round: bool) -> Result<Self, Refusal> {
-        let lamps = read(name, bytes, None, Reading { is_round, ..Reading::default() })?;
+        // The page draws round lights.
+        let reading = Reading { is_round, takes_planes: false, ..Reading::default() };
+        let lamps = read(name, bytes, None, reading)?;
         let usage = lamps.usage(throw);
         Ok(Self(lamps, usage))
     }

@@ -7,17 +7,26 @@ use crate::curve::Curve;
 use crate::limits::within;
 use crate::reading::Reading;
 use crate::refusal::Refusal;
+use crate::sphere::Sphere;
 
-/// A photometric file of a light with rotational symmetry.
+/// A photometric file of a light.
 #[derive(Debug)]
 pub(crate) struct Photometry {
     pub(crate) name: String,
-    pub(crate) curve: Curve,
-    /// The largest difference of a plane from the curve, relative to the peak; 0 with one plane.
-    pub(crate) difference: f64,
+    pub(crate) shape: Shape,
     /// The correlated colour temperature, if the file has one.
     pub(crate) kelvin: Option<f64>,
     pub(crate) notes: Vec<String>,
+}
+
+/// The intensities of a file.
+#[derive(Debug)]
+pub(crate) enum Shape {
+    /// A light that is round, or is taken as round: its curve, and the largest difference of a plane from it, relative to
+    /// the peak; 0 with one plane.
+    Round(Curve, f64),
+    /// A light that is not, and why it is not round.
+    Planes(Sphere, Refusal),
 }
 
 /// The difference of a plane from the mean, in linear codes, up to which a light is round.
@@ -129,8 +138,10 @@ impl Planes<'_> {
     /// Returns the light with the first name that is not empty and the mean of the planes as curve.
     /// For a light that shines up, half angles are from the vertical angle 180.
     ///
+    /// A light with a plane that is farther off the mean than `reading` takes has all its planes.
+    ///
     /// # Errors
-    /// A plane that is farther off the mean than `reading` takes, no light, or no vertical angle at the axis.
+    /// No light, no vertical angle at the axis, or planes that are no whole, half or quarter of a circle.
     pub(crate) fn light(
         &self,
         names: &[&str],
@@ -169,7 +180,12 @@ impl Planes<'_> {
             if !reading.is_round && 255.0 * difference > reading.fit {
                 let expected =
                     format_args!("a light with rotational symmetry; in this one {differs}{}", reading.remedy);
-                return Err(Refusal::new("symmetry", self.symmetry, expected));
+                let refusal = Refusal::new("symmetry", self.symmetry, expected);
+                let Some(sphere) = Sphere::new(&self.horizontal, &self.vertical, candela) else {
+                    return Err(refusal);
+                };
+                let shape = Shape::Planes(sphere, refusal);
+                return Ok(Photometry { name: first_name(names), shape, kelvin: None, notes });
             }
             notes.push(format!("The light is taken as round: {differs}."));
         }
@@ -179,9 +195,27 @@ impl Planes<'_> {
             points.dedup_by_key(|point| point.0);
         }
         let curve = Curve::new(points).ok_or_else(|| refusal("ascending angles"))?;
-        let name = (*names.iter().find(|name| !name.is_empty()).unwrap_or(&"")).to_owned();
-        Ok(Photometry { name, curve, difference, kelvin: None, notes })
+        let shape = Shape::Round(curve, difference);
+        Ok(Photometry { name: first_name(names), shape, kelvin: None, notes })
     }
+}
+
+impl Photometry {
+    /// Returns the curve of a light that is round, and the largest difference of a plane from it.
+    ///
+    /// # Errors
+    /// A light that is not round.
+    pub(crate) fn round(&self) -> Result<(&Curve, f64), Refusal> {
+        match &self.shape {
+            Shape::Round(curve, difference) => Ok((curve, *difference)),
+            Shape::Planes(_, refusal) => Err(refusal.clone()),
+        }
+    }
+}
+
+/// Returns the first name that is not empty.
+fn first_name(names: &[&str]) -> String {
+    (*names.iter().find(|name| !name.is_empty()).unwrap_or(&"")).to_owned()
 }
 
 /// Returns the share of each plane in the mean: half the angle to its neighbours, so that planes 0
