@@ -82,7 +82,7 @@
 //!
 //! | | |
 //! |---|---|
-//! | lights | [`light`]: spot, point, directional and ambient lights, with a diffuse and a specular colour; they move, turn, zoom, dim and change their colour at run time, also in integers |
+//! | lights | [`light`]: spot, point, directional and ambient lights, and measured ones that are not round, with a diffuse and a specular colour; they move, turn, zoom, dim and change their colour at run time, also in integers |
 //! | edges | [`falloff`]: the soft and the hard quadratic of Hast 2004; linear, smoothstep, step; any quadratic or monotone cubic; powers up to 1,024; measured tables |
 //! | distance | [`attenuation`]: the inverse square, real powers, and the range models of glTF, Filament and OpenGL |
 //! | surfaces | [`specular`]: Lambert with a highlight of Phong, Blinn-Phong or a dual cone |
