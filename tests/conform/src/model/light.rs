@@ -1,9 +1,10 @@
 //! Lights of every kind, from their description to the light that arrives.
 
 use luminaire::{
-    AmbientLight, Cone, DirectionalLight, Error, PointLight, SpotLight,
+    AmbientLight, Cone, DirectionalLight, Error, MeasuredLight, PointLight, SpotLight,
     attenuation::{Attenuation, NoAttenuation},
     falloff::{Falloff, Soft},
+    light::{Distribution, Symmetry},
     number::Quick,
 };
 
@@ -59,6 +60,24 @@ pub(super) fn point<S: Format, A: Attenuation>(
     let (position, intensity) = (case.vector("position"), case.number("intensity"));
     let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
     let light = PointLight::new(position)?.with_intensity(intensity)?.with_attenuation(attenuation?);
+    case.give(light.compile::<S>()?.irradiance(point, normal));
+    Ok(())
+}
+
+/// The samples of a distribution of size 5 about one plane: of steep cells, and of level ones.
+pub(super) static STEEP: [u16; 15] = [65_535, 3, 40_000, 0, 7, 9, 1, 40_000, 0, 7, 65_535, 3, 1, 3, 65_535];
+pub(super) static LEVEL: [u16; 15] = [
+    60_001, 61_002, 65_535, 62_003, 59_004, 60_005, 61_006, 62_007, 61_008, 60_009, 58_010, 57_011, 57_012,
+    57_011, 58_010,
+];
+
+/// The light at a point of a measured light.
+pub(super) fn measured<S: Format>(case: &mut Case<'_>, samples: &'static [u16; 15]) -> Outcome {
+    let (position, axis, side) = (case.vector("position"), case.vector("axis"), case.vector("side"));
+    let intensity = case.number("intensity");
+    let (point, normal) = (case.point::<S>("point"), case.normal::<S>("normal"));
+    let distribution = Distribution::new(samples, 5, Symmetry::Bilateral)?;
+    let light = MeasuredLight::new(position, axis, side, distribution)?.with_intensity(intensity)?;
     case.give(light.compile::<S>()?.irradiance(point, normal));
     Ok(())
 }

@@ -221,6 +221,8 @@ static WRITTEN: &[Model] = &[
     each!("point cut-at", S, case => {
         light::point::<S, _>(case, |case| CutAt::new(NoAttenuation, Some(range(case))))
     }),
+    each!("measured level", S, case => light::measured::<S>(case, &light::LEVEL)),
+    each!("measured steep", S, case => light::measured::<S>(case, &light::STEEP)),
     each!("place", S, case => beam::place::<S>(case)),
     each!("gobo", S, case => beam::gobo::<S>(case)),
     each!("shadow", S, case => beam::shadow::<S>(case)),

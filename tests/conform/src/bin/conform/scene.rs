@@ -57,6 +57,7 @@ impl Scene {
         scene.set_beam(&mut SplitMix64(random.0 ^ 0x6265_616d));
         scene.set_decay(&mut SplitMix64(random.0 ^ 0x6465_6361));
         scene.set_pair(&mut SplitMix64(random.0 ^ 0x7061_6972));
+        scene.set_vector("side", direction(&mut SplitMix64(random.0 ^ 0x7369_6465)));
         scene
     }
 
