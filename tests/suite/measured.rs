@@ -445,7 +445,13 @@ fn assert_reach<S: Format>() {
     for i in 0..200 {
         let end = rng.f64() * 1.2 - 0.4;
         let table = Table::of(SIZES[2 + i % 5], SYMMETRIES[i % 3], |way| if way.z > end { 1.0 } else { 0.0 });
-        let lit = hung(&table, [0.0; 3]).compile::<S>().expect("held");
+        let light = hung(&table, [0.0; 3]);
+        if let Some(outer) = light.outer() {
+            // All samples up to a cell beyond the end are in the cone.
+            let half = f64::from(outer.to_degrees()).to_radians() / 2.0;
+            assert_that!(end > -0.01 && half.cos() <= end, end, half);
+        }
+        let lit = light.compile::<S>().expect("held");
         let center = 4.0 * sweep::direction(&mut rng);
         let radius = 2.0 * rng.f64();
         let reached = lit.can_reach(sweep::single(center).map(S::length), S::length(radius as f32));

@@ -2,6 +2,7 @@
 
 use super::{Axis, Emission, check_reach, checked_position, range_above};
 use crate::{
+    angle::Angle,
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
     distribution::Distribution,
@@ -190,6 +191,16 @@ impl<'a, A: Attenuation> MeasuredLight<'a, A> {
         range_above(self.attenuation, self.emission.intensity, light)
     }
 
+    /// Returns the full angle of a cone about the axis that holds all light, in every number format; `None` for a light
+    /// without one of at most 180 degrees.
+    pub fn outer(&self) -> Option<Angle> {
+        self.outer_versine().map(Angle::from_versine)
+    }
+
+    fn outer_versine(&self) -> Option<f32> {
+        self.distribution.end().map(|versine| versine + MARGIN).filter(|versine| *versine <= 1.0)
+    }
+
     /// Returns the sine of the angle between axis and side.
     pub(crate) fn sine(&self) -> f32 {
         sine(self.axis, self.side)
@@ -211,9 +222,8 @@ impl<'a, A: Attenuation> MeasuredLight<'a, A> {
         // Axes that are 6 degrees apart have a front.
         let [side, front] = number::across::<S>(axis, side).unwrap_or([side; 2]);
         let intensity = self.emission.intensity;
-        let end = self.distribution.end().map(|versine| versine + MARGIN).filter(|versine| *versine <= 1.0);
         // Of a light at a right angle or behind, no point is outside: no squared cosine is less than -1.
-        let outside = end.map_or(S::from_f32(-2.0), number::outside_bound);
+        let outside = self.outer_versine().map_or(S::from_f32(-2.0), number::outside_bound);
         Ok(CompiledMeasuredLight {
             position: self.position.map(S::length),
             frame: [side, front, axis],

@@ -1,7 +1,7 @@
 //! Bounds of light, used to skip points that no light reaches.
 
 use glam::{Vec2, Vec3};
-use luminaire::dynamic::AnyLight;
+use luminaire::{Angle, dynamic::AnyLight};
 
 use crate::space::{bounds::Bounds, directions::Directions};
 
@@ -42,14 +42,13 @@ impl Reach {
                 range: point.attenuation().range(),
                 beam: None,
             },
-            AnyLight::Measured(light) => Self {
-                source: Source::Place(light.position().into()),
-                range: light.attenuation().range(),
-                beam: None,
-            },
+            AnyLight::Measured(light) => {
+                let beam = light.outer().map(|outer| Beam::new(light.frame()[2], outer));
+                let source = Source::Place(light.position().into());
+                Self { source, range: light.attenuation().range(), beam }
+            }
             AnyLight::Spot(spot) => {
-                let outer = spot.cone().outer().to_radians();
-                let beam = Beam { axis: spot.axis().into(), edge: Vec2::from_angle(outer / 2.0) };
+                let beam = Beam::new(spot.axis(), spot.cone().outer());
                 Self {
                     source: Source::Place(spot.position().into()),
                     range: spot.attenuation().range(),
@@ -97,6 +96,11 @@ impl Reach {
 }
 
 impl Beam {
+    /// Creates a cone of a full angle.
+    fn new(axis: luminaire::Vec3<f32>, outer: Angle) -> Self {
+        Self { axis: axis.into(), edge: Vec2::from_angle(outer.to_radians() / 2.0) }
+    }
+
     /// Returns whether a sphere is outside the cone. `way` is the vector from the light to the
     /// sphere's centre.
     fn misses(&self, way: Vec3, radius: f32) -> bool {

@@ -1,7 +1,10 @@
 //! Skipping changes no bit of a picture, and saves as much as stated.
 
 use luminaire::{
-    Fx16, Fx32, Rgb, Vec3, dynamic::AnyLight, light::SurfacePoint, projector::Fixture,
+    Fx16, Fx32, MeasuredLight, Rgb, Vec3,
+    dynamic::AnyLight,
+    light::{Distribution, SurfacePoint, Symmetry},
+    projector::Fixture,
     specular::SpecularLobe as _,
 };
 use luminaire_render::{
@@ -99,6 +102,32 @@ fn dark_lights_and_lights_that_go_off_and_on_leave_no_trace() {
             let reversed = all.iter().rev().copied().collect();
             let none = all.iter().map(off).collect();
             vec![all.clone(), without(0), without(1), all.clone(), Vec::new(), all, fewer, reversed, none]
+        });
+    }
+}
+
+/// Lights that are not round, in the places of spotlights: up to 50 degrees off the axis, and in all directions.
+#[test]
+fn measured_lights_are_skipped_where_they_send_nothing() {
+    const NARROW: [u16; 25] =
+        [65_535, 40_000, 0, 0, 0, 50_000, 30_000, 0, 0, 0, 20_000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    const WHOLE: [u16; 15] = [9_000, 65_535, 40_000, 30_000, 7, 9, 1, 40_000, 0, 7, 65_535, 3, 1, 3, 65_535];
+    let narrow = Distribution::of(&NARROW, 9, Symmetry::Quadrant);
+    let whole = Distribution::of(&WHOLE, 5, Symmetry::Bilateral);
+    for example in [Example::ThreePoint, Example::Gallery] {
+        assert_same_everywhere(example, |setup| {
+            let all = setup.fixtures_at(0.0).unwrap();
+            let with = |distribution| {
+                let measured = |fixture: &Fixture| {
+                    let AnyLight::Spot(spot) = fixture.light() else { return *fixture };
+                    let side = Vec3::new(spot.axis().y, spot.axis().z, -spot.axis().x);
+                    let light = MeasuredLight::new(spot.position(), spot.axis(), side, distribution).unwrap();
+                    let light = light.with_attenuation(spot.attenuation());
+                    light.with_intensity(spot.intensity()).unwrap().with_color(spot.color()).unwrap().into()
+                };
+                all.iter().map(measured).collect::<Vec<_>>()
+            };
+            vec![with(narrow), with(whole), all.clone(), with(narrow)]
         });
     }
 }
