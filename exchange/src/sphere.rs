@@ -128,24 +128,13 @@ impl Sphere {
 
     /// Returns the range of shares between two planes and two angles.
     fn range(&self, [first, last]: [f64; 2], [near, far]: [f64; 2]) -> [f64; 2] {
-        let between = |places: &[f64], from: f64, to: f64| {
-            let [start, end] =
-                [places.partition_point(|own| *own <= from), places.partition_point(|own| *own < to)];
-            let inside = places.get(start..end).unwrap_or(&[]).iter().copied();
-            [from].into_iter().chain(inside).chain([to]).collect::<Vec<_>>()
-        };
-        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         let (start, end) = (self.angles[0], self.angles[self.angles.len() - 1]);
-        if near < start || far > end {
-            range = [0.0; 2];
+        let mut range = if near < start || far > end { [0.0; 2] } else { [f64::INFINITY, f64::NEG_INFINITY] };
+        if far < start || near > end {
+            return range;
         }
-        let angles = if far < start || near > end {
-            Vec::new()
-        } else {
-            between(&self.angles, near.max(start), far.min(end))
-        };
         for plane in between(&self.planes, first, last) {
-            for &angle in &angles {
+            for angle in between(&self.angles, near.max(start), far.min(end)) {
                 let share = self.at(plane, angle);
                 range = [range[0].min(share), range[1].max(share)];
             }
@@ -310,6 +299,13 @@ impl Ord for Part {
     fn cmp(&self, other: &Self) -> Ordering {
         self.bound.total_cmp(&other.bound)
     }
+}
+
+/// Returns two places and those of a list between them.
+fn between(places: &[f64], from: f64, to: f64) -> impl Iterator<Item = f64> {
+    let [start, end] = [places.partition_point(|own| *own <= from), places.partition_point(|own| *own < to)];
+    let inside = places.get(start..end).unwrap_or(&[]).iter().copied();
+    [from].into_iter().chain(inside).chain([to])
 }
 
 /// Returns a plane of the first quadrant in another one, in degrees.
