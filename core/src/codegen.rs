@@ -159,7 +159,7 @@ impl Source for Distribution<'_> {
     fn write(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(
             out,
-            "Distribution::of(&{:?}, {}, Symmetry::{:?})",
+            "Distribution::from_parts(&{:?}, {}, Symmetry::{:?})",
             self.samples(),
             self.size(),
             self.symmetry()

@@ -79,46 +79,42 @@ impl<'a> Distribution<'a> {
     /// # Errors
     /// A size other than 3, 5, 9, 17, 33, 65, 129 or 257; too few or too many samples; a sample on an edge of the square that
     /// differs from that of the same direction on the other half of this edge.
-    pub fn new(samples: &'a [u16], size: u32, symmetry: Symmetry) -> Result<Self, Error> {
-        let shown = |at| f32::from(sample(samples, at));
-        Self::checked(samples, size, symmetry).map_err(|fault| {
-            let (parameter, value, accepted) = match fault {
-                Fault::Size => (Parameter::DistributionSize, size as f32, Expected::PowerAndOne(3, 257)),
-                Fault::Count(count) => {
-                    (Parameter::SampleCount, samples.len() as f32, Expected::Exactly(count as f32))
-                }
-                Fault::Edge(at, other) => (Parameter::EdgeSample, shown(at), Expected::Exactly(shown(other))),
-            };
-            Error { parameter, value, accepted }
-        })
+    pub const fn new(samples: &'a [u16], size: u32, symmetry: Symmetry) -> Result<Self, Error> {
+        let (parameter, value, accepted) = match Self::checked(samples, size, symmetry) {
+            Ok(distribution) => return Ok(distribution),
+            Err(Fault::Size) => (Parameter::DistributionSize, size as f32, Expected::PowerAndOne(3, 257)),
+            Err(Fault::Count(count)) => {
+                (Parameter::SampleCount, samples.len() as f32, Expected::Exactly(count as f32))
+            }
+            Err(Fault::Edge(at, other)) => {
+                let expected = Expected::Exactly(sample(samples, other) as f32);
+                (Parameter::EdgeSample, sample(samples, at) as f32, expected)
+            }
+        };
+        Err(Error { parameter, value, accepted })
     }
 
-    /// Creates a distribution whose samples are known at compile time: see [`new`](Self::new).
+    /// Creates a distribution from samples that [`new`](Self::new) has accepted. Generated source calls this function.
     ///
-    /// # Panics
-    /// What [`new`](Self::new) refuses. In a constant, that is an error of the compiler.
-    pub const fn of(samples: &'a [u16], size: u32, symmetry: Symmetry) -> Self {
-        match Self::checked(samples, size, symmetry) {
-            Ok(distribution) => distribution,
-            Err(Fault::Size) => panic!("the size of a distribution is 3, 5, 9, 17, 33, 65, 129 or 257"),
-            Err(Fault::Count(_)) => panic!("the number of samples is not that of the size and the symmetry"),
-            Err(Fault::Edge(..)) => panic!("two samples of one direction differ on an edge of the square"),
-        }
+    /// Any samples and any size are accepted: another size counts as one of the accepted ones, samples that are missing are
+    /// 0, and where two samples of one direction differ, the light jumps, which no bound of its error holds.
+    pub const fn from_parts(samples: &'a [u16], size: u32, symmetry: Symmetry) -> Self {
+        let fineness = size.saturating_sub(1).trailing_zeros().saturating_sub(1);
+        Self { samples, symmetry, fineness: if fineness > FINEST as u32 { FINEST } else { fineness as u8 } }
     }
 
     const fn checked(samples: &'a [u16], size: u32, symmetry: Symmetry) -> Result<Self, Fault> {
-        let fineness = size.saturating_sub(1).trailing_zeros().saturating_sub(1) as u8;
-        if fineness > FINEST || size != (2 << fineness) + 1 {
+        let distribution = Self::from_parts(samples, size, symmetry);
+        if size != distribution.size() {
             return Err(Fault::Size);
         }
-        let distribution = Self { samples, symmetry, fineness };
         let [columns, rows] = distribution.shape();
         if samples.len() != columns * rows {
             return Err(Fault::Count(columns * rows));
         }
         // A direction behind with `b = 0` is on the edges `x = 1` and `x = -1`, at `y` and `-y`, and one with
         // `a = 0` on the edges of `y`. Mirrored samples are equal by themselves.
-        let half = 1 << fineness;
+        let half = 1 << distribution.fineness;
         let mut i = 0;
         while i < half {
             let mirrored = columns - 1 - i;

@@ -103,7 +103,7 @@ fn document_is_read_back_and_keeps_to_the_schema() {
         lights.push(PointLight::new([x, y, z]).expect("a light").with_attenuation(attenuation).into());
     }
     const SAMPLES: &[u16] = &[65_535, 3, 40_000, 0, 7, 9, 1, 40_000, 0, 7, 65_535, 3, 1, 3, 65_535];
-    let distribution = Distribution::of(SAMPLES, 5, Symmetry::Bilateral);
+    let distribution = Distribution::from_parts(SAMPLES, 5, Symmetry::Bilateral);
     let street = MeasuredLight::new([1.0, 2.0, 3.0], [0.3, -1.0, 0.5], [0.9, 0.1, 0.1], distribution);
     lights.push(street.expect("a light").into());
     assert!(lights.len() > 100, "{} lights", lights.len());

@@ -12,7 +12,7 @@ use luminaire::{
 };
 
 const LOBES: Distribution<'static> =
-    Distribution::of(&[65_535, 1, 40_000, 0, 7, 300, 9_000, 0, 60_000], 5, Symmetry::Quadrant);
+    Distribution::from_parts(&[65_535, 1, 40_000, 0, 7, 300, 9_000, 0, 60_000], 5, Symmetry::Quadrant);
 
 /// Number of different points.
 const COUNT: usize = 3;

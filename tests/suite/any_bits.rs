@@ -198,7 +198,7 @@ fn assert_distances<S: Raw>(rng: &mut Rng) {
             CompiledPointLight::<S, AnyAttenuation>::from_parts(position, distance, intensity, near, colors);
         assert_lights(rng, point);
         let frame = [(); 3].map(|()| vector(rng, S::unit_from_bits));
-        let (distribution, outside) = (DISTRIBUTIONS[rng.usize(..3)], S::scalar_from_bits(bits(rng)));
+        let (distribution, outside) = (DISTRIBUTIONS[rng.usize(..6)], S::scalar_from_bits(bits(rng)));
         assert_lights(
             rng,
             CompiledMeasuredLight::<S, AnyAttenuation>::from_parts(
@@ -215,11 +215,14 @@ fn assert_distances<S: Raw>(rng: &mut Rng) {
     }
 }
 
-/// The smallest table, the largest and one between.
-const DISTRIBUTIONS: [Distribution<'static>; 3] = [
-    Distribution::of(&[1, 2, 65_535, 4], 3, Symmetry::Quadrant),
-    Distribution::of(&[65_535; 257 * 257], 257, Symmetry::None),
-    Distribution::of(&[0; 17 * 9], 17, Symmetry::Bilateral),
+/// The smallest table, the largest and one between, and sizes and counts that no table has.
+const DISTRIBUTIONS: [Distribution<'static>; 6] = [
+    Distribution::from_parts(&[1, 65_535], 0, Symmetry::Bilateral),
+    Distribution::from_parts(&[65_535; 7], 64, Symmetry::Quadrant),
+    Distribution::from_parts(&[], u32::MAX, Symmetry::None),
+    Distribution::from_parts(&[1, 2, 65_535, 4], 3, Symmetry::Quadrant),
+    Distribution::from_parts(&[65_535; 257 * 257], 257, Symmetry::None),
+    Distribution::from_parts(&[0; 17 * 9], 17, Symmetry::Bilateral),
 ];
 
 /// A row looks at the last of its points first, and takes those between it and the first as being between.

@@ -29,7 +29,7 @@ use support::{
 
 const COUNT: usize = 32;
 const LOBES: Distribution<'static> =
-    Distribution::of(&[65_535, 1, 40_000, 0, 7, 300, 9_000, 0, 60_000], 5, Symmetry::Quadrant);
+    Distribution::from_parts(&[65_535, 1, 40_000, 0, 7, 300, 9_000, 0, 60_000], 5, Symmetry::Quadrant);
 
 /// Every attenuation, as a variant of `AnyAttenuation`.
 fn distances() -> Result<Vec<AnyAttenuation>, Error> {

@@ -29,6 +29,7 @@ const TYPES: Rows = &[
     // No other crate can name a type of it.
     ("Among", &[]),
     ("Ray", &["Ray", "FineRay"]),
+    ("Directed", &["Ray", "FineRay"]),
     ("Share", &["Format", "FineShare"]),
     ("Fraction", &["Fraction", "FineFraction"]),
     ("Falloff", &["AnyFalloff"]),
@@ -129,7 +130,7 @@ const PRIVATE: [&str; 8] = [
 
 /// Traits that each format implements, mostly by private types. Each build calls their functions on
 /// the types that the traits' rows in `TYPES` name for its format.
-const OF_FORMATS: [&str; 13] = [
+const OF_FORMATS: [&str; 14] = [
     "Scalar",
     "Arithmetic",
     "Directions",
@@ -141,6 +142,7 @@ const OF_FORMATS: [&str; 13] = [
     "Gain",
     "Offset",
     "Ray",
+    "Directed",
     "Share",
     "Fraction",
 ];

@@ -238,7 +238,7 @@ mod tests {
             }
             read_back(AnyLight::from(spot(falloff)));
         }
-        let distribution = Distribution::of(&[1, 2, 3, 4], 3, Symmetry::Quadrant);
+        let distribution = Distribution::from_parts(&[1, 2, 3, 4], 3, Symmetry::Quadrant);
         let measured = MeasuredLight::new([0.0; 3], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], distribution);
         let text = to_string(&AnyLight::from(measured.unwrap())).unwrap_err().to_string();
         assert!(text.starts_with("distribution = borrowed samples: "), "{text}");

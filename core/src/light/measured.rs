@@ -27,8 +27,8 @@ use crate::{
 /// use luminaire::{Fx16, MeasuredLight, light::{Distribution, Symmetry}};
 /// // Brightest 45 degrees to the front and to the back, half as bright straight down, and dark to the sides.
 /// const SAMPLES: [u16; 9] = [32_768, 16_384, 0, 65_535, 0, 0, 0, 0, 0];
-/// const LOW: Distribution = Distribution::of(&SAMPLES, 5, Symmetry::Quadrant);
-/// let light = MeasuredLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], LOW)?.with_intensity(32.0)?;
+/// let low = Distribution::new(&SAMPLES, 5, Symmetry::Quadrant)?;
+/// let light = MeasuredLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], low)?.with_intensity(32.0)?;
 /// let lit = light.compile::<Fx16>()?;
 /// let up = Fx16::normal([0.0, 1.0, 0.0]);
 /// assert!((lit.irradiance(Fx16::point([0.0, 0.0, 0.0]), up).to_f32() - 1.0).abs() < 0.001);

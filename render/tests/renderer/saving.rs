@@ -112,8 +112,8 @@ fn measured_lights_are_skipped_where_they_send_nothing() {
     const NARROW: [u16; 25] =
         [65_535, 40_000, 0, 0, 0, 50_000, 30_000, 0, 0, 0, 20_000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
     const WHOLE: [u16; 15] = [9_000, 65_535, 40_000, 30_000, 7, 9, 1, 40_000, 0, 7, 65_535, 3, 1, 3, 65_535];
-    let narrow = Distribution::of(&NARROW, 9, Symmetry::Quadrant);
-    let whole = Distribution::of(&WHOLE, 5, Symmetry::Bilateral);
+    let narrow = Distribution::from_parts(&NARROW, 9, Symmetry::Quadrant);
+    let whole = Distribution::from_parts(&WHOLE, 5, Symmetry::Bilateral);
     for example in [Example::ThreePoint, Example::Gallery] {
         assert_same_everywhere(example, |setup| {
             let all = setup.fixtures_at(0.0).unwrap();

@@ -191,7 +191,8 @@ fn at_distances<S: Scalar, A: Attenuation>(
     visit.value(format!("{} {spot:?}", S::NAME), spot.compile::<S>()?);
     let point = PointLight::new(PLACES[1])?.with_attenuation(attenuation).with_specular_color(AMBER)?;
     visit.value(format!("{} {point:?}", S::NAME), point.compile::<S>()?);
-    let distribution = Distribution::of(&[65_535, 1, 40_000, 0, 7, 0, 0, 0, 0], 5, Symmetry::Quadrant);
+    let distribution =
+        Distribution::from_parts(&[65_535, 1, 40_000, 0, 7, 0, 0, 0, 0], 5, Symmetry::Quadrant);
     let measured =
         MeasuredLight::new(PLACES[1], AXES[1], AXES[2], distribution)?.with_attenuation(attenuation);
     visit.value(format!("{} {measured:?}", S::NAME), measured.with_specular_color(AMBER)?.compile::<S>()?);
