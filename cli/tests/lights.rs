@@ -279,7 +279,7 @@ fn planes_that_differ_are_a_table_or_taken_by_fit_or_as_round() {
     for (tool, told) in [
         ("blender", "`--round` takes the mean of the planes"),
         ("ies", "a spotlight"),
-        ("glsl", "`json` have"),
+        ("c-fx16", "c-f32 takes it"),
     ] {
         let output = luminaire(&["export", "--from", &from, "--to", tool]);
         let found = String::from_utf8(output.stderr).expect("a text");

@@ -39,15 +39,6 @@ impl From<luminaire::Error> for ExportError {
     }
 }
 
-/// Returns the refusal of a measured light by a language without its table.
-pub(crate) fn no_table(language: &str) -> ExportError {
-    let expected = format!(
-        "a spotlight, a point light or a directional light: {language} does not have the table of a light that is not \
-         round, which `rust-fx16`, `rust-fx32`, `rust-f32` and `json` have"
-    );
-    ExportError::new("light", "measured", expected)
-}
-
 /// Returns a text on one line, with the characters escaped that a terminal does not print: text of
 /// a file steers no terminal and has no line of its own.
 pub fn printable(text: &str) -> String {

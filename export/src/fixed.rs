@@ -14,7 +14,7 @@ use luminaire::{Fx16, Fx32, Length, Rgb, SpotLight, Vec3};
 
 use self::formula::{Precision, gain_of};
 pub(crate) use self::scene::scene;
-use crate::error::{ExportError, no_table};
+use crate::error::ExportError;
 use crate::head::{guarded, head};
 use crate::name::global;
 use crate::trace::Trace;
@@ -66,7 +66,10 @@ impl Compiled {
                 law: point.attenuation(),
                 weights: None,
             }),
-            AnyLight::Measured(_) => return Err(no_table("C")),
+            AnyLight::Measured(_) => {
+                let expected = "a spotlight, a point light or a directional light";
+                return Err(ExportError::new("light", "measured", expected));
+            }
             AnyLight::Directional(sun) => {
                 let (direction, intensity) = sun.compile::<Fx16>().parts();
                 let (direction, color) = (list(direction.map(Fx32::to_bits)), steps(sun.color()));

@@ -28,7 +28,8 @@
 //!
 //! Spotlights have all falloffs and attenuations of the kernel. Point lights and directional lights
 //! have an irradiance and no falloff; that of a directional light takes the normal alone.
-//! A measured light, which has a table over all directions, is written as constants of Rust, as a build script and as JSON.
+//! A measured light has an irradiance, and its table over all directions is an array; [`Language::CFixed`] and
+//! [`Language::RustProgram`] do not have it.
 //!
 //! # Scenes
 //!

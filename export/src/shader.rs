@@ -3,6 +3,7 @@
 mod expression;
 mod formula;
 mod light;
+mod measured;
 mod names;
 mod scene;
 mod syntax;

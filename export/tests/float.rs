@@ -8,7 +8,8 @@ use std::fs;
 use fastrand::Rng;
 use luminaire::dynamic::{AnyLight, Effect};
 use luminaire::falloff::AnyFalloff;
-use luminaire::{AmbientLight, DirectionalLight, Vec3};
+use luminaire::light::{Distribution, Symmetry};
+use luminaire::{AmbientLight, DirectionalLight, MeasuredLight, Vec3};
 use luminaire_export::{Language, Scene, export, export_scene};
 
 use support::compiler::run;
@@ -23,6 +24,26 @@ fn lights() -> Vec<AnyLight> {
     lights.extend(points_of_light::<f32>(&mut rng).into_iter().map(AnyLight::from));
     let sun = DirectionalLight::new([0.3, -1.0, 0.2]).and_then(|sun| sun.with_intensity(2.0));
     lights.push(sun.expect("a light").into());
+    const SAMPLES: [u16; 65 * 65] = {
+        let mut samples = [0; 65 * 65];
+        let mut i = 0;
+        while i < samples.len() {
+            samples[i] = (40_503 * i % 65_536) as u16;
+            i += 1;
+        }
+        samples
+    };
+    // The samples at the edges of the square need not be those of one direction for the same bits.
+    for (index, (size, symmetry)) in
+        [(65, Symmetry::None), (17, Symmetry::Bilateral), (33, Symmetry::Quadrant)].into_iter().enumerate()
+    {
+        let axis = [0.1 * index as f32, -1.0, 0.3];
+        let distribution = Distribution::from_parts(&SAMPLES, size, symmetry);
+        let [columns, rows] = distribution.shape();
+        let distribution = Distribution::from_parts(&SAMPLES[..columns * rows], size, symmetry);
+        let light = MeasuredLight::new([0.5, 2.0, -1.0], axis, [0.9, 0.2, 0.1], distribution);
+        lights.push(light.and_then(|light| light.with_intensity(3.0)).expect("a light").into());
+    }
     lights
 }
 
@@ -95,7 +116,10 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> Vec<[f32; 2]> {
             let light = point.compile::<f32>().expect("a light");
             at(&|point, normal| [light.irradiance(point, normal), 0.0])
         }
-        AnyLight::Measured(_) => unreachable!("not exported"),
+        AnyLight::Measured(light) => {
+            let light = light.compile::<f32>().expect("a light");
+            at(&|point, normal| [light.irradiance(point, normal), 0.0])
+        }
         AnyLight::Directional(sun) => {
             let light = sun.compile::<f32>();
             at(&|_, normal| [light.irradiance(normal), 0.0])
@@ -133,8 +157,7 @@ fn program(lights: &[AnyLight]) -> (tempfile::TempDir, std::path::PathBuf) {
     for (index, light) in lights.iter().enumerate() {
         let (irradiance, falloff) = match light {
             AnyLight::Spot(_) => ("(w, w + 3)", format!("light{index}_falloff(w)")),
-            AnyLight::Point(_) => ("(w, w + 3)", "0.0f".to_owned()),
-            AnyLight::Measured(_) => unreachable!("not exported"),
+            AnyLight::Point(_) | AnyLight::Measured(_) => ("(w, w + 3)", "0.0f".to_owned()),
             AnyLight::Directional(_) => ("(w + 3)", "0.0f".to_owned()),
         };
         let _ = writeln!(

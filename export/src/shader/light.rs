@@ -10,8 +10,9 @@ use super::expression::{
     number, quotient, vector,
 };
 use super::formula::{self, Lowering};
+use super::measured::measured;
 use super::names::Names;
-use crate::error::{ExportError, no_table};
+use crate::error::ExportError;
 use crate::trace::Trace;
 
 /// Returns the functions of a light.
@@ -21,7 +22,25 @@ pub(super) fn program(names: Names<'_>, light: &AnyLight) -> Result<Program, Exp
         names.constant("color", doc, Value::Vector([color.red, color.green, color.blue]))
     };
     match light {
-        AnyLight::Measured(_) => return Err(no_table("a shader")),
+        AnyLight::Measured(light) => {
+            let compiled = light.compile::<f32>()?;
+            program.constants = place(names, light.position());
+            let axes = [
+                ("side", "unit vector to the side, the plane C0 of photometry"),
+                ("front", "unit vector to the front"),
+                ("axis", "unit vector along the light"),
+            ];
+            for ((own, doc), axis) in axes.into_iter().zip(compiled.frame()) {
+                program.constants.push(names.constant(own, doc, xyz(axis)));
+            }
+            let (table, distribution) = measured(names, light)?;
+            program.constants.push(table);
+            program.functions.push(distribution);
+            let intensity = compiled.parts().intensity;
+            finish(&mut program, names, intensity, color("linear colour", light.color()));
+            let share = Expression::Own(names.of("distribution"), vec![vector("back")]);
+            program.functions.push(irradiance(names, Some(share), light.attenuation())?);
+        }
         AnyLight::Spot(spot) => {
             let parts = spot.compile::<f32>()?.parts();
             let (Some(cone), intensity) = (parts.cone, parts.intensity) else {
