@@ -11,9 +11,11 @@ use fastrand::Rng;
 use luminaire::attenuation::InverseSquare;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Falloff, Formula, Hard, Smooth, Soft};
+use luminaire::light::{Distribution, Symmetry};
 use luminaire::number::Light16;
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Fx16, Length, PointLight, Rgb, SpotLight, Vec3,
+    AmbientLight, Angle, Cone, DirectionalLight, Fx16, Length, MeasuredLight, PointLight, Rgb, SpotLight,
+    Vec3,
 };
 use luminaire_export::{Language, Scene, export_scene, names};
 
@@ -141,12 +143,11 @@ fn in_rust(room: &Room) -> String {
         Some(AnyLight::Directional(_)) => {
             "scene.light_0 = scene.light_0.aimed_along(point).unwrap_or(scene.light_0);"
         }
-        Some(AnyLight::Spot(_)) => {
+        Some(AnyLight::Spot(_) | AnyLight::Measured(_)) => {
             "scene.light_0 = scene.light_0.moved_to(point);
              scene.light_0 = scene.light_0.aimed_along(point).unwrap_or(scene.light_0);"
         }
         Some(AnyLight::Point(_)) => "scene.light_0 = scene.light_0.moved_to(point);",
-        Some(AnyLight::Measured(_)) => unreachable!("no table in C"),
         None => "",
     };
     format!(
@@ -282,6 +283,40 @@ fn a_scene_has_the_same_bits_in_c_and_in_rust() -> Result<(), Failure> {
     Ok(())
 }
 
+/// A light that is not round, which shines sideways and upwards, too.
+fn street() -> Result<AnyLight, luminaire::Error> {
+    static SAMPLES: [u16; 15] = [65_535, 3, 40_000, 0, 7, 9, 1, 40_000, 0, 7, 65_535, 3, 1, 3, 65_535];
+    let lamp = Distribution::new(&SAMPLES, 5, Symmetry::Bilateral)?;
+    let light = MeasuredLight::new([-0.5, 1.5, 0.25], [0.3, -1.0, 0.5], [0.9, 0.1, 0.1], lamp)?;
+    Ok(light.with_color(Rgb::new(1.0, 0.75, 0.5))?.with_intensity(4.0)?.into())
+}
+
+/// A scene of Rust is the sum of its lights where one is not round, for points and for rows, and that light moves. C in
+/// integers refuses it.
+#[test]
+fn a_scene_has_lights_that_are_not_round() -> Result<(), Failure> {
+    let lamp = PointLight::new([0.0, 1.0, 0.5])?.into();
+    let room = Room::new(vec![street()?, lamp], 1);
+    let (folder, mut rng) = (tempfile::tempdir()?, Rng::with_seed(2032));
+    let program = folder.path().join("program");
+    compile_rust(&in_rust(&room), "bin", &program)?;
+    let places = room.places(&mut rng, 2_000);
+    let input: Vec<_> = places.iter().flatten().map(|word| *word as u32).collect();
+    let found = answers(&program, &input)?;
+    let mut rest = &found[..];
+    for (index, place) in places[..64].iter().enumerate() {
+        assert_eq!(rest[..3], room.alone(place), "{place:?}");
+        rest = &rest[if index % 4 == 0 { 3 + 3 * PIXELS.div_ceil(7) } else { 3 }..];
+    }
+    let lights = room.names.iter().map(String::as_str).zip(room.lights.iter().copied());
+    let (text, refused) = export_scene(&Scene { name: "room", ambient: &[] }, lights, Language::CFixed)?;
+    let [(0, refusal)] = &refused[..] else { panic!("{refused:?}") };
+    let expected = "light = measured: expected a spotlight, a point light or a directional light in c-fx16; c-f32 takes it";
+    assert_eq!(refusal.to_string(), expected);
+    assert!(text.contains("light_1") && !text.contains("light_0"), "{text}");
+    Ok(())
+}
+
 /// A scene in floats is the sum of the lights of the kernel, bit for bit; each format of Rust compiles, and a build script.
 #[test]
 fn a_scene_is_the_sum_of_its_lights_in_every_language() -> Result<(), Failure> {
@@ -289,7 +324,8 @@ fn a_scene_is_the_sum_of_its_lights_in_every_language() -> Result<(), Failure> {
     let spot = SpotLight::new([0.5, 2.0, 0.0], [0.1, -1.0, 0.2], cone)?.with_intensity(8.0)?;
     let spot = spot.with_color(Rgb::new(1.0, 0.5, 0.25))?;
     let sun = DirectionalLight::new([1.0, -2.0, 0.0])?.with_intensity(0.3)?;
-    let room = Room::new(vec![spot.into(), sun.into(), PointLight::new([0.0, 1.0, 0.5])?.into()], 1);
+    let lamp = PointLight::new([0.0, 1.0, 0.5])?.into();
+    let room = Room::new(vec![spot.into(), sun.into(), lamp, street()?], 1);
     let folder = tempfile::tempdir()?;
     fs::write(folder.path().join("room.h"), room.text(Language::CFloat))?;
     let main = folder.path().join("main.c");
