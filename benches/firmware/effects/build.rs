@@ -9,8 +9,8 @@ use std::path::Path;
 use std::{env, fs};
 
 use luminaire::{
-    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, PointLight, Rgb, Scalar,
-    SpotLight, Vec3,
+    AmbientLight, Angle, Cone, DirectionalLight, Error, Fx16, Fx32, Material, MeasuredLight, PointLight, Rgb,
+    Scalar, SpotLight, Vec3,
     attenuation::{
         Attenuation, AttenuationVisitor, Decay, FilamentRange, InverseSquare, NoAttenuation, Windowed,
         attenuations,
@@ -23,7 +23,7 @@ use luminaire::{
         Soft, Table, constant_falloffs,
     },
     haze::Haze,
-    light::{CompiledPointLight, CompiledSpotLight, LightModel},
+    light::{CompiledPointLight, CompiledSpotLight, Distribution, LightModel, Symmetry},
     models::Listed,
     projector::{Gobo, Projection, Shadow},
     specular::{LobeVisitor, Phong, SpecularLobe, lobes},
@@ -35,6 +35,8 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 const AMBER: Rgb<f32> = Rgb::new(1.0, 0.62, 0.1);
 const POSITION: Vec3<f32> = Vec3::new(1.5, 4.0, -0.75);
 const AXIS: Vec3<f32> = Vec3::new(0.36, -0.8, 0.48);
+/// The side of the light that is not round.
+const SIDE: Vec3<f32> = Vec3::new(0.8, 0.36, 0.0);
 /// The position of the eye, as in the scene of the kernels.
 const EYE: Vec3<f32> = Vec3::new(-0.5, 3.5, 1.0);
 /// The intensity of lights that reach full scale at a distance of 4.
@@ -275,6 +277,10 @@ fn constants<S: Scalar>() -> Outcome {
     }
     write("shadow", &Shadow::new(square.compile::<S>()?, 16, &disc().map(S::length))?)?;
     write("point", &PointLight::new(POSITION)?.with_color(AMBER)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
+    let samples = oval();
+    let lamp =
+        MeasuredLight::new(POSITION, AXIS, SIDE, Distribution::new(&samples, 33, Symmetry::Quadrant)?)?;
+    write("measured", &lamp.with_color(AMBER)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
     write("directional", &DirectionalLight::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &AmbientLight::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
     write("exposure", &Exposure::stops(1)?.compile::<S>())?;
@@ -430,6 +436,14 @@ impl<S: Scalar> LobeVisitor<S> for Models<S> {
 
 fn paper() -> Result<Material, Error> {
     Material::new(Rgb::new(0.9, 0.9, 0.85))
+}
+
+/// A quadrant of a light that is dark from the horizon on and falls faster to the front than to the side, in 17 by 17 samples.
+fn oval() -> [u16; 17 * 17] {
+    std::array::from_fn(|i| {
+        let [x, y] = [i % 17, i / 17].map(|place| place as f32 / 16.0);
+        (65_535.0 * ((1.0 - x - y).max(0.0) * (1.0 - 0.6 * y))).round() as u16
+    })
 }
 
 /// The gobo: a window of two by two panes, in 16 by 16 texels.

@@ -5,7 +5,10 @@ use luminaire::{
     attenuation::NoAttenuation,
     display::{CompiledExposure, LedOrder, LedStrip, Palette, Rgb565Ramp},
     falloff::Soft,
-    light::{CompiledDirectionalLight, CompiledMaterial, CompiledPointLight, CompiledSpotLight},
+    light::{
+        CompiledDirectionalLight, CompiledMaterial, CompiledMeasuredLight, CompiledPointLight,
+        CompiledSpotLight,
+    },
     projector::{CompiledGobo, Shadow},
     specular::{NoSpecular, Phong, SpecularLobe},
 };
@@ -46,6 +49,7 @@ constants! {
     "beam.rs" BEAM: Beam;
     "shadow.rs" SHADOW: Shadow<'static, Format>;
     "point.rs" POINT: CompiledPointLight<Format>;
+    "measured.rs" MEASURED: CompiledMeasuredLight<'static, Format>;
     "directional.rs" DIRECTIONAL: CompiledDirectionalLight<Format>;
     "ambient.rs" AMBIENT: Light;
     "exposure.rs" EXPOSURE: CompiledExposure<Format>;

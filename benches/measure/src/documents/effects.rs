@@ -66,11 +66,13 @@ fn row(record: &Record, entry: &Entry) -> Result<Vec<String>> {
         ("flash", 0, true, &SUITED),
     ] {
         for (board, format) in boards {
-            if !has_price(entry, *format) {
+            let group = record.group(board);
+            // An effect that is not measured yet has empty cells.
+            let is_counted = group.figures.contains_key(&figure(entry.name, format.name));
+            if !has_price(entry, *format) || !is_counted {
                 row.push(String::new());
                 continue;
             }
-            let group = record.group(board);
             let number = |program: &str| {
                 let name = figure(program, format.name);
                 group.number(&name, unit).with_context(|| format!("{board} has no {unit} of {name}"))

@@ -4,7 +4,7 @@ use luminaire::dynamic::{Effect, Effects};
 use luminaire::falloff::Soft;
 
 use crate::catalogue::{Entry, Visit};
-use crate::constants::{CUTOFF, DIRECTIONAL, HOTSPOT, POINT};
+use crate::constants::{CUTOFF, DIRECTIONAL, HOTSPOT, MEASURED, POINT};
 use crate::format::{Format, Irradiance, Surface};
 use crate::listed::Listed;
 
@@ -41,6 +41,11 @@ effects! { others;
     /// Light in all directions by the inverse-square law, and Lambert's cosine.
     "point light", surface, [Point];
     fn point(surface: Surface) -> Irradiance { POINT.irradiance(surface.point, surface.normal) }
+
+    /// A light that is not round, such as a street light: the point light times a table over all directions, here of 17
+    /// by 17 samples of a quadrant.
+    "measured light", surface, [Measured] over "point";
+    fn measured(surface: Surface) -> Irradiance { MEASURED.irradiance(surface.point, surface.normal) }
 
     /// Parallel light, such as the sun's: Lambert's cosine of a fixed direction.
     "directional light", surface, [Directional];
