@@ -246,7 +246,6 @@ fn photometry(
     let name = if name.is_empty() { "light" } else { &name };
     let lamps = match shape {
         Shape::Round(curve, difference) => measured::lamps(name, &curve, difference, reading.fit)?,
-        Shape::Planes(_, refusal) if !reading.takes_planes => return Err(refusal),
         Shape::Planes(sphere, _) => vec![measured::lamp(name, &sphere, reading)?],
     };
     let lamps = lamps.into_iter().map(|lamp| lamp.in_white(kelvin)).collect();

@@ -8,8 +8,6 @@ pub struct Reading {
     pub fit: f64,
     /// Whether the mean of all planes is taken whatever their difference.
     pub is_round: bool,
-    /// Whether a light that is not round is one over all directions; else it is refused.
-    pub takes_planes: bool,
     /// The size of the table of a light that is not round, 3, 5, 9, 17, 33, 65, 129 or 257; `None` for the smallest up to 65
     /// whose samples are within the fit of the file.
     pub size: Option<u32>,
@@ -19,6 +17,6 @@ pub struct Reading {
 
 impl Default for Reading {
     fn default() -> Self {
-        Self { fit: 1.0, is_round: false, takes_planes: true, size: None, remedy: "" }
+        Self { fit: 1.0, is_round: false, size: None, remedy: "" }
     }
 }

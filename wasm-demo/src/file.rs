@@ -1,12 +1,14 @@
 //! The JavaScript class of a file of another tool: its lights, for the page.
 
+mod measured;
+
 use crate::{light::hex_of, name::Name, own_cone, refusal::Refusal};
 use luminaire::{Cone, dynamic::AnyLight, falloff::AnyFalloff, projector::Projection};
 use luminaire_exchange::{
     Curve, Definition, Lamp, Lamps, Reading, Residual, Use, fits, number, parameters, read, share,
 };
 use serde_json::{Value, json};
-use wasm_bindgen::prelude::*;
+use wasm_bindgen::{Clamped, prelude::*};
 
 /// A file of another tool with its lights.
 #[wasm_bindgen]
@@ -16,11 +18,10 @@ pub struct LightFile(Lamps, Use);
 #[wasm_bindgen]
 impl LightFile {
     /// Reads a file. `throw` is the distance in metres of the surface that counts, and `is_round` whether a measured
-    /// light is the mean of its planes whatever their difference; one that is not round is refused without it. Throws what the reader refuses, in its words.
+    /// light is the mean of its planes whatever their difference. Throws what the reader refuses, in its words.
     #[wasm_bindgen(constructor)]
     pub fn new(name: &str, bytes: &[u8], throw: f64, is_round: bool) -> Result<Self, Refusal> {
-        // The page draws round lights.
-        let reading = Reading { is_round, takes_planes: false, ..Reading::default() };
+        let reading = Reading { is_round, ..Reading::default() };
         let lamps = read(name, bytes, None, reading)?;
         let usage = lamps.usage(throw);
         Ok(Self(lamps, usage))
@@ -36,11 +37,19 @@ impl LightFile {
         json!({ "lights": lights, "notes": notes }).to_string()
     }
 
+    /// Returns the pixels, RGBA in rows of 440, of a picture of a light that is not round: of a room in its light, or of its
+    /// directions. Throws in words that the light is another.
+    pub fn picture(&self, light: usize, is_room: bool) -> Result<Clamped<Vec<u8>>, Refusal> {
+        let AnyLight::Measured(light) = self.lamp(light)?.light else {
+            return Err(Refusal::name("light", "round", "one that is not round"));
+        };
+        Ok(Clamped(if is_room { measured::room(&light)? } else { measured::sphere(&light) }))
+    }
+
     /// Returns the parameters of a light in a tool as a text that is a file itself, and after it
     /// sentences about their difference and about the tool. Throws in words that there are none.
     pub fn parameters(&self, light: usize, tool: &str) -> Result<Vec<String>, Refusal> {
-        let lamps = &self.0.lamps;
-        let lamp = lamps.get(light).ok_or_else(|| Refusal::light(light, lamps.len()))?;
+        let lamp = self.lamp(light)?;
         let found = parameters(lamp, tool.parse()?, self.1.within(lamp))?;
         let Residual { bound, degrees, .. } = found.angle;
         let told = format!(
@@ -49,6 +58,13 @@ impl LightFile {
         );
         let told = [found.text(lamp), told];
         Ok(told.into_iter().chain(found.notes.into_iter().map(String::from)).collect())
+    }
+}
+
+impl LightFile {
+    fn lamp(&self, light: usize) -> Result<&Lamp, Refusal> {
+        let lamps = &self.0.lamps;
+        lamps.get(light).ok_or_else(|| Refusal::light(light, lamps.len()))
     }
 }
 
@@ -74,10 +90,13 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
     let [cd, lx] = if is_photometric { ["cd", "lx"] } else { ["of full scale"; 2] };
     let axis = |curve: &Curve| curve.at(0.0) / curve.peak().0.max(f64::MIN_POSITIVE);
     let lux = lamp.lit(throw) * curve.as_ref().map_or(1.0, axis);
-    let flux = curve.as_ref().filter(|_| is_photometric).map(|curve| number(curve.lumens() as f32, "lm"));
+    let intensity = lamp.own_intensity();
+    let table = if let AnyLight::Measured(light) = &lamp.light { Some(light) } else { None };
+    let flux = curve.as_ref().map(Curve::lumens);
+    let flux = flux.or(table.map(|light| measured::lumens(light.distribution(), intensity)));
+    let flux = flux.filter(|_| is_photometric).map(|lumens| number(lumens as f32, "lm"));
     let cone_angles =
         angle(0.5).zip(angle(0.1)).map(|(beam, field)| format!("beam {beam:.2}°, field {field:.2}°"));
-    let intensity = lamp.own_intensity();
     let peak = format!("Peak {}", number(intensity as f32, cd));
     let white = lamp.kelvin.map(|kelvin| format!("{kelvin} K"));
     let lit = format!("{} at {throw:.2} m", number(lux as f32, lx));
@@ -89,14 +108,14 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
     let points = lamp.measured.iter().flat_map(|curve| {
         curve.points().iter().map(|point| [point.0, point.1 / curve.peak().0]).filter(|point| point[0] <= end)
     });
-    let table = fit.filter(|fit| fit.name == "table").and(lamp.measured.as_ref());
+    let fitted = fit.filter(|fit| fit.name == "table").and(lamp.measured.as_ref());
     let color = match lamp.kelvin {
         Some(kelvin) => format!(":w{kelvin}"),
         None => hex_of(lamp.light.color()).replace('#', ":c"),
     };
     // On the stage a spotlight has a shadow, which ends at the widest projection.
     let widest = Projection::WIDEST;
-    let staged = cone.map(|cone| table.and_then(ended).unwrap_or(cone));
+    let staged = cone.map(|cone| fitted.and_then(ended).unwrap_or(cone));
     let cut = staged.filter(|cone| cone.outer_versine() > widest.versine());
     let cut = cut.and_then(|cone| cone.with_cutoff(widest).ok());
     let name = Name::of(&lamp.name).map_or_else(String::new, |name| format!(":n{name}"));
@@ -113,6 +132,7 @@ fn told(lamp: &Lamp, usage: Use) -> Value {
         "difference": format!("Within {difference}"),
         "photometry": photometry.join(", "),
         "points": points.collect::<Vec<_>>(),
+        "planes": table.map(measured::planes),
         "drawn": cone.map(|cone| angles.map(|angle| [angle, share(&cone, angle)]).collect::<Vec<_>>()),
         "notes": lamp.notes,
     })

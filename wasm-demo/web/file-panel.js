@@ -11,7 +11,7 @@ import { label, line, shape } from "./shapes.js";
  * A light, as the module describes it; the throw of the selected light of the stage in metres, and what puts a light there and
  * returns the outcome in words.
  * @typedef {{ name: string, fit: string | null, settings: string | null, isCut: boolean, intensity: number, isCandela: boolean, beam: number,
- *   field: number, difference: string, photometry: string, points: number[][], drawn: number[][], notes: string[] }} FileLight
+ *   field: number, difference: string, photometry: string, points: number[][], planes: number[][][] | null, drawn: number[][], notes: string[] }} FileLight
  * @typedef {{ throwOf: () => number, put: (light: FileLight) => string }} OnStage
  */
 
@@ -44,25 +44,38 @@ export async function openPanel(place, { throwOf, put }) {
       element("parameters").textContent = words(refusal);
     }
   };
+  const showPictures = async () => {
+    for (const [name, pixels] of Object.entries(await reader.ask({ light: select("light").selectedIndex }))) {
+      const canvas = find(`file-${name}`, HTMLCanvasElement);
+      canvas.getContext("2d")?.putImageData(new ImageData(pixels, canvas.width), 0, 0);
+    }
+  };
   const show = () => {
-    const { name, fit, settings, isCut, difference, photometry, notes } = light();
+    const { name, fit, settings, isCut, difference, photometry, planes, notes } = light();
     element("fit").textContent = name + (fit ? `: ${fit}` : "");
     element("difference").textContent = difference;
-    find("file-curve", SVGElement).replaceChildren(...(settings ? curve(light()) : []));
-    find("file-curve", SVGElement).toggleAttribute("hidden", !settings);
+    const drawing = find("file-curve", SVGElement);
+    drawing.replaceChildren(...(planes ? polar(planes) : settings ? curve(light()) : []));
+    drawing.toggleAttribute("hidden", !planes && !settings);
+    drawing.setAttribute("aria-label", planes ? "Intensity over the angle, in two planes" : "Intensity over the angle off the axis");
     element("photometry").textContent = [photometry, ...notes].join("\n");
     find("file-put", HTMLButtonElement).disabled = !settings;
-    element("put-told").textContent = settings
+    element("uneven").hidden = !planes;
+    for (const name of ["tools", "parameters"]) element(name).hidden = planes !== null;
+    for (const name of ["parameters-told", "copied"]) element(name).textContent = "";
+    element("put-told").textContent = planes
+      ? "The stage draws round lights: of this one, the mean of all its planes."
+      : settings
       ? `The selected light keeps its place, its aim and its attenuation. A measured light ends where it falls to half of a code of 255${isCut ? ", and at 80° off its axis, as far as shadows reach" : ""}.`
       : "Only a spotlight can be put on the stage.";
-    showParameters();
+    return planes ? showPictures() : showParameters();
   };
   select("light").addEventListener("input", show);
   select("tool").addEventListener("input", showParameters);
   element("put").addEventListener("click", () => (element("put-told").textContent = put(light())));
   element("copy").addEventListener("click", () => copyTextOf(element("parameters"), element("copied")));
 
-  /** @type {(name: string, bytes: Uint8Array<ArrayBuffer>, isRound: boolean) => Promise<string>} */
+  /** @type {(name: string, bytes: Uint8Array<ArrayBuffer>, isRound: boolean) => Promise<{ told: string, isRound: boolean }>} */
   return async (name, bytes, isRound) => {
     const { lights: found, notes } = await reader.ask({ name, bytes, reach: throwOf(), isRound });
     lights = found;
@@ -70,8 +83,26 @@ export async function openPanel(place, { throwOf, put }) {
     select("light").replaceChildren(...lights.map(({ name }, i) => new Option(`${i + 1} ${name}`, String(i))));
     element("chosen").hidden = lights.length === 0;
     if (lights.length > 0) show();
-    return `${name}: ${counted(lights.length, "light")}.`;
+    return { told: `${name}: ${counted(lights.length, "light")}.`, isRound: lights.every(({ planes }) => !planes) };
   };
+}
+
+/**
+ * Draws the shares of the largest intensity of two planes about the light, whose axis points down.
+ * @type {(planes: number[][][]) => SVGElement[]}
+ */
+function polar(planes) {
+  const [x, y, radius] = [220, 102, 84];
+  /** @type {(share: number, angle: number) => number[]} */
+  const at = (share, angle) => [x + radius * share * Math.sin((angle * Math.PI) / 180), y + radius * share * Math.cos((angle * Math.PI) / 180)];
+  return [
+    ...[0.5, 1].map((share) => shape("circle", { class: "level", cx: x, cy: y, r: radius * share, fill: "none" })),
+    ...[0, 45, 90, 135].map((angle) => line("level", ...at(1, angle), ...at(1, angle + 180))),
+    ...[30, 60, 90].map((angle) => label("", at(1, angle)[0] + 6, at(1, angle)[1] + 5, degrees(angle))),
+    ...planes.map((plane, i) => shape("path", { class: i ? "other power" : "trace", d: `M${plane.map(([angle, share]) => at(share, angle)).join("L")}Z` })),
+    label("", 10, 20, "Side to side: solid line"),
+    label("", 10, 38, "Front to back: dashes"),
+  ];
 }
 
 /** @type {(light: FileLight) => SVGElement[]} draws the shares of the largest intensity over the angle */

@@ -9,7 +9,7 @@ import { reveal } from "./tabs.js";
 /** @param {import("./file-panel.js").OnStage} stage */
 export function takeFiles(stage) {
   const [place, told, input] = [element("file"), element("file-told"), element("file-input", HTMLInputElement)];
-  // Of a light that is refused because its planes differ.
+  // Of a light whose planes differ.
   const round = element("file-round");
   /** @type {ReturnType<typeof import("./file-panel.js").openPanel> | undefined} */
   let panel;
@@ -40,13 +40,13 @@ export function takeFiles(stage) {
       await built("files", (text) => (told.textContent = text));
       const [bytes, show] = await Promise.all([file.arrayBuffer(), opened()]);
       if (file !== newest) return;
-      told.textContent = await show(file.name, new Uint8Array(bytes), isRound);
+      const shown = await show(file.name, new Uint8Array(bytes), isRound);
+      [told.textContent, round.hidden] = [shown.told, shown.isRound];
       place.hidden = false;
     } catch (error) {
       if (file !== newest) return;
       [told.textContent, told.className] = [`${file.name}: ${words(error)}`, "error"];
       place.hidden = true;
-      round.hidden = !words(error).startsWith("symmetry = ");
     }
     told.scrollIntoView({ block: "nearest" });
   }

@@ -2,8 +2,8 @@
 
 /**
  * A file to read, the throw of its lights in metres, and whether they are taken as round; or a light of the last file, and a tool
- * whose parameters are asked.
- * @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer>, reach: number, isRound: boolean } | { light: number, tool: string }} Question
+ * whose parameters are asked, or nothing more for the pictures of one that is not round.
+ * @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer>, reach: number, isRound: boolean } | { light: number, tool?: string }} Question
  */
 
 export class FileThread {

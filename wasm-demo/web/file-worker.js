@@ -30,5 +30,6 @@ function answerTo(question) {
     return JSON.parse(file.told());
   }
   if (!file) throw "file = none: expected a file that has been read. Open it again.";
-  return file.parameters(question.light, question.tool);
+  const { light, tool } = question;
+  return tool === undefined ? { room: file.picture(light, true), sphere: file.picture(light, false) } : file.parameters(light, tool);
 }

@@ -52,15 +52,26 @@ quick("a broken file gives the message of its reader, and the page works", async
   assert.ok(await shows("file"));
 });
 
-quick("the mean of planes that differ is taken if the visitor says so", async () => {
+quick("a light that is not round lights a room, and the mean of its planes the stage", async () => {
   await open(ONE);
-  await give("uneven.ies", "IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 3 2 1 2 0 0 0\n1 1 1\n0 10 20\n0 180\n1000 500 0\n1000 700 0\n");
-  assert.match(await words("file-told"), /^uneven\.ies: symmetry = bilateral: .* plane 180 differs .* by 25\.5 of 255 codes/);
-  assert.deepEqual([await shows("file"), await shows("file-round")], [false, true]);
+  await give("uneven.ies", "IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 3 2 1 2 0 0 0\n1 1 1\n0 10 20\n0 180\n1000 500 0\n1000 900 0\n");
+  assert.equal(await words("file-told"), "uneven.ies: 1 light.");
+  assert.match(await words("file-photometry"), /^Peak 1,000 cd, [\d.]+ lm, .*The light is not round: a table of \d+ x \d+ samples/s);
+  assert.deepEqual([await shows("file-uneven"), await shows("file-tools"), await shows("file-round"), await isDisabled("file-put")], [true, false, true, true]);
+  assert.deepEqual([await count("#file .trace"), await count("#file .other")], [1, 1]);
+  await until(() => document.getElementById("file-sphere").getContext("2d").getImageData(110, 110, 1, 1).data[3] > 0);
+  const [left, right] = await ask(() => {
+    const { data } = document.getElementById("file-sphere").getContext("2d").getImageData(0, 110, 220, 1);
+    const sums = [0, 0];
+    for (let x = 0; x < 220; x += 1) sums[x < 110 ? 0 : 1] += data[4 * x];
+    return sums;
+  });
+  must([left, right], ([left, right]) => left > 1.1 * right, "more light at the side of plane 180");
+  assert.ok(await ask(() => new Set(document.getElementById("file-room").getContext("2d").getImageData(0, 0, 440, 240).data).size) > 100);
   await press("file-round");
-  await until(() => document.getElementById("file-told").textContent === "uneven.ies: 1 light.");
-  assert.deepEqual([await shows("file"), await shows("file-round")], [true, false]);
-  assert.match(await words("file-difference"), /, and 2[56]\.\d+ of each plane;/);
+  await until(() => document.getElementById("file-round").hidden);
+  assert.deepEqual([await shows("file"), await shows("file-uneven"), await isDisabled("file-put")], [true, false, false]);
+  assert.match(await words("file-difference"), /, and [\d.]+ of each plane;/);
   assert.match(await words("file-notes"), /^The light is taken as round: /);
 });
 
