@@ -65,8 +65,8 @@ pub(crate) struct Spot {
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Lights from elsewhere", allow_negative_numbers = true)]
 pub(crate) struct Source {
-    /// A file (gltf, glb, json, tscn, usda, x3d, wrl, pbrt, unity, prefab, t3d, babylon, ies, ldt, gdtf), or a
-    /// tool whose numbers follow as KEY=VALUE: gltf, three, godot, opengl, direct3d, blender, usd, x3d, pbrt,
+    /// A file (gltf, glb, json, tscn, usda, x3d, wrl, pbrt, unity, prefab, t3d, babylon, ies, ldt, gdtf, mvr),
+    /// or a tool whose numbers follow as KEY=VALUE: gltf, three, godot, opengl, direct3d, blender, usd, x3d, pbrt,
     /// unreal, unity, bevy or babylon
     #[arg(long, value_name = "FILE|TOOL")]
     pub(crate) from: Option<OsString>,
@@ -151,6 +151,9 @@ impl Source {
                 Err(refusal) => vec![refusal],
                 Ok(Loaded { lamps, usage }) => {
                     found.is_scene &= !matches!(lamps.system, System::Gdtf | System::Ofl);
+                    // What is left out of a rig belongs to no light.
+                    let notes = lamps.notes.iter().filter(|_| lamps.system == System::Mvr);
+                    notes.for_each(|note| say("note", note));
                     for ambient in &lamps.ambient {
                         found.ambient.push(usage.ambient(ambient)?);
                     }
@@ -328,7 +331,7 @@ impl Source {
             placed |= !matches!(light, AnyLight::Directional(_));
             aimed |= !matches!(light, AnyLight::Point(_));
         }
-        use System::{Eulumdat, Gdtf, Ies, Ofl};
+        use System::{Eulumdat, Gdtf, Ies, Mvr, Ofl};
         let lamps = loaded.iter().flat_map(|loaded| &loaded.lamps.lamps);
         let mut tables = loaded.iter().flat_map(|loaded| &loaded.lamps.lamps);
         let is_table = is_none || tables.any(|lamp| matches!(lamp.light, AnyLight::Measured(_)));
@@ -338,7 +341,7 @@ impl Source {
             ("full-scale", self.full_scale.is_some() && is_own, "the intensity is in units of full scale"),
             (
                 "throw",
-                self.throw.is_some() && !has_throw && !has(&[Ies, Eulumdat, Gdtf, Ofl]),
+                self.throw.is_some() && !has_throw && !has(&[Ies, Eulumdat, Gdtf, Mvr, Ofl]),
                 "only photometry is scaled by the light at a distance",
             ),
             ("fit", self.fit.is_some() && !is_measured, "no light is that of a photometric file"),

@@ -266,7 +266,7 @@ fn refusals_name_the_option_and_the_remedy() {
             "height = 2: expected a height over 0, and LEDs at more than one: --up",
         ),
         (format!("--map {map} --brightness 2"), "brightness = 2: expected a share from 0 to 1"),
-        (format!("--map {map} {zoom}"), "lights = 4: expected one end of a zoom: choose it by --light"),
+        (format!("--map {map} {zoom}"), "lights = 6: expected one end of a zoom: choose it by --light"),
         (format!("--map {map} --limit 2"), "limit = 2: expected more than 2 mA, which 2 dark LEDs take"),
         (format!("--map {map} --limit 9 --channel 0"), "0 is not in 1..=65535"),
         ("--map none.csv".to_owned(), "map = none.csv: expected a file of text that can be read"),

@@ -219,8 +219,9 @@ fn pick_answers_for_lights_of_files_and_for_the_default_light_of_each_tool() {
         assert_eq!(answers.len(), evaluated.count(), "{folder}");
         assert!(answers.len() > 20, "{folder}: {}", answers.len());
     }
-    use luminaire_exchange::System::{self, Eulumdat, Gdtf, Ies, Luminaire, Ofl};
-    for &system in System::ALL.iter().filter(|own| ![Ies, Eulumdat, Gdtf, Ofl, Luminaire].contains(own)) {
+    use luminaire_exchange::System::{self, Eulumdat, Gdtf, Ies, Luminaire, Mvr, Ofl};
+    let files = [Ies, Eulumdat, Gdtf, Mvr, Ofl, Luminaire];
+    for &system in System::ALL.iter().filter(|own| !files.contains(own)) {
         let lamps =
             luminaire_exchange::numbers(system, []).unwrap_or_else(|error| panic!("{system}: {error}"));
         let usage = lamps.usage(4.0);

@@ -86,6 +86,47 @@ fn lights_have_their_own_names_in_each_language() {
     fs::remove_dir_all(folder).expect("removed");
 }
 
+/// Every command takes a rig: its lights are at their places, with names of their own, and what is left out is said.
+#[test]
+fn a_rig_is_a_scene_of_its_fixtures() {
+    let rig = concat!(env!("CARGO_MANIFEST_DIR"), "/../exchange/tests/files/rig.mvr");
+    let folder = folder("rig");
+    let (code, json, errors) = told(words(&format!("export {rig} --to json")));
+    let scene: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let lights = scene["lights"].as_array().expect("lights");
+    let names: Vec<_> = lights.iter().map(|light| light["name"].as_str().expect("a name")).collect();
+    let own = ["Main", "Ring 1: Dot", "Ring 2: Dot"];
+    let expected: Vec<_> =
+        ["Wash", "Wash 2", "Spot"].iter().flat_map(|of| own.map(|own| format!("{of}: {own}"))).collect();
+    assert_eq!((code, &names), (Some(0), &expected.iter().map(String::as_str).collect()), "{errors}");
+    assert_eq!(lights[6]["position"], serde_json::json!([0.0, 4.0, 0.0]));
+    assert!(
+        errors.lines().count() == 4
+            && errors.contains("note: fixtures left out: 1 (Guest), because the zip has no file"),
+        "{errors}"
+    );
+    let scene = folder.join("rig.json");
+    fs::write(&scene, json).expect("a file");
+    let scene = scene.to_str().expect("a path");
+    for to in ["c-fx16", "c-f32", "glsl", "wgsl", "rust-fx16"] {
+        let [direct, again] = [rig, scene].map(|file| told(words(&format!("export {file} --to {to}"))));
+        assert!(direct.0 == Some(0) && direct.1.contains("wash_2_main"), "{to}: {}", direct.2);
+        // The names of the document are those of the source.
+        assert_eq!(direct.1.matches("wash_2_main").count(), again.1.matches("wash_2_main").count(), "{to}");
+    }
+    let picture = folder.join("rig.png");
+    let picture = picture.to_str().expect("a path");
+    for command in [
+        format!("import {rig}"),
+        format!("pick --chip cortex-m0 --display rgb565 --steps 99 --from {rig}"),
+        format!("still {rig} --output {picture}"),
+    ] {
+        let (code, text, errors) = told(words(&command));
+        assert_eq!(code, Some(0), "{command}: {text}{errors}");
+    }
+    fs::remove_dir_all(folder).expect("removed");
+}
+
 /// What a language or a file lacks is said, with the remedy, and the rest is written.
 #[test]
 fn a_refused_light_or_file_does_not_stop_the_others() {

@@ -55,6 +55,7 @@ pub fn read_beside(
         System::Ies => photometry(system, read::ies::read, &text()?, reading),
         System::Eulumdat => photometry(system, read::eulumdat::read, &text()?, reading),
         System::Gdtf => read::gdtf::read(bytes).map(zoomed),
+        System::Mvr => read::mvr::read(bytes),
         System::Ofl => read::ofl::read(&text()?).map(zoomed),
         System::Luminaire => own(&text()?),
         _ => match system.tool().and_then(|tool| tool.scene()) {
@@ -73,7 +74,11 @@ pub fn read_beside(
 /// lights beside meshes or pictures, than of a text.
 pub fn largest(name: &str) -> u64 {
     let name = name.to_ascii_lowercase();
-    if [".glb", ".gdtf"].iter().any(|extension| name.ends_with(extension)) { 1 << 30 } else { LARGEST as u64 }
+    if [".glb", ".gdtf", ".mvr"].iter().any(|extension| name.ends_with(extension)) {
+        1 << 30
+    } else {
+        LARGEST as u64
+    }
 }
 
 /// What begins a light in a text of values.

@@ -1,6 +1,6 @@
 //! A light that was read.
 
-use glam::{DQuat, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
 use luminaire::{DirectionalLight, MeasuredLight, PointLight, SpotLight, Vec3};
@@ -91,6 +91,45 @@ impl Lamp {
             self.notes.push(format!("the white of the file is left out: {refusal}"));
         }
         self
+    }
+
+    /// Returns the light moved by a transform.
+    ///
+    /// # Errors
+    /// A transform that leaves no axis, or a place that the light cannot have.
+    pub(crate) fn moved(mut self, transform: DAffine3) -> Result<Self, Refusal> {
+        let moved = |light: AnyLight| {
+            let [position, axis] = match &light {
+                AnyLight::Spot(spot) => [Some(spot.position()), Some(spot.given_axis())],
+                AnyLight::Measured(light) => [Some(light.position()), Some(light.given_axis())],
+                AnyLight::Point(point) => [Some(point.position()), None],
+                AnyLight::Directional(sun) => [None, Some(sun.given_direction())],
+            };
+            let position = position.map(|place| transform.transform_point3(double(place)) + 0.0);
+            let axis = axis.map(|axis| transform.transform_vector3(double(axis)));
+            // Not normalized as it is: its square may overflow. Without a negative zero.
+            let axis = axis.map(|axis| (axis / axis.abs().max_element()).normalize() + 0.0);
+            let [position, axis] = [position, axis].map(|v| v.map(|v| v.as_vec3().to_array()));
+            placed(light, Place { position, axis, intensity: None })
+        };
+        let widest = self.widest.map(moved).transpose()?;
+        (self.light, self.widest) = (moved(self.light)?, widest);
+        if !(transform.matrix3.transpose() * transform.matrix3).abs_diff_eq(DMat3::IDENTITY, 1e-4) {
+            self.notes.push("its nodes scale: the beam keeps its angles".to_owned());
+        }
+        Ok(self)
+    }
+
+    /// Returns the light aimed at a place, if there is one.
+    ///
+    /// # Errors
+    /// The place of the light itself.
+    pub(crate) fn aimed(mut self, at: Option<DVec3>) -> Result<Self, Refusal> {
+        if let (Some(at), AnyLight::Spot(spot)) = (at, &self.light) {
+            let axis = (at - double(spot.position())).as_vec3().to_array();
+            self.light = placed(self.light, Place { axis: Some(axis), ..Place::default() })?;
+        }
+        Ok(self)
     }
 
     /// Returns the intensity in the unit of the source: candela, where the source has candela.
@@ -258,7 +297,8 @@ impl Lamps {
     /// axis is full scale.
     pub fn usage(&self, throw: f64) -> Use {
         let brightest = self.lamps.iter().map(|lamp| lamp.at(throw)).fold(0.0, f64::max);
-        let is_measured = matches!(self.system, System::Ies | System::Eulumdat | System::Gdtf | System::Ofl);
+        use System::{Eulumdat, Gdtf, Ies, Mvr, Ofl};
+        let is_measured = matches!(self.system, Ies | Eulumdat | Gdtf | Mvr | Ofl);
         let full_scale = if is_measured && brightest > 0.0 { brightest } else { 1.0 };
         Use { throw, full_scale, is_photometric: self.system.is_photometric() }
     }

@@ -7,6 +7,7 @@ pub(crate) mod gltf;
 pub(crate) mod godot;
 pub(crate) mod ies;
 mod json;
+pub(crate) mod mvr;
 pub(crate) mod ofl;
 pub(crate) mod pbrt;
 pub(crate) mod photometry;
@@ -20,6 +21,7 @@ mod uri;
 pub(crate) mod usd;
 pub(crate) mod x3d;
 mod xml;
+mod zip;
 
 pub(crate) use self::json::members;
 

@@ -82,6 +82,8 @@ systems! {
     Eulumdat = "eulumdat", ["ldt"], "photometry of any symmetry";
     /// The General Device Type Format.
     Gdtf = "gdtf", ["gdtf"], "the beams of a fixture, its zoom and its gobos";
+    /// My Virtual Rig.
+    Mvr = "mvr", ["mvr"], "the fixtures of a rig, by the GDTF files in it";
     /// The Open Fixture Library.
     Ofl = "ofl", ["json"], "a fixture in JSON";
     /// This project's own JSON.

@@ -1,20 +1,43 @@
 //! GDTF files (DIN SPEC 15800): zips with a `description.xml`, whose `Beam` geometries are lights.
 
-use std::borrow::Cow;
+mod geometry;
 
-use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_with_limit};
-use rawzip::{CompressionMethod, ZipArchive, ZipVerification, crc32};
 use roxmltree::Node;
 
+use self::geometry::{Geometries, Placed, path, short};
+pub(super) use self::geometry::{rows, upright};
 use super::scene::among;
 use super::xml;
+use super::zip::Zip;
 use crate::lamp::{Lamp, Lamps};
 use crate::refusal::Refusal;
 use crate::sheet::{Edge, Sheet};
 use crate::system::System;
-use crate::text;
+use crate::text::decode;
 
-/// Reads the lights of a GDTF file: each `Beam` geometry once, in whatever geometry it is.
+/// Reads the lights of a GDTF file: the beams of its first mode that has any, at the origin of the fixture, each with
+/// both ends of its zoom.
+///
+/// # Errors
+/// Those of [`description`] and [`beams`].
+pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
+    beams(&description(bytes, xml::LARGEST)?, None)
+}
+
+/// Returns the text of `description.xml`, of at most `most` bytes.
+///
+/// # Errors
+/// No zip with such a file, or one over the limit.
+pub(super) fn description(bytes: &[u8], most: usize) -> Result<String, Refusal> {
+    let zip = Zip::open(["GDTF file", "a zip with a description.xml"], bytes)?;
+    let text = zip.unpack(zip.file("description.xml")?, most).and_then(|text| decode(&text));
+    text.map_err(|refusal| refusal.at("description.xml"))
+}
+
+/// Returns the lights of a description, y up in metres: each `Beam` geometry of a mode, as often as it is referred to.
+///
+/// `rig` is the mode of a fixture in a rig, whose lights have one zoom: the beam angle of the file, or else the narrowest.
+/// Else the mode is the first one that has a beam.
 ///
 /// Angles are full and without percentages in the standard: `BeamAngle` is the 50 % angle here and
 /// `FieldAngle` the 10 % angle. `Zoom` is the beam angle, because it "is used to adjust the beam angle
@@ -22,11 +45,9 @@ use crate::text;
 /// like are other attributes.
 ///
 /// # Errors
-/// No zip with a `description.xml`, one that is not well-formed, has a DTD or is over the limits, or a
-/// zoom without numbers.
-pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
-    let text = description(bytes)?;
-    let document = xml::document(&text).map_err(|refusal| refusal.at("description.xml"))?;
+/// A text that is not well-formed, has a DTD or is over the limits, more than 1000 beams, or a zoom without numbers.
+pub(super) fn beams(text: &str, rig: Option<&str>) -> Result<Lamps, Refusal> {
+    let document = xml::document(text).map_err(|refusal| refusal.at("description.xml"))?;
     let elements = |tag| document.descendants().filter(move |node: &Node| node.has_tag_name(tag));
     let fixture = elements("FixtureType").next();
     let fixture = fixture.ok_or_else(|| Refusal::new("FixtureType", "none", "the element of the fixture"))?;
@@ -48,97 +69,53 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
         }
     }
     let zoom = ends.iter().copied().reduce(f64::min).zip(ends.iter().copied().reduce(f64::max));
-    if elements("Beam").nth(1_000).is_some() {
-        return Err(Refusal::new("Beam", "more", "at most 1000"));
+
+    let mut geometries = Geometries::new(fixture);
+    let modes: Vec<_> = elements("DMXMode").collect();
+    let own = rig.and_then(|name| modes.iter().position(|mode| mode.attribute("Name") == Some(name)));
+    if let (Some(name), None) = (rig.filter(|name| !name.is_empty()), own) {
+        let first = modes.first().map_or_else(|| "none".to_owned(), |mode| short(*mode, "Name"));
+        lamps.notes.push(format!("there is no mode `{name:.80}`: the one that is read is {first}"));
     }
-    for beam in elements("Beam") {
-        let name = [fixture, beam].map(|node| short(node, "Name")).join(": ");
+    let mut found = geometries.beams(modes.get(own.unwrap_or(0)).copied())?;
+    if rig.is_none() {
+        for mode in modes.iter().skip(1) {
+            if !found.placed.is_empty() {
+                break;
+            }
+            found = geometries.beams(Some(*mode))?;
+        }
+    }
+    for Placed { beam, name, world } in found.placed {
+        let name = if rig.is_some() { name } else { format!("{}: {name}", short(fixture, "Name")) };
         if let Some(kind @ ("None" | "Glow")) = beam.attribute("BeamType") {
             lamps.notes.push(format!("{name} is left out: a beam of the type {kind} lights nothing"));
             continue;
         }
-        match lamp(beam, name, zoom) {
+        let lamp = lamp(beam, name, zoom, rig.is_some()).and_then(|lamp| lamp.moved(upright(world)));
+        match lamp {
             Ok(lamp) => lamps.lamps.push(lamp),
             Err(refusal) => lamps.refused.push(refusal.at(path(beam))),
         }
     }
-    if elements("Beam").next().is_none() {
-        lamps
-            .notes
-            .push("the fixture has no geometry of the type Beam, which has the light of a fixture".into());
+    lamps.refused.extend(found.refused);
+    if !geometries.has_beams() {
+        let none = "the fixture has no geometry of the type Beam, which has the light of a fixture";
+        lamps.notes.push(none.into());
+    } else if lamps.is_empty() && lamps.notes.is_empty() {
+        lamps.notes.push("its mode has no geometry of the type Beam".into());
     }
-    let is_moved = |node: &Node| node.attribute("Position").is_some_and(|own| !is_identity(own));
-    let within = elements("Geometries").flat_map(|node| node.descendants());
-    if within.clone().any(|node| is_moved(&node)) {
-        let note = "positions in the fixture are not read: each beam is at the origin and shines down";
-        lamps.notes.push(note.into());
-    }
-    let again = within.filter(|node| node.has_tag_name("GeometryReference")).count();
-    let note = || format!("`GeometryReference` is not read ({again} of them): each beam is read once");
-    lamps.notes.extend((again > 0).then(note));
+    let again = || format!("a `GeometryReference` within what it refers to is left out: {}", found.loops);
+    lamps.notes.extend((found.loops > 0).then(again));
     Ok(lamps)
-}
-
-/// Returns whether a matrix such as `{1,0,0,0}{0,1,0,0}{0,0,1,0}{0,0,0,1}` moves nothing.
-fn is_identity(matrix: &str) -> bool {
-    let numbers = matrix.split(['{', ',', '}']).filter_map(|number| number.trim().parse::<f64>().ok());
-    numbers.enumerate().all(|(at, number)| number == f64::from(u8::from(at % 5 == 0)))
-}
-
-/// Returns the text of `description.xml`, if the text and its tree take at most 60 MB.
-fn description(bytes: &[u8]) -> Result<String, Refusal> {
-    let refused = |error: rawzip::Error| Refusal::new("GDTF file", error, "a zip with a description.xml");
-    let archive = ZipArchive::from_slice(bytes).map_err(refused)?;
-    let mut found = None;
-    for entry in archive.entries() {
-        let entry = entry.map_err(refused)?;
-        // The last one counts: what is added to a zip replaces what was in it.
-        found = if entry.file_path().as_ref() == b"description.xml" { Some(entry) } else { found };
-    }
-    let none = || Refusal::new("GDTF file", "a zip without it", "a zip with a description.xml");
-    let entry = found.ok_or_else(none)?;
-    let file = archive.get_entry(entry.wayfinder()).map_err(refused)?;
-    if entry.flags().is_encrypted() {
-        return Err(Refusal::new("GDTF file", "an encrypted zip", "a zip without a password"));
-    }
-    let text = unpack(file.data(), entry.compression_method()).and_then(|text| {
-        let found = ZipVerification { crc: crc32(&text), uncompressed_size: text.len() as u64 };
-        file.claim_verifier().valid(found).map_err(refused)?;
-        text::decode(&text)
-    });
-    text.map_err(|refusal| refusal.at("description.xml"))
-}
-
-/// Returns the bytes of a file in a zip, whatever size the zip declares.
-///
-/// # Errors
-/// A method but deflate, damaged data, or bytes over the limit of XML.
-fn unpack(packed: &[u8], method: CompressionMethod) -> Result<Cow<'_, [u8]>, Refusal> {
-    let bytes: Cow<[u8]> = match method {
-        CompressionMethod::STORE => packed.into(),
-        // One byte more than is accepted.
-        CompressionMethod::DEFLATE => match decompress_to_vec_with_limit(packed, xml::LARGEST + 1) {
-            Ok(bytes) => bytes.into(),
-            Err(error) if error.status == TINFLStatus::HasMoreOutput => error.output.into(),
-            Err(error) => return Err(Refusal::new("deflated data", error, "a whole file")),
-        },
-        _ => {
-            let expected = "STORE or DEFLATE: unpack the file, and zip what was in it by one of these";
-            return Err(Refusal::new("compression method", method.name().unwrap_or("unknown"), expected));
-        }
-    };
-    match bytes.len() {
-        ..=xml::LARGEST => Ok(bytes),
-        size => Err(Refusal::new("size", size, format_args!("at most {} bytes", xml::LARGEST))),
-    }
 }
 
 /// The attributes of a beam that are read, or that say nothing of its light.
 const ATTRIBUTES: &str = "Name Model Position LampType PowerConsumption LuminousFlux ColorTemperature BeamAngle FieldAngle \
                           ThrowRatio RectangleRatio BeamRadius BeamType ColorRenderingIndex";
 
-/// Returns the light of a beam, with both ends of the zoom.
-fn lamp(node: Node, name: String, zoom: Option<(f64, f64)>) -> Result<Lamp, Refusal> {
+/// Returns the light of a beam, with both ends of the zoom, or in a rig with one.
+fn lamp(node: Node, name: String, zoom: Option<(f64, f64)>, is_rig: bool) -> Result<Lamp, Refusal> {
     let mut notes = Vec::new();
     let mut standard = |key, value| {
         let assumed = || format!("{key} is not in the file: {value}, the value of the standard");
@@ -160,11 +137,16 @@ fn lamp(node: Node, name: String, zoom: Option<(f64, f64)>) -> Result<Lamp, Refu
     let [beam, field] = angles.map(|angle| Some(angle).filter(|angle| *angle != 0.0));
     let sheet = Sheet { name, beam, field, lumens, kelvin, edge, notes, ..Sheet::default() };
     let Some((least, most)) = zoom else { return sheet.lamp() };
+    let is_own = is_rig && (least..=most).contains(&angles[0]) && angles[0] > 0.0;
+    let [from, to] = if is_own { [angles[0]; 2] } else { [least, most] };
+    let own = match is_own {
+        true => format!("the zoom, {least} to {most} degrees, is at the beam angle of the file, {from}"),
+        false => format!("the beam angle is that of Zoom, {least} to {most}, not {} degrees", angles[0]),
+    };
     let zoomed = |ratio: Option<f64>, note: Option<String>| {
         let end = |beam| [Some(beam), ratio.map(|ratio| beam * ratio)];
-        let ([beam, field], widest) = (end(least), Some(end(most)));
-        let own = format!("the beam angle is that of Zoom, {least} to {most}, not {} degrees", angles[0]);
-        let notes = sheet.notes.iter().cloned().chain([own]).chain(note).collect();
+        let ([beam, field], widest) = (end(from), Some(end(to)));
+        let notes = sheet.notes.iter().cloned().chain([own.clone()]).chain(note).collect();
         Sheet { beam, field, widest, notes, ..sheet.clone() }.lamp()
     };
     // A field angle of another zoom, or of none, says nothing of this one.
@@ -181,57 +163,35 @@ fn number(node: Node, key: &str, standard: f64) -> Result<f64, Refusal> {
     number.ok_or_else(|| Refusal::new(key, text, "a finite number"))
 }
 
-/// Returns where an element is, such as `Geometries/Geometry[Body]/Beam[Beam]`.
-fn path(node: Node) -> String {
-    let within = node.ancestors().take_while(|node| node.is_element() && !node.has_tag_name("FixtureType"));
-    let step = |node: Node| match node.attribute("Name") {
-        Some(name) => format!("{:.80}[{name:.80}]", node.tag_name().name()),
-        None => format!("{:.80}", node.tag_name().name()),
-    };
-    within.take(16).map(step).reduce(|inner, outer| format!("{outer}/{inner}")).unwrap_or_default()
-}
-
-fn short(node: Node, key: &str) -> String {
-    format!("{:.80}", node.attribute(key).unwrap_or("unnamed"))
-}
-
 #[cfg(test)]
 mod tests {
-    use std::io::{self, Write};
-
     use luminaire::dynamic::AnyLight;
-    use miniz_oxide::deflate::compress_to_vec;
-    use rawzip::ZipArchiveWriter;
+    use rawzip::CompressionMethod;
 
+    use super::super::zip::tests as zips;
     use super::*;
 
     const DESCRIPTION: &str = include_str!("../../tests/files/description.xml");
 
     fn zipped(description: &str) -> Vec<u8> {
-        packed(description, CompressionMethod::DEFLATE, &compress_to_vec(description.as_bytes(), 6))
+        zips::zipped(&[("description.xml", description.as_bytes())])
     }
 
     /// Returns a zip whose `description.xml` is packed by a method.
     fn packed(description: &str, method: CompressionMethod, packed: &[u8]) -> Vec<u8> {
-        let mut archive = ZipArchiveWriter::new(Vec::new());
-        let entry = archive.new_file("description.xml").compression_method(method);
-        let (mut entry, config) = entry.start().expect("a name");
-        let mut text = config.wrap(io::sink());
-        text.write_all(description.as_bytes()).expect("a sink");
-        let (_, declared) = text.finish().expect("a sink");
-        entry.write_all(packed).expect("memory");
-        entry.finish(declared).expect("memory");
-        archive.finish().expect("memory")
+        zips::packed(&[("description.xml", description.as_bytes(), method, packed)])
     }
 
     #[test]
     fn every_beam_is_a_light_with_the_angles_of_the_zoom() {
         let lamps = read(&zipped(DESCRIPTION)).expect("a fixture");
-        let left_out = "Two Beams: Tip is left out: a beam of the type Glow lights nothing";
-        let again = "`GeometryReference` is not read (3 of them): each beam is read once";
-        assert_eq!(lamps.notes, ["gobos: Leaves, Bars", left_out, again]);
-        let [main, dot] = &lamps.lamps[..] else { panic!("expected two lights, found {lamps:?}") };
-        assert_eq!([&main.name, &dot.name], ["Two Beams: Main", "Two Beams: Dot"]);
+        let left_out =
+            |ring| format!("Two Beams: Ring {ring}: Tip is left out: a beam of the type Glow lights nothing");
+        let again = "a `GeometryReference` within what it refers to is left out: 2";
+        assert_eq!(lamps.notes, ["gobos: Leaves, Bars", &left_out(1), &left_out(2), again]);
+        let [main, dot, other] = &lamps.lamps[..] else { panic!("expected three lights, found {lamps:?}") };
+        let names = ["Two Beams: Main", "Two Beams: Ring 1: Dot", "Two Beams: Ring 2: Dot"];
+        assert_eq!(([&*main.name, &dot.name, &other.name], dot.light), (names, other.light));
         assert!(main.notes.iter().any(|note| note.ends_with("flux 9,000 lm")), "{:?}", main.notes);
         assert!(
             dot.notes.iter().any(|note| note.ends_with("929,746 cd in place of 692,992 cd")),
@@ -286,29 +246,131 @@ mod tests {
     /// What a file has and is not read is noted, and a globe is a point light.
     #[test]
     fn beams_have_notes_of_what_is_not_read() {
-        let moved = "Position=\"{1,0,0,0.1}{0,1,0,0}{0,0,1,0}{0,0,0,1}\" LightDistribution=\"a\" BeamType";
-        let file = DESCRIPTION.replace("BeamType", moved).replace("\"Zoom\"", "\"Pan\"");
+        let file = DESCRIPTION
+            .replace("BeamType", "LightDistribution=\"a\" BeamType")
+            .replace("\"Zoom\"", "\"Pan\"");
         let lamps = read(&zipped(&file.replace("\"20\"", "\"360\""))).expect("a fixture");
-        assert!(
-            lamps.notes.iter().any(|note| note.starts_with("positions in the fixture")),
-            "{:?}",
-            lamps.notes
-        );
         assert!(lamps.lamps[0].notes.iter().any(|note| note == "`LightDistribution` is not read"));
         let AnyLight::Point(globe) = lamps.lamps[1].light else { panic!("expected a point light") };
         let candela = 10_000.0 / (4.0 * std::f64::consts::PI);
         assert!((lamps.lamps[1].own_intensity() - candela).abs() < 0.01, "{globe:?}");
-        let still = read(&zipped(&file.replace("0.1}", "0}"))).expect("a fixture");
-        assert!(!still.notes.iter().any(|note| note.starts_with("positions")), "{:?}", still.notes);
         let none = read(&zipped(&file.replace("<Beam", "<Geometry"))).expect("a fixture");
         assert!(
             none.lamps.is_empty()
                 && none.notes.iter().any(|note| note.contains("no geometry of the type Beam"))
         );
-        let beams = |count: usize| {
-            DESCRIPTION.replace("<Beam Name=\"Tip\"", &("<Beam/>".repeat(count - 3) + "<Beam"))
+    }
+
+    /// Returns the position and the axis of each light of a description.
+    fn places(lamps: &Lamps) -> Vec<[[f32; 3]; 2]> {
+        let place = |lamp: &Lamp| match &lamp.light {
+            AnyLight::Spot(spot) => {
+                let axis = <[f32; 3]>::from(spot.given_axis());
+                // Of a given axis the direction counts.
+                let longest = axis.into_iter().fold(0.0, |longest: f32, x| longest.max(x.abs()));
+                [spot.position().into(), axis.map(|x| x / longest + 0.0)]
+            }
+            other => panic!("expected a spotlight, found {other:?}"),
         };
-        assert!(read(&zipped(&beams(1_000))).is_ok() && read(&zipped(&beams(1_001))).is_err());
+        lamps.lamps.iter().map(place).collect()
+    }
+
+    const MOVED: &str = "Position=\"{1,0,0,0.5}{0,1,0,0.25}{0,0,1,-2}{0,0,0,1}\"";
+    /// A turn by 90 degrees about x, which takes the beam, along -z, to y.
+    const TURNED: &str = "Position=\"{1,0,0,0}{0,0,-1,0}{0,1,0,1}{0,0,0,1}\"";
+
+    /// The matrices above a beam are multiplied, and z, which is up in the file, is y.
+    #[test]
+    fn beams_are_where_their_geometries_are() {
+        let at = |change: &[(&str, String)]| {
+            let file =
+                change.iter().fold(DESCRIPTION.to_owned(), |file, (from, to)| file.replacen(from, to, 1));
+            places(&read(&zipped(&file)).expect("a fixture"))
+        };
+        let down = [0.0, -1.0, 0.0];
+        assert_eq!(at(&[]), [[[0.0; 3], down]; 3]);
+        let [yoke, head, ring, pixel, dot] =
+            ["\"Yoke\"", "\"Head\"", "\"Ring 2\"", "Name=\"Pixel\"", "\"Dot\""]
+                .map(|name| move |own: &str| (name, format!("{name} {own}")));
+        // The turned head is moved with its parent, and its 1 m up stays up.
+        let along = [0.0, 0.0, -1.0];
+        assert_eq!(at(&[yoke(MOVED), head(TURNED)]), [[[0.5, -1.0, -0.25], along]; 3]);
+        // What is within it is moved in its axes.
+        assert_eq!(at(&[yoke(TURNED), head(MOVED)]), [[[0.5, 1.25, -2.0], along]; 3]);
+        // A reference moves what it refers to, and takes the place of the position of the tree.
+        let moved = [[0.5, -2.0, -0.25], down];
+        assert_eq!(at(&[ring(MOVED)]), [[[0.0; 3], down], [[0.0; 3], down], moved]);
+        assert_eq!(at(&[ring(MOVED), pixel(TURNED)])[2], moved);
+        assert_eq!(at(&[ring(MOVED), dot(MOVED)])[2], [[1.0, -4.0, -0.5], down]);
+        for text in [
+            "",
+            "{1,0,0}",
+            "{1,0,0,0}{0,1,0,0}{0,0,1,inf}{0,0,0,1}",
+            "{1,0,0,0}{0,1,0,0}{0,0,1,0}{0,0,0,1}{1}",
+        ] {
+            let file = DESCRIPTION.replace("\"Head\"", &format!("\"Head\" Position=\"{text}\""));
+            let lamps = read(&zipped(&file)).expect("a fixture");
+            let refusal = &lamps.refused[0];
+            assert!(lamps.lamps.is_empty() && refusal.parameter == "Position", "{lamps:?}");
+            assert!(refusal.place.ends_with("Axis[Head]"), "{refusal}");
+        }
+        let flat =
+            DESCRIPTION.replace("\"Head\"", "\"Head\" Position=\"{1,0,0,0}{0,1,0,0}{0,0,0,0}{0,0,0,1}\"");
+        assert_eq!(read(&zipped(&flat)).expect("a fixture").refused.len(), 3);
+    }
+
+    /// A mode has the beams of its own geometry, and a rig one zoom of each.
+    #[test]
+    fn modes_have_their_own_beams() {
+        let modes = "<DMXMode Name=\"Empty\" Geometry=\"Bare\"/><DMXMode Name=\"One\" Geometry=\"Pixel\"/><DMXMode Name=\"All\">";
+        let file = DESCRIPTION
+            .replace("<DMXMode>", modes)
+            .replace("</Geometries>", "<Geometry Name=\"Bare\"/></Geometries>");
+        let names = |rig| {
+            let lamps = beams(&file, rig).expect("a fixture");
+            (lamps.lamps.iter().map(|lamp| lamp.name.clone()).collect::<Vec<_>>(), lamps.notes)
+        };
+        assert_eq!(names(None).0, ["Two Beams: Dot"], "the first mode with a beam");
+        assert_eq!(names(Some("One")).0, ["Dot"]);
+        assert_eq!(names(Some("All")).0, ["Main", "Ring 1: Dot", "Ring 2: Dot"]);
+        assert!(names(Some("")).0.is_empty() && names(Some("Empty")).0.is_empty());
+        let (none, notes) = names(Some("Other"));
+        assert!(
+            none.is_empty()
+                && notes.iter().any(|note| note.contains("mode `Other`: the one that is read is Empty")),
+            "{notes:?}"
+        );
+        let main = |text: &str| beams(text, Some("All")).expect("a fixture").lamps.swap_remove(0);
+        for (angle, zoom) in [("10", 10.0), ("8", 8.0), ("40", 40.0), ("41", 8.0), ("0", 8.0)] {
+            let lamp = main(&file.replace("BeamAngle=\"10\"", &format!("BeamAngle=\"{angle}\"")));
+            let AnyLight::Spot(spot) = lamp.light else { panic!("expected a spotlight") };
+            assert_eq!(spot.cone().beam().to_degrees().round(), zoom, "{angle}");
+        }
+    }
+
+    #[test]
+    fn references_and_beams_are_bounded() {
+        let unknown = DESCRIPTION.replace("Ring 1\" Geometry=\"Pixel\"", "Ring 1\" Geometry=\"Pixels\"");
+        let lamps = read(&zipped(&unknown)).expect("a fixture");
+        assert_eq!((lamps.lamps.len(), &*lamps.refused[0].value), (2, "Pixels"));
+        // Of three beams two are those of Pixel, which is there twice.
+        let more = |count: usize| {
+            DESCRIPTION.replace("<Beam Name=\"Main\"", &("<Beam/>".repeat(count) + "<Beam Name=\"Main\""))
+        };
+        assert!(read(&zipped(&more(995))).is_ok());
+        assert_eq!(read(&zipped(&more(996))).unwrap_err().expected, "at most 1000");
+        // Each tree refers twice to the next one.
+        let tree = |i: usize| {
+            format!(
+                "<Geometry Name=\"{i}\">{}</Geometry>",
+                format!("<GeometryReference Geometry=\"{}\"/>", i + 1).repeat(2)
+            )
+        };
+        let trees: String = (0..40).map(tree).collect();
+        let file = format!(
+            "<GDTF><FixtureType><Geometries>{trees}<Geometry Name=\"40\"/></Geometries></FixtureType></GDTF>"
+        );
+        assert_eq!(read(&zipped(&file)).unwrap_err().parameter, "geometries");
     }
 
     #[test]
@@ -338,7 +400,7 @@ mod tests {
         }
         let deep = DESCRIPTION.replace("<Axis Name=\"Yoke\">", &"<Axis>".repeat(10_000));
         let deep = deep.replace("</Axis></Axis>", &"</Axis>".repeat(10_001));
-        assert_eq!(read(&zipped(&deep)).map(|lamps| lamps.lamps.len()), Ok(2));
+        assert_eq!(read(&zipped(&deep)).map(|lamps| lamps.lamps.len()), Ok(3));
         let texts = ["<a>".repeat(10_000), "<a/>".repeat(200_001), format!("<a{}/>", " b=''".repeat(257))];
         let entity = "<!DOCTYPE a [<!ENTITY b \"c\">]><a>&b;</a>".to_owned();
         for (text, word) in texts.iter().chain([&entity]).zip(["well-formed", "200000", "256", "at most 0"]) {
