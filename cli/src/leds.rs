@@ -265,10 +265,13 @@ fn turns<'a>(name: &str, lights: impl Iterator<Item = (&'a str, AnyLight)>) -> S
     let mut text = String::new();
     let placed = lights.filter(|(_, light)| !matches!(light, AnyLight::Directional(_)));
     for (number, (light, own)) in placed.enumerate() {
-        let aims = u8::from(matches!(own, AnyLight::Spot(_)));
         let way = if number % 2 == 0 { "turn" } else { "0 - turn" };
-        let _ =
-            writeln!(text, "    {name}_light_turned(&scene->{light}, &{name}_start.{light}, {aims}, {way});");
+        let (function, aims) = match own {
+            AnyLight::Measured(_) => ("measured_turned", ""),
+            AnyLight::Spot(_) => ("light_turned", " 1,"),
+            AnyLight::Point(_) | AnyLight::Directional(_) => ("light_turned", " 0,"),
+        };
+        let _ = writeln!(text, "    {name}_{function}(&scene->{light}, &{name}_start.{light},{aims} {way});");
     }
     text
 }

@@ -12,13 +12,15 @@ use luminaire_export::json;
 
 const LIBRARY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../export/c/src");
 
-/// Two spotlights, a point light, a sun and ambient light, which all lights of the tree have together.
+/// Two spotlights, a point light, one that is not round, a sun and ambient light, which all lights of the tree have together.
 const SCENE: &str = r#"{ "format": "luminaire-lights-1", "lights": [
     { "name": "Key", "position": [2, 3, 0], "axis": [-2, -2, 0], "cone": { "outer_degrees": 40 }, "intensity": 12,
       "color": [1, 0.5, 0] },
     { "name": "Rim", "position": [-2, 1, 1], "axis": [2, 0, -1], "cone": { "outer_degrees": 70 }, "intensity": 6,
       "color": [0, 0.25, 1] },
     { "name": "Star", "kind": "point", "position": [0, 2.25, 0], "intensity": 0.5 },
+    { "name": "Wash", "kind": "measured", "position": [1.5, 2, 1], "axis": [-1, -1, -0.5], "side": [0, 0.5, -1], "intensity": 3,
+      "distribution": { "size": 3, "symmetry": "bilateral", "samples": [65535, 50000, 0, 30000, 0, 30000] } },
     { "name": "Moon", "kind": "directional", "axis": [0.25, -1, 0.125], "intensity": 0.125 },
     { "name": "Night", "kind": "ambient", "intensity": 0.01 } ] }"#;
 
@@ -154,6 +156,13 @@ fn lights(middle: [f64; 2]) -> [(Vec<CompiledAnyLight<Fx16>>, Rgb<luminaire::num
                 own.with_attenuation(spot.attenuation()).with_intensity(spot.intensity()).expect("a light");
             own.with_color(spot.color()).expect("a light").into()
         }
+        AnyLight::Measured(light) => {
+            let position = turned(number, light.position().into(), middle);
+            let [side, _, axis] = light.frame().map(|axis| turned(number, axis.into(), [0.0; 2]));
+            let own = luminaire::MeasuredLight::new(position, axis, side, light.distribution());
+            let own = own.expect("a light").with_intensity(light.intensity()).expect("a light");
+            own.with_attenuation(light.attenuation()).into()
+        }
         AnyLight::Point(point) => {
             let own =
                 luminaire::PointLight::new(turned(number, point.position().into(), middle)).expect("a light");
@@ -221,7 +230,7 @@ fn a_sketch_sends_the_bytes_of_the_library() {
             "leds --map {map} {scene} --output {own_path} --chip {chip} --limit 1500 --channel 12 --brightness 0.5 --turn 16"
         ));
         let told = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success() && told.contains("lights reach 100 at first"), "{told}");
+        assert!(output.status.success() && told.contains("lights reach 101 at first"), "{told}");
         let found = sent(&own, &format!("{chip}.ino"));
         let length = begin.len() + frames[0].len() + end.len();
         assert_eq!(found.len(), MOMENTS.len() * length, "{chip}");

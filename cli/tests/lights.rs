@@ -273,13 +273,15 @@ fn planes_that_differ_are_a_table_or_taken_by_fit_or_as_round() {
         own == again && own.contains("LIGHT: CompiledMeasuredLight<'static, Fx16, InverseSquare>"),
         "{own}"
     );
+    let integers = text(&format!("export --from {} --to c-fx16 --name key", file.display()));
+    assert!(integers.contains("luminaire_key_Distribution = { luminaire_key_Table, 5, 1 };"), "{integers}");
     let wall = temporary("uneven.png");
     text(&format!("still --from {} --output {}", json.display(), wall.display()));
     let from = file.display().to_string();
     for (tool, told) in [
         ("blender", "`--round` takes the mean of the planes"),
         ("ies", "a spotlight"),
-        ("c-fx16", "c-f32 takes it"),
+        ("rust-program", "rust-build takes it"),
     ] {
         let output = luminaire(&["export", "--from", &from, "--to", tool]);
         let found = String::from_utf8(output.stderr).expect("a text");

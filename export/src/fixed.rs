@@ -9,6 +9,7 @@ use luminaire::attenuation::AnyAttenuation;
 use luminaire::codegen::Parts;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Cubic, Falloff, Formula};
+use luminaire::light::{Distribution, Symmetry};
 use luminaire::number::Weight16;
 use luminaire::{Fx16, Fx32, Length, Rgb, SpotLight, Vec3};
 
@@ -30,9 +31,11 @@ pub const C_HEADERS: [(&str, &str); 3] = [
 const CONE: &str = include_str!("fixed/cone.h");
 /// What replaces them for a point light.
 const SPHERE: &str = include_str!("fixed/sphere.h");
+/// What replaces them for a light that is not round.
+const MEASURED: &str = include_str!("fixed/measured.h");
 /// The irradiance of a light.
 const LIGHT: &str = include_str!("fixed/light.h");
-/// What stands in the three files for the name of the light.
+/// What stands in the four files for the name of the light.
 const NAME: &str = "NAME";
 /// What stands in [`LIGHT`] for the coarse share of the light, window included.
 const WINDOWED: &str = "WINDOWED";
@@ -51,6 +54,15 @@ struct Placed {
     parts: Parts<Fx16, AnyAttenuation>,
     law: AnyAttenuation,
     weights: Option<[i32; 2]>,
+    /// What a light that is not round has beside these.
+    measured: Option<Measured>,
+}
+
+/// The side, the front and the axis of a light that is not round, its distribution, and its bound for points outside.
+struct Measured {
+    frame: [Vec3<Fx32>; 3],
+    distribution: Distribution<'static>,
+    outside: Fx16,
 }
 
 impl Compiled {
@@ -60,15 +72,25 @@ impl Compiled {
                 parts: spot.compile::<Fx16>()?.parts(),
                 law: spot.attenuation(),
                 weights: weights(spot),
+                measured: None,
             }),
             AnyLight::Point(point) => Self::Placed(Placed {
                 parts: point.compile::<Fx16>()?.parts(),
                 law: point.attenuation(),
                 weights: None,
+                measured: None,
             }),
-            AnyLight::Measured(_) => {
-                let expected = "a spotlight, a point light or a directional light";
-                return Err(ExportError::new("light", "measured", expected));
+            AnyLight::Measured(light) => {
+                let (own, distribution) = (light.compile::<Fx16>()?, light.distribution());
+                let [columns, rows] = distribution.shape();
+                let count = distribution.samples().len();
+                if count != columns * rows {
+                    // The lookup in C tests no bounds.
+                    return Err(ExportError::new("number of samples", count, (columns * rows).to_string()));
+                }
+                let measured = Measured { frame: own.frame(), distribution, outside: own.outside() };
+                let (parts, law) = (own.parts(), light.attenuation());
+                Self::Placed(Placed { parts, law, weights: None, measured: Some(measured) })
             }
             AnyLight::Directional(sun) => {
                 let (direction, intensity) = sun.compile::<Fx16>().parts();
@@ -80,12 +102,31 @@ impl Compiled {
 }
 
 impl Placed {
-    /// Returns the initialiser of a `luminaire_spot`.
+    /// Returns the structure of the light.
+    fn structure(&self) -> &'static str {
+        if self.measured.is_some() { "luminaire_measured" } else { "luminaire_spot" }
+    }
+
+    /// Returns the member of that structure that is a `luminaire_spot`, with its point; nothing if it is one itself.
+    fn member(&self) -> &'static str {
+        if self.measured.is_some() { ".spot" } else { "" }
+    }
+
+    /// Returns the initialiser of the structure.
     fn initialiser(&self, color: Rgb<f32>) -> String {
+        let spot = self.spot(color);
+        let Some(Measured { frame: [side, front, _], .. }) = self.measured else { return spot };
+        let [side, front] = [side, front].map(|axis| list(axis.map(Fx32::to_bits)));
+        format!("{{\n    {},\n    {side}, {front}\n}}", spot.replace('\n', "\n    "))
+    }
+
+    /// Returns the initialiser of a `luminaire_spot`.
+    fn spot(&self, color: Rgb<f32>) -> String {
         let Self { parts, weights, .. } = self;
-        let (axis, ramp, outside) = match parts.cone {
-            Some(cone) => (cone.axis, cone.ramp.to_bits(), cone.outside.to_bits().max(0)),
-            None => (Vec3::default(), [0; 9], 0),
+        let (axis, ramp, outside) = match (parts.cone, &self.measured) {
+            (Some(cone), _) => (cone.axis, cone.ramp.to_bits(), cone.outside.to_bits().max(0)),
+            (None, Some(own)) => (own.frame[2], [0; 9], own.outside.to_bits().max(0)),
+            (None, None) => (Vec3::default(), [0; 9], 0),
         };
         let ramp = ramp.map(|bits| format!("UINT32_C({bits})")).join(", ");
         let [g, h] = weights.unwrap_or_default();
@@ -126,11 +167,13 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
         "{color}/* The light: its position and axis, the map from a versine to the falloff's argument, its edge if it is that of\n \
          * a light that moves, its intensity, the encoded distance within which points need the fine evaluation, its colour,\n \
          * and the squared cosine of half the outer angle, less a margin. */\n\
-         static const luminaire_spot {} = {};\n",
+         static const {} {} = {};\n",
+        placed.structure(),
         global(name, "light"),
         placed.initialiser(light.color()),
     );
-    let Placed { parts, law, weights } = placed;
+    let member = placed.member();
+    let Placed { parts, law, weights, measured } = placed;
     let trace = if let AnyLight::Spot(spot) = light { Some(Trace::of(spot.cone().falloff())) } else { None };
     let [windows, whole] = Trace::of_attenuation(law);
     let (mut constants, mut functions) = (Vec::new(), String::new());
@@ -149,8 +192,8 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
     let windowed = if has_window { "luminaire_NAME_CoarseWindowed(spot, &coarse, share)" } else { "share" };
     let near = LIGHT.replace(WINDOWED, windowed);
     text.push('\n');
-    match (&trace, parts.cone) {
-        (Some(trace), Some(_)) => {
+    match (&trace, parts.cone, measured) {
+        (Some(trace), Some(_), _) => {
             let table = formula::table(name, trace);
             if !table.is_empty() {
                 let _ = writeln!(text, "{table}");
@@ -160,9 +203,15 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
             }
             text += &CONE.replace(NAME, name);
         }
+        (.., Some(Measured { distribution, .. })) => {
+            let _ = writeln!(text, "{}", table_of(name, distribution));
+            text += &MEASURED.replace(NAME, name);
+        }
         _ => text += &SPHERE.replace(NAME, name),
     }
     text += &functions;
+    // The one use of the light itself.
+    let near = near.replace("&luminaire_NAME_Light", &format!("&luminaire_NAME_Light{member}"));
     let _ = write!(text, "\n{}", near.replace(NAME, name));
     if weights.is_some() {
         let _ = write!(
@@ -174,6 +223,24 @@ pub(crate) fn export(light: &AnyLight, name: &str) -> Result<String, ExportError
         );
     }
     Ok(file(light, name, &text))
+}
+
+/// Returns the definitions of a distribution and its samples.
+fn table_of(name: &str, distribution: Distribution<'_>) -> String {
+    let samples = distribution.samples().iter().map(u16::to_string).collect();
+    let folds = match distribution.symmetry() {
+        Symmetry::None => 0,
+        Symmetry::Bilateral => 1,
+        Symmetry::Quadrant => 2,
+    };
+    format!(
+        "{}\n/* The intensity over all directions. */\n\
+         static const luminaire_distribution {} = {{ {}, {}, {folds} }};\n",
+        formula::samples(name, "uint16_t", samples),
+        global(name, "distribution"),
+        global(name, "table"),
+        (distribution.size() / 2).trailing_zeros(),
+    )
 }
 
 /// Returns the file of a light.

@@ -28,8 +28,8 @@
 //!
 //! Spotlights have all falloffs and attenuations of the kernel. Point lights and directional lights
 //! have an irradiance and no falloff; that of a directional light takes the normal alone.
-//! A measured light has an irradiance, and its table over all directions is an array; [`Language::CFixed`] and
-//! [`Language::RustProgram`] do not have it.
+//! A measured light has an irradiance, and its table over all directions is an array; [`Language::RustProgram`] does not
+//! have it.
 //!
 //! # Scenes
 //!

@@ -14,7 +14,7 @@ use luminaire::{Angle, Cone, Fx16, Length, SpotLight, Vec3};
 use luminaire_export::{Language, export};
 
 use support::compiler::{bytes, compile, compile_in_integers, run, write_headers};
-use support::{avr, points_of_light, spots, suns, vectors};
+use support::{avr, measured, points_of_light, spots, suns, vectors};
 
 /// The words of a point and of a normal.
 type Place = [i32; 6];
@@ -90,7 +90,15 @@ fn by_the_kernel(light: &AnyLight, places: &[Place]) -> (Vec<Answer>, usize) {
             let at = |place| (light.irradiance(words(place).1).to_bits(), None);
             (places.iter().map(at).collect(), 0)
         }
-        AnyLight::Measured(_) => unreachable!("not exported"),
+        AnyLight::Measured(light) => {
+            let light = light.compile::<Fx16>().expect("a light");
+            let at = |place| {
+                let (point, normal) = words(place);
+                (light.irradiance(point, normal).to_bits(), None)
+            };
+            let fine = places.iter().filter(|place| light.is_fine(words(place).0)).count();
+            (places.iter().map(at).collect(), fine)
+        }
     }
 }
 
@@ -101,7 +109,7 @@ fn places(rng: &mut Rng, light: &AnyLight, count: usize) -> Vec<Place> {
         AnyLight::Spot(spot) => spot.position(),
         AnyLight::Point(point) => point.position(),
         AnyLight::Directional(_) => Vec3::default(),
-        AnyLight::Measured(_) => unreachable!("not exported"),
+        AnyLight::Measured(light) => light.position(),
     };
     let position: [i32; 3] = position.map(|c| Length::from_f32(c).to_bits()).into();
     let place = |index| {
@@ -149,6 +157,7 @@ fn random_lights_have_the_bits_of_the_kernel() {
         spots::<Fx16>(&mut rng, variants).into_iter().map(AnyLight::from).collect();
     lights.extend(points_of_light::<Fx16>(&mut rng).into_iter().map(AnyLight::from));
     lights.extend(suns(&mut rng, 4 * variants).into_iter().map(AnyLight::from));
+    lights.extend(measured::<Fx16>(&mut rng, 8 * variants).into_iter().map(AnyLight::from));
     let (mut input, mut expected, mut fine) = (Vec::new(), Vec::new(), 0);
     for light in &lights {
         let places = places(&mut rng, light, each);
@@ -285,19 +294,24 @@ fn constant_lights_move() {
 #[test]
 fn small_processors_compile_all_models_in_integers() {
     let mut rng = Rng::with_seed(2001);
-    let lights: Vec<AnyLight> = spots::<Fx16>(&mut rng, 1).into_iter().map(AnyLight::from).collect();
+    let mut lights: Vec<AnyLight> = spots::<Fx16>(&mut rng, 1).into_iter().map(AnyLight::from).collect();
+    lights.extend(measured::<Fx16>(&mut rng, 3).into_iter().map(AnyLight::from));
     let folder = tempfile::tempdir().expect("a folder");
     program(folder.path(), &lights, 1);
     let main = folder.path().join("main.c");
     // Neither of the two has the headers of a C library other than `stdint.h`.
     let text = fs::read_to_string(&main).expect("the program");
     let mut text = text[..text.find("int main").expect("a function")].replace("#include <stdio.h>\n", "");
-    for index in 0..lights.len() {
+    for (index, light) in lights.iter().enumerate() {
+        let falloff = match light {
+            AnyLight::Spot(_) => format!("(uint32_t)light{index}_falloff(p)"),
+            _ => "0".to_owned(),
+        };
         let _ = writeln!(
             text,
             "uint32_t evaluate{index}(const int32_t p[3], const int16_t n[3]);\n\
              uint32_t evaluate{index}(const int32_t p[3], const int16_t n[3]) {{\n    \
-             return light{index}_color[0] < 0 ? 0 : light{index}_irradiance(p, n) + (uint32_t)light{index}_falloff(p);\n}}"
+             return light{index}_color[0] < 0 ? 0 : light{index}_irradiance(p, n) + {falloff};\n}}"
         );
     }
     fs::write(&main, text).expect("a folder");

@@ -52,6 +52,18 @@ static inline void {NAME}_light_turned(luminaire_spot *light, const luminaire_sp
     luminaire_spot_aim_along(light, to);
 }
 
+/* Turns one light that is not round from where it starts. */
+static inline void {NAME}_measured_turned(luminaire_measured *light, const luminaire_measured *start, uint32_t turn) {
+    static const int32_t none[2] = { 0, 0 };
+    int32_t axis[3], side[3];
+    {NAME}_light_turned(&light->spot, &start->spot, 0, turn);
+    {NAME}_turned(axis, start->spot.axis, none, turn);
+    {NAME}_turned(side, start->side, none, turn);
+    if (luminaire_unit(axis, luminaire_origin, axis) && luminaire_unit(side, luminaire_origin, side)) {
+        luminaire_measured_set_frame(light, axis, side);
+    }
+}
+
 /* Turns the lights about the LEDs, each in the other way than the one before. 65536 is a whole turn. */
 static inline void {NAME}_turn({NAME}_scene *scene, uint32_t turn) {
     (void)scene;

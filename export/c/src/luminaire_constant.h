@@ -392,6 +392,193 @@ static inline luminaire_gain luminaire_decay(luminaire_gain distance, uint32_t m
         (uint32_t)luminaire_power_of_two((uint64_t)-power & UINT32_C(0xffffffff)), 31 + (int32_t)(-power >> 32));
 }
 
+/* ---- lights that are not round: a table over all directions ---- */
+
+/* A light of a luminaire_distribution. Its spot has what it shares with a spotlight: it is moved, dimmed and tinted by
+ * luminaire_spot_move, _dim and _tint. Its cone is not used. */
+typedef struct {
+    luminaire_spot spot;
+    int32_t side[3], front[3]; /* of unit length and orthogonal to the axis, steps of 2^-30 */
+} luminaire_measured;
+
+/* Samples on an octahedron that is unfolded to a square, row by row: 65,535 is full intensity. A half of a side has
+ * 2^fineness cells. The square is whole, or of y >= 0 alone (one fold), or of x >= 0, too (two folds). */
+typedef struct {
+    const uint16_t *samples;
+    uint32_t fineness, folds;
+} luminaire_distribution;
+
+/* A cell: how far a place is from its first corner, and the samples at its corners, row by row. */
+typedef struct {
+    uint32_t x, y;
+    int32_t samples[2][2];
+} luminaire_cell;
+
+/* Returns the light of its first member. */
+static inline const luminaire_measured *luminaire_measured_of(const luminaire_spot *spot) {
+    return (const luminaire_measured *)(const void *)spot;
+}
+
+/* Returns the cell of a direction, from the magnitudes of its places along side and front, of which 1 is 2^bits. */
+LUMINAIRE_STAGE luminaire_cell luminaire_cell_at(
+    const luminaire_distribution *table, const int32_t along[3], uint32_t x, uint32_t y, uint32_t bits
+) {
+    uint32_t one = UINT32_C(1) << bits, half = UINT32_C(1) << table->fineness, shift = bits - table->fineness;
+    uint32_t columns = (table->folds < 2 ? 2 * half : half) + 1, rows = (table->folds < 1 ? 2 * half : half) + 1;
+    luminaire_cell cell;
+    if (along[2] < 0) {
+        uint32_t behind = one - y;
+        y = one - x;
+        x = behind;
+    }
+    if (table->folds < 2) { x = along[0] < 0 ? one - x : one + x; }
+    if (table->folds < 1) { y = along[1] < 0 ? one - y : one + y; }
+    uint32_t column = luminaire_min(x >> shift, columns - 2), row = luminaire_min(y >> shift, rows - 2);
+    const uint16_t *first = table->samples + (row * columns + column);
+    cell.x = x - (column << shift);
+    cell.y = y - (row << shift);
+    for (uint32_t i = 0; i < 4; ++i) {
+        cell.samples[i >> 1][i & 1] = (int32_t)LUMINAIRE_READ_16(&first[(i >> 1) * columns + (i & 1)]);
+    }
+    return cell;
+}
+
+/* Returns 2^16 / s for s from 1 to sqrt(3) with 15 fraction bits: a quadratic and a step of Newton. */
+LUMINAIRE_STAGE uint32_t luminaire_coarse_inverse_sum(uint32_t sum) {
+    uint32_t guess = 74694 - ((sum * (55677 - ((sum * 13585) >> 15))) >> 15);
+    uint32_t rest = (27924 - ((sum * guess) << 1) + (UINT32_C(1) << 14)) >> 15;
+    return (guess * rest + (UINT32_C(1) << 14)) >> 15;
+}
+
+/* Returns 2^31 / s for s with 28 fraction bits. */
+static inline uint32_t luminaire_fine_inverse_sum(uint32_t sum) {
+    uint32_t nearly = luminaire_coarse_inverse_sum((sum + (UINT32_C(1) << 12)) >> 13) << 15;
+    int32_t lack = (int32_t)((UINT32_C(1) << 30) - luminaire_high_half(sum << 3, nearly));
+    return nearly + (uint32_t)(luminaire_times((int32_t)(nearly >> 16), lack) >> 14);
+}
+
+/* Returns the component of a direction along an axis with 30 fraction bits. */
+LUMINAIRE_STAGE int32_t luminaire_coarse_component(int32_t x, int32_t y, int32_t z, const int32_t axis[3]) {
+    const int32_t half = INT32_C(1) << 14;
+    int32_t sum = luminaire_times(x, luminaire_plus(axis[0], half) >> 15);
+    sum = luminaire_plus(sum, luminaire_times(y, luminaire_plus(axis[1], half) >> 15));
+    return luminaire_plus(sum, luminaire_times(z, luminaire_plus(axis[2], half) >> 15));
+}
+
+static inline int32_t luminaire_fine_component(const int32_t direction[3], const int32_t axis[3]) {
+    int32_t sum = 1; /* The three products are rounded down by half a unit each in the mean. */
+    for (int i = 0; i < 3; ++i) { sum = luminaire_plus(sum, luminaire_signed_high_half(direction[i], axis[i])); }
+    return sum;
+}
+
+/* Returns a magnitude times an inverse sum, at most 1. */
+LUMINAIRE_STAGE uint32_t luminaire_coarse_place(uint32_t size, uint32_t inverse) {
+    uint32_t rounded = (size + (UINT32_C(1) << 14)) >> 15;
+    return luminaire_min((rounded * inverse + LUMINAIRE_COARSE_ONE) >> 16, LUMINAIRE_COARSE_ONE);
+}
+
+static inline uint32_t luminaire_fine_place(uint32_t size, uint32_t inverse) {
+    return luminaire_min(luminaire_high_half(size << 3, inverse), UINT32_C(1) << 30);
+}
+
+/* Returns the value between two samples at a share of 2^bits. */
+LUMINAIRE_STAGE int32_t luminaire_coarse_between(int32_t from, int32_t to, uint32_t share, uint32_t bits) {
+    return from + (((to - from) * (int32_t)share + (INT32_C(1) << (bits - 1))) >> bits);
+}
+
+/* Returns the intensity of a distribution along a ray. */
+LUMINAIRE_STAGE uint32_t luminaire_coarse_distributed(
+    const luminaire_coarse_ray *ray, const luminaire_measured *light, const luminaire_distribution *table
+) {
+    /* The bias of the direction replaces the bits that the way lost; half a step rounds it. */
+    const int32_t bias = 6144 + (INT32_C(1) << 14);
+    int32_t x = luminaire_plus(ray->x, bias) >> 15, y = luminaire_plus(ray->y, bias) >> 15;
+    int32_t z = luminaire_plus(ray->z, bias) >> 15;
+    int32_t along[3];
+    along[0] = luminaire_coarse_component(x, y, z, light->side);
+    along[1] = luminaire_coarse_component(x, y, z, light->front);
+    along[2] = luminaire_coarse_component(x, y, z, light->spot.axis);
+    uint32_t a = luminaire_magnitude(along[0]), b = luminaire_magnitude(along[1]);
+    uint32_t sum = (a + b + luminaire_magnitude(along[2]) + (UINT32_C(1) << 14)) >> 15;
+    uint32_t inverse = luminaire_coarse_inverse_sum(sum), bits = 15 - table->fineness;
+    luminaire_cell cell = luminaire_cell_at(
+        table, along, luminaire_coarse_place(a, inverse), luminaire_coarse_place(b, inverse), 15);
+    int32_t near = luminaire_coarse_between(cell.samples[0][0], cell.samples[0][1], cell.x, bits);
+    int32_t far = luminaire_coarse_between(cell.samples[1][0], cell.samples[1][1], cell.x, bits);
+    return luminaire_coarse_value(luminaire_coarse_between(near, far, cell.y, bits));
+}
+
+static inline uint32_t luminaire_fine_distributed(
+    const luminaire_fine_ray *ray, const luminaire_measured *light, const luminaire_distribution *table
+) {
+    int32_t along[3];
+    along[0] = luminaire_fine_component(ray->direction, light->side);
+    along[1] = luminaire_fine_component(ray->direction, light->front);
+    along[2] = luminaire_fine_component(ray->direction, light->spot.axis);
+    uint32_t a = luminaire_magnitude(along[0]), b = luminaire_magnitude(along[1]), lines[2];
+    uint32_t inverse = luminaire_fine_inverse_sum(a + b + luminaire_magnitude(along[2]));
+    luminaire_cell cell =
+        luminaire_cell_at(table, along, luminaire_fine_place(a, inverse), luminaire_fine_place(b, inverse), 30);
+    uint32_t up = 1 + table->fineness;
+    for (int i = 0; i < 2; ++i) {
+        uint32_t from = (uint32_t)cell.samples[i][0], to = (uint32_t)cell.samples[i][1];
+        uint32_t step = luminaire_high_product(cell.x << up, to < from ? from - to : to - from);
+        lines[i] = to < from ? (from << 15) - step : (from << 15) + step;
+    }
+    uint32_t near = lines[0], far = lines[1];
+    uint32_t step = luminaire_high_half(cell.y << up, (far < near ? near - far : far - near) << 1);
+    return luminaire_fine_value(far < near ? near - step : near + step);
+}
+
+/* Sets a vector along the cross product of two unit vectors. */
+static inline void luminaire_cross(int32_t cross[3], const int32_t a[3], const int32_t b[3]) {
+    for (int i = 0; i < 3; ++i) {
+        int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+        cross[i] = luminaire_minus(luminaire_signed_high_half(a[j], b[k]), luminaire_signed_high_half(a[k], b[j]));
+    }
+}
+
+/* Sets the axis, and the side that is orthogonal to it and nearest to a vector. Returns 0, and changes nothing, if the two
+ * have one direction. */
+LUMINAIRE_RARE int luminaire_measured_set_frame(
+    luminaire_measured *light, const int32_t axis[3], const int32_t side[3]
+) {
+    int32_t way[3], front[3], across[3];
+    luminaire_cross(way, side, axis);
+    if (!luminaire_unit(front, luminaire_origin, way)) { return 0; }
+    luminaire_cross(way, axis, front);
+    if (!luminaire_unit(across, luminaire_origin, way)) { return 0; }
+    for (int i = 0; i < 3; ++i) {
+        light->spot.axis[i] = axis[i];
+        light->front[i] = front[i];
+        light->side[i] = across[i];
+    }
+    return 1;
+}
+
+/* Aims the light at a point; its side turns as little as possible. Returns 0, and changes nothing, if the point is the
+ * light's position or along the side. */
+static inline int luminaire_measured_aim(luminaire_measured *light, const int32_t point[3]) {
+    int32_t axis[3];
+    if (!light || !point || !luminaire_unit(axis, light->spot.position, point)) { return 0; }
+    return luminaire_measured_set_frame(light, axis, light->side);
+}
+
+/* Aims the light along a vector of any length. Returns 0, and changes nothing, if it is zero or along the side. */
+static inline int luminaire_measured_aim_along(luminaire_measured *light, const int32_t way[3]) {
+    int32_t axis[3];
+    if (!light || !way || !luminaire_unit(axis, luminaire_origin, way)) { return 0; }
+    return luminaire_measured_set_frame(light, axis, light->side);
+}
+
+/* Turns the light about its axis until its side is nearest to a vector of any length. Returns 0, and changes nothing, if
+ * the vector is zero or along the axis. */
+static inline int luminaire_measured_turn(luminaire_measured *light, const int32_t side[3]) {
+    int32_t own[3];
+    if (!light || !side || !luminaire_unit(own, luminaire_origin, side)) { return 0; }
+    return luminaire_measured_set_frame(light, light->spot.axis, own);
+}
+
 /* ---- rows in the light of a falloff and an attenuation of its own ---- */
 
 typedef uint32_t (*luminaire_lit)(const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]);

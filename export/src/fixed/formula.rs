@@ -178,8 +178,6 @@ fn expression(
 
 /// Returns the table of a falloff as a definition; empty for a falloff without a table.
 pub(super) fn table(name: &str, trace: &Trace<Fx16>) -> String {
-    let rows =
-        |values: Vec<String>| values.chunks(8).map(|row| row.join(", ")).collect::<Vec<_>>().join(",\n    ");
     for operation in &trace.operations {
         let (kind, values) = match operation {
             Operation::Sample(_, samples) => ("uint16_t", samples.iter().map(u16::to_string).collect()),
@@ -189,13 +187,14 @@ pub(super) fn table(name: &str, trace: &Trace<Fx16>) -> String {
             }
             _ => continue,
         };
-        let values: Vec<String> = values;
-        return format!(
-            "static const {kind} {}[{}] LUMINAIRE_TABLE = {{\n    {}\n}};\n",
-            global(name, "table"),
-            values.len(),
-            rows(values)
-        );
+        return samples(name, kind, values);
     }
     String::new()
+}
+
+/// Returns the definition of the table of a light, of values of a type.
+pub(super) fn samples(name: &str, kind: &str, values: Vec<String>) -> String {
+    let rows = values.chunks(8).map(|row| row.join(", ")).collect::<Vec<_>>().join(",\n    ");
+    let (name, count) = (global(name, "table"), values.len());
+    format!("static const {kind} {name}[{count}] LUMINAIRE_TABLE = {{\n    {rows}\n}};\n")
 }

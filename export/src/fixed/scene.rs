@@ -31,12 +31,12 @@ pub(crate) fn scene(together: &Together<'_>) -> Result<String, ExportError> {
                     spots.push(format!("&scene->{own}"));
                 } else {
                     let by = format!("luminaire_{own}_Irradiance");
-                    let irradiance = format!("{by}(&scene->{own}, point, normal)");
-                    let _ = writeln!(points, "    luminaire_add(&sum, {irradiance}, scene->{own}.color);");
-                    let _ =
-                        writeln!(rows, "    luminaire_row_add_by(lights, row, &scene->{own}, {by}, count);");
+                    let spot = format!("scene->{own}{}", placed.member());
+                    let irradiance = format!("{by}(&{spot}, point, normal)");
+                    let _ = writeln!(points, "    luminaire_add(&sum, {irradiance}, {spot}.color);");
+                    let _ = writeln!(rows, "    luminaire_row_add_by(lights, row, &{spot}, {by}, count);");
                 }
-                ("luminaire_spot", placed.initialiser(item.light.color()))
+                (placed.structure(), placed.initialiser(item.light.color()))
             }
         };
         let _ = writeln!(fields, "    {structure} {own};");
@@ -62,8 +62,9 @@ pub(crate) fn scene(together: &Together<'_>) -> Result<String, ExportError> {
     let body = format!(
         r#"#include "luminaire_constant.h"
 
-/* The lights by their names. A luminaire_spot changes by luminaire_spot_move, _aim, _aim_along, _zoom, _dim and _tint, and a
- * luminaire_directional by luminaire_directional_aim_along, _dim and _tint. {name}_light and {name}_row_add know the falloff
+/* The lights by their names. A luminaire_spot changes by luminaire_spot_move, _aim, _aim_along, _zoom, _dim and _tint, a
+ * luminaire_directional by luminaire_directional_aim_along, _dim and _tint, and a luminaire_measured by
+ * luminaire_measured_aim, _aim_along and _turn, and by luminaire_spot_move, _dim and _tint of its spot. {name}_light and {name}_row_add know the falloff
  * and the attenuation of each light; the functions of luminaire.h light by the inverse square alone. */
 typedef struct {{
 {fields}    luminaire_rgb {ambient_name}; /* the same at every point and normal */

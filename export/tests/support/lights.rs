@@ -81,7 +81,7 @@ fn part(rng: &mut Rng) -> f32 {
 }
 
 /// Returns a position within 10 of the origin, or at any coordinates that the format takes.
-fn position<S: Scalar>(rng: &mut Rng) -> [f32; 3] {
+pub(crate) fn position<S: Scalar>(rng: &mut Rng) -> [f32; 3] {
     // In `f32` little is lit at the farthest coordinates, because points are farther apart there.
     let (is_near, farthest) = (rng.bool(), S::FARTHEST.min(1e6));
     let reach = if is_near { 10.0 } else { farthest * 1e-4_f32.powf(rng.f32()) };
@@ -93,7 +93,7 @@ fn position<S: Scalar>(rng: &mut Rng) -> [f32; 3] {
 }
 
 /// Returns an intensity from 0 to the largest that lights take.
-fn intensity(rng: &mut Rng) -> f32 {
+pub(crate) fn intensity(rng: &mut Rng) -> f32 {
     match rng.u8(..8) {
         0 => rng.choice([0.0, f32::from_bits(1), 1e9, 1e9]).unwrap_or_default(),
         1 => 10.0_f32.powf(18.0 * rng.f32() - 9.0),
