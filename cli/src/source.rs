@@ -314,7 +314,7 @@ impl Source {
     /// How measured intensities are read.
     fn reading(&self) -> Reading {
         let fit = self.fit.unwrap_or(Reading::default().fit);
-        Reading { fit, is_round: self.round, size: self.size, remedy: ROUND, ..Reading::default() }
+        Reading { fit, is_round: self.round, size: self.size, remedy: ROUND }
     }
 
     /// Says which options have no effect on these lights. `has_throw` is whether the command has a
