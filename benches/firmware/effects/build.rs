@@ -23,7 +23,7 @@ use luminaire::{
         Soft, Table, constant_falloffs,
     },
     haze::Haze,
-    light::{CompiledPointLight, CompiledSpotLight, Distribution, LightModel, Symmetry},
+    light::{CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight, Distribution, LightModel, Symmetry},
     models::Listed,
     projector::{Gobo, Projection, Shadow},
     specular::{LobeVisitor, Phong, SpecularLobe, lobes},
@@ -167,6 +167,23 @@ impl Choices {
         let near: CompiledPointLight<Fx16> =
             CompiledPointLight::from_parts(position, attenuation, intensity, below, point.colors());
         choices.row("surface", "point-fine", &near)?;
+        let samples = oval();
+        let lamp = lamp(&samples)?.compile::<Fx16>()?;
+        choices.row("surface", "measured-coarse", &lamp)?;
+        let Parts { position, attenuation, intensity, .. } = lamp.parts();
+        let (frame, table, outside) = (lamp.frame(), lamp.distribution(), lamp.outside());
+        let colors = lamp.colors();
+        let near: CompiledMeasuredLight<'_, Fx16> = CompiledMeasuredLight::from_parts(
+            position,
+            frame,
+            table,
+            outside,
+            attenuation,
+            intensity,
+            below,
+            colors,
+        );
+        choices.row("surface", "measured-fine", &near)?;
         Ok(choices)
     }
 
@@ -278,9 +295,7 @@ fn constants<S: Scalar>() -> Outcome {
     write("shadow", &Shadow::new(square.compile::<S>()?, 16, &disc().map(S::length))?)?;
     write("point", &PointLight::new(POSITION)?.with_color(AMBER)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
     let samples = oval();
-    let lamp =
-        MeasuredLight::new(POSITION, AXIS, SIDE, Distribution::new(&samples, 33, Symmetry::Quadrant)?)?;
-    write("measured", &lamp.with_color(AMBER)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
+    write("measured", &lamp(&samples)?.with_intensity(BRIGHT)?.compile::<S>()?)?;
     write("directional", &DirectionalLight::new(AXIS)?.with_color(AMBER)?.compile::<S>())?;
     write("ambient", &AmbientLight::new(AMBER)?.with_intensity(0.1)?.compile::<S>())?;
     write("exposure", &Exposure::stops(1)?.compile::<S>())?;
@@ -444,6 +459,11 @@ fn oval() -> [u16; 17 * 17] {
         let [x, y] = [i % 17, i / 17].map(|place| place as f32 / 16.0);
         (65_535.0 * ((1.0 - x - y).max(0.0) * (1.0 - 0.6 * y))).round() as u16
     })
+}
+
+/// The light that is not round.
+fn lamp(samples: &[u16]) -> Result<MeasuredLight<'_>, Error> {
+    MeasuredLight::new(POSITION, AXIS, SIDE, Distribution::new(samples, 33, Symmetry::Quadrant)?)?.with_color(AMBER)
 }
 
 /// The gobo: a window of two by two panes, in 16 by 16 texels.

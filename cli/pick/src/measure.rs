@@ -3,7 +3,8 @@
 use luminaire::attenuation::AnyAttenuation;
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, Table};
-use luminaire::{Cone, DirectionalLight, HalfAngle, PointLight, SpotLight};
+use luminaire::light::{Distribution, Symmetry};
+use luminaire::{Cone, DirectionalLight, HalfAngle, MeasuredLight, PointLight, SpotLight};
 use luminaire_oracle::SplitMix64;
 
 use crate::light::{Attenuation, Edge, Light};
@@ -59,6 +60,7 @@ pub fn any_light_anywhere(random: &mut SplitMix64) -> Option<Light> {
     let light: AnyLight = match random.below(8) {
         0 => DirectionalLight::new(axis).ok()?.into(),
         1 => PointLight::new(position).ok()?.with_attenuation(attenuation).into(),
+        2 => measured_anywhere(random, position, axis, is_usual)?.with_attenuation(attenuation).into(),
         _ => SpotLight::new(position, axis, cone_anywhere(random, is_usual)?)
             .ok()?
             .with_attenuation(attenuation)
@@ -69,6 +71,39 @@ pub fn any_light_anywhere(random: &mut SplitMix64) -> Option<Light> {
 }
 
 /// Returns a random cone of any falloff, often with a hotspot or a cutoff.
+/// Returns a measured light of any symmetry, of random samples; of usual numbers, of samples that differ by a quarter.
+/// The samples stay in memory: a light of a test borrows them.
+fn measured_anywhere(
+    random: &mut SplitMix64,
+    position: [f32; 3],
+    axis: [f32; 3],
+    is_usual: bool,
+) -> Option<MeasuredLight<'static>> {
+    let size = [3, 5, 9, 17, 33][random.below(5) as usize];
+    let symmetry = [Symmetry::None, Symmetry::Bilateral, Symmetry::Quadrant][random.below(3) as usize];
+    let least = if is_usual { 0.75 } else { 0.0 };
+    let mut any = |_| (65_535.0 * random.between(least, 1.0)) as u16;
+    let drawn: Vec<u16> = (0..size * size).map(&mut any).collect();
+    let (last, half) = (size - 1, size / 2);
+    let [from_column, from_row] = match symmetry {
+        Symmetry::None => [0, 0],
+        Symmetry::Bilateral => [0, half],
+        Symmetry::Quadrant => [half, half],
+    };
+    let sample = |column: u32, row: u32| {
+        // Both places of a direction on the edge of the square have one sample.
+        let is_edge = [0, last].iter().any(|end| column == *end || row == *end);
+        let place = |at: u32| if is_edge { at.max(last - at) } else { at };
+        drawn[(place(row) * size + place(column)) as usize]
+    };
+    let rows = from_row..size;
+    let samples: Vec<u16> =
+        rows.flat_map(|row| (from_column..size).map(move |column| sample(column, row))).collect();
+    let distribution = Distribution::new(samples.leak(), size, symmetry).expect("a sound table");
+    let side = random.vector(-1.0, 1.0).as_vec3().to_array();
+    MeasuredLight::new(position, axis, side, distribution).ok()
+}
+
 fn cone_anywhere(random: &mut SplitMix64, is_usual: bool) -> Option<Cone<AnyFalloff>> {
     /// Tables as photometric files have them: one with a dark ring, and one of few samples.
     const TABLES: [&[u16]; 2] = [&[65_535, 65_535, 40_000, 3_000, 9_000, 700, 0], &[65_535, 32_768, 0]];

@@ -33,10 +33,10 @@ named! {
 /// both, less a point outside the cone, which takes what the two share.
 ///
 /// On record are the lit points of a soft spotlight with each falloff, with each law of the attenuation, and with each
-/// window, which ends a law at a range; those of pairs that are frequent; and those of a point light and a directional
-/// light. Another price is a sum: that of the soft spotlight without attenuation, and what the falloff, the law and the
-/// window each add to it. An integer power adds its products, too. For the pairs on record, on every chip and by every
-/// evaluation, the instructions and cycles of the sum differ from those of the count by at most
+/// window, which ends a law at a range; those of pairs that are frequent; and those of a point light, a measured light
+/// and a directional light. Another price is a sum: that of the soft spotlight without attenuation, and what the
+/// falloff, the law and the window each add to it. An integer power adds its products, too. For the pairs on record, on
+/// every chip and by every evaluation, the instructions and cycles of the sum differ from those of the count by at most
 /// [`IN_PARTS`](Self::IN_PARTS) of them, and its bytes by at most [`BYTES_IN_PARTS`](Self::BYTES_IN_PARTS), because the
 /// parts share code. The worst cases of the parts are not those of the same point: their sum differs by at most
 /// [`WORST_IN_PARTS`](Self::WORST_IN_PARTS).
@@ -126,11 +126,19 @@ impl Cost {
     }
 }
 
+/// What the light of a lit point is by its direction, by the names in data.
+#[derive(Clone, Copy, Debug)]
+enum Shape {
+    /// The falloff of a spotlight.
+    Falloff(&'static str),
+    /// The kind of a light without a cone.
+    Kind(&'static str),
+}
+
 /// What a lit point consists of, by the names in data.
 #[derive(Clone, Copy, Debug)]
 struct Parts {
-    /// The falloff of a spotlight.
-    falloff: Option<&'static str>,
+    shape: Shape,
     /// The products of an integer power.
     products: Option<u32>,
     law: &'static str,
@@ -150,19 +158,22 @@ const OUTSIDE: &str = "outside";
 const PRODUCTS: [u32; 2] = [2, 4];
 
 impl Parts {
-    fn new(falloff: Option<AnyFalloff>, attenuation: &AnyAttenuation) -> Self {
+    fn of_spot(falloff: AnyFalloff, attenuation: &AnyAttenuation) -> Self {
         let products = |exponent: u32| exponent.ilog2() + exponent.count_ones() - 1;
-        let power = if let Some(AnyFalloff::Power(power)) = falloff {
-            Some(power.exponent())
-        } else if let Some(AnyFalloff::InvertedPower(power)) = falloff {
-            Some(power.exponent())
-        } else {
-            None
+        let power = match falloff {
+            AnyFalloff::Power(power) => Some(power.exponent()),
+            AnyFalloff::InvertedPower(power) => Some(power.exponent()),
+            _ => None,
         };
+        let shape = Shape::Falloff(falloff.row().name);
+        Self { products: power.map(products), ..Self::new(shape, attenuation) }
+    }
+
+    fn new(shape: Shape, attenuation: &AnyAttenuation) -> Self {
         let row = attenuation.row();
         Self {
-            falloff: falloff.map(|falloff| falloff.row().name),
-            products: power.map(products),
+            shape,
+            products: None,
             law: row.law,
             // Without a range, a window is none.
             window: row.window.filter(|_| attenuation.range().is_some()),
@@ -178,7 +189,8 @@ impl Parts {
     /// Returns the name of the lit point on record, if it is there as a whole.
     fn whole(&self) -> Option<String> {
         let is_sample = self.products.is_none_or(|products| products == PRODUCTS[0]);
-        is_sample.then(|| format!("{}{}", self.falloff.unwrap_or("point"), self.suffix()))
+        let (Shape::Falloff(name) | Shape::Kind(name)) = self.shape;
+        is_sample.then(|| format!("{name}{}", self.suffix()))
     }
 }
 
@@ -207,10 +219,10 @@ impl Prices {
 
     fn of(&self, light: &AnyLight) -> Result<(Cost, Counted), Refusal> {
         let parts = match light {
-            AnyLight::Spot(spot) => Parts::new(Some(spot.cone().falloff()), &spot.attenuation()),
-            AnyLight::Point(point) => Parts::new(None, &point.attenuation()),
+            AnyLight::Spot(spot) => Parts::of_spot(spot.cone().falloff(), &spot.attenuation()),
+            AnyLight::Point(point) => Parts::new(Shape::Kind("point"), &point.attenuation()),
+            AnyLight::Measured(lamp) => Parts::new(Shape::Kind("measured"), &lamp.attenuation()),
             AnyLight::Directional(_) => return Ok((self.get("directional")?, Counted::Whole)),
-            AnyLight::Measured(_) => return Ok((self.get("measured")?, Counted::Whole)),
         };
         match parts.whole().and_then(|name| self.find(&name)) {
             Some(cost) => Ok((cost, Counted::Whole)),
@@ -225,9 +237,12 @@ impl Prices {
             self.get(&name)
         };
         let soft = self.get("soft")?;
-        let mut sum = match parts.falloff {
-            Some(falloff) => self.get(falloff)? + (with_law(parts.law)? - soft),
-            None => self.get("point-inverse-square")? + (with_law(parts.law)? - with_law(INVERSE_SQUARE)?),
+        let mut sum = match parts.shape {
+            Shape::Falloff(falloff) => self.get(falloff)? + (with_law(parts.law)? - soft),
+            Shape::Kind(kind) => {
+                let counted = self.get(&format!("{kind}-{INVERSE_SQUARE}"))?;
+                counted + (with_law(parts.law)? - with_law(INVERSE_SQUARE)?)
+            }
         };
         if let Some(products) = parts.products {
             let [few, many] = PRODUCTS.map(f64::from);
@@ -302,7 +317,8 @@ mod tests {
     /// The sums of all lit points that are counted as a whole, too, differ by what the price states.
     #[test]
     fn sums_of_parts_differ_from_counts_by_what_is_stated() {
-        let pair = |falloff, law, window| Parts { falloff: Some(falloff), products: None, law, window };
+        let pair =
+            |falloff, law, window| Parts { shape: Shape::Falloff(falloff), products: None, law, window };
         let pairs = ["hard", "quadratic", "cubic", "table"]
             .map(|falloff| pair(falloff, INVERSE_SQUARE, None))
             .into_iter()

@@ -6,8 +6,9 @@ mod compiler;
 use luminaire::attenuation::{AnyAttenuation, CutAt, InverseSquare, NoAttenuation};
 use luminaire::dynamic::AnyLight;
 use luminaire::falloff::{AnyFalloff, IntegerPower, RealPower, Soft, Step, Table};
+use luminaire::light::{Distribution, Symmetry};
 use luminaire::models::Listed;
-use luminaire::{Angle, Cone, DirectionalLight, PointLight, SpotLight};
+use luminaire::{Angle, Cone, DirectionalLight, MeasuredLight, PointLight, SpotLight};
 use luminaire_pick::{Chip, Counted, Display, Evaluation, Light, Request, Scene, Survey};
 
 fn request(steps: f64) -> Request {
@@ -46,6 +47,12 @@ fn lights() -> Vec<(String, AnyLight)> {
     for cone in [cone.with_cutoff(Angle::degrees(20.0)), cone.with_inner(Angle::degrees(20.0))] {
         let light = SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone.unwrap()).unwrap();
         lights.push(("ramp".to_owned(), light.with_attenuation(falls()).into()));
+    }
+    let samples: &[u16] = &[9_000, 30_000, 65_535, 20_000, 50_000, 20_000];
+    let lamp = Distribution::new(samples, 3, Symmetry::Bilateral).unwrap();
+    for law in [falls(), CutAt::new(InverseSquare, Some(5.0)).unwrap().into()] {
+        let lamp = MeasuredLight::new([1.0, 2.0, 3.0], [0.0, -1.0, 0.5], [1.0, 0.0, 0.0], lamp).unwrap();
+        lights.push((format!("measured {law:?}"), lamp.with_attenuation(law).into()));
     }
     lights.push(("sun".to_owned(), DirectionalLight::new([0.0, -1.0, 0.5]).unwrap().into()));
     lights

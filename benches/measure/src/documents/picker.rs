@@ -56,6 +56,7 @@ fn priced() -> Vec<Priced> {
     add(godot.to_owned(), lit(godot));
     add("outside".to_owned(), "outside".to_owned());
     add("point-inverse-square".to_owned(), "point".to_owned());
+    add("measured-inverse-square".to_owned(), "measured".to_owned());
     add("directional".to_owned(), "directional".to_owned());
     priced
 }
@@ -133,7 +134,7 @@ fn row(group: &Group, name: &str, kernel: &str, evaluation: &str) -> Result<Opti
     let lacks_one = match kernel {
         "directional" => ["fx16-quick", "fx16-fine"].contains(&evaluation),
         "outside" => evaluation != "fx16",
-        "point" => evaluation == "fx16-quick",
+        "point" | "measured" => evaluation == "fx16-quick",
         _ => false,
     };
     if lacks_one {
