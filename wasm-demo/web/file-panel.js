@@ -93,7 +93,7 @@ export async function openPanel(place, { throwOf, put }) {
  */
 function polar(planes) {
   const [x, y, radius] = [220, 102, 84];
-  /** @type {(share: number, angle: number) => number[]} */
+  /** @type {(share: number, angle: number) => [number, number]} */
   const at = (share, angle) => [x + radius * share * Math.sin((angle * Math.PI) / 180), y + radius * share * Math.cos((angle * Math.PI) / 180)];
   return [
     ...[0.5, 1].map((share) => shape("circle", { class: "level", cx: x, cy: y, r: radius * share, fill: "none" })),

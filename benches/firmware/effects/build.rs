@@ -23,7 +23,9 @@ use luminaire::{
         Soft, Table, constant_falloffs,
     },
     haze::Haze,
-    light::{CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight, Distribution, LightModel, Symmetry},
+    light::{
+        CompiledMeasuredLight, CompiledPointLight, CompiledSpotLight, Distribution, LightModel, Symmetry,
+    },
     models::Listed,
     projector::{Gobo, Projection, Shadow},
     specular::{LobeVisitor, Phong, SpecularLobe, lobes},
@@ -463,7 +465,8 @@ fn oval() -> [u16; 17 * 17] {
 
 /// The light that is not round.
 fn lamp(samples: &[u16]) -> Result<MeasuredLight<'_>, Error> {
-    MeasuredLight::new(POSITION, AXIS, SIDE, Distribution::new(samples, 33, Symmetry::Quadrant)?)?.with_color(AMBER)
+    MeasuredLight::new(POSITION, AXIS, SIDE, Distribution::new(samples, 33, Symmetry::Quadrant)?)?
+        .with_color(AMBER)
 }
 
 /// The gobo: a window of two by two panes, in 16 by 16 texels.

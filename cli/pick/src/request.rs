@@ -294,7 +294,9 @@ fn qualified(type_name: &str) -> String {
             rest = &rest[first.len_utf8()..];
             continue;
         }
-        let has_falloff = !type_name.starts_with("CompiledPointLight");
+        // The lifetime of a table is before the format.
+        place -= i32::from(depth == 1 && name.starts_with('\''));
+        let has_falloff = type_name.contains("SpotLight");
         let module = match (depth, place) {
             _ if !name.starts_with(char::is_uppercase) => "",
             (0, _) => "luminaire::light::",

@@ -104,7 +104,7 @@ pub(crate) fn compile_rust(text: &str, kind: &str, to: &Path) -> Result<(), Box<
     }
     libraries.sort();
     // The newest is usually that of this program; any will do that this compiler has built.
-    let mut told = "no library is built".to_owned();
+    let mut told = None;
     for (_, library) in libraries.into_iter().rev() {
         let mut compiler = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
         compiler.args(["--edition=2024", "--cap-lints=allow", "-L"]);
@@ -114,9 +114,10 @@ pub(crate) fn compile_rust(text: &str, kind: &str, to: &Path) -> Result<(), Box<
         if output.status.success() {
             return Ok(());
         }
-        told = String::from_utf8_lossy(&output.stderr).into_owned();
+        // The newest says what is wrong with the text: an older one may lack what the text calls.
+        told = told.or(Some(String::from_utf8_lossy(&output.stderr).into_owned()));
     }
-    panic!("{told}");
+    panic!("{}", told.as_deref().unwrap_or("no library is built"));
 }
 
 /// The bytes of words.

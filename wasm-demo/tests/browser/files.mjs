@@ -69,7 +69,7 @@ quick("a light that is not round lights a room, and the mean of its planes the s
   must([left, right], ([left, right]) => left > 1.1 * right, "more light at the side of plane 180");
   assert.ok(await ask(() => new Set(document.getElementById("file-room").getContext("2d").getImageData(0, 0, 440, 240).data).size) > 100);
   await press("file-round");
-  await until(() => document.getElementById("file-round").hidden);
+  await until(() => document.getElementById("file-told").textContent === "uneven.ies: 1 light.");
   assert.deepEqual([await shows("file"), await shows("file-uneven"), await isDisabled("file-put")], [true, false, false]);
   assert.match(await words("file-difference"), /, and [\d.]+ of each plane;/);
   assert.match(await words("file-notes"), /^The light is taken as round: /);
