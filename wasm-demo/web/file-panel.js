@@ -45,9 +45,13 @@ export async function openPanel(place, { throwOf, put }) {
     }
   };
   const showPictures = async () => {
-    for (const [name, pixels] of Object.entries(await reader.ask({ light: select("light").selectedIndex }))) {
-      const canvas = find(`file-${name}`, HTMLCanvasElement);
-      canvas.getContext("2d")?.putImageData(new ImageData(pixels, canvas.width), 0, 0);
+    try {
+      for (const [name, pixels] of Object.entries(await reader.ask({ light: select("light").selectedIndex }))) {
+        const canvas = find(`file-${name}`, HTMLCanvasElement);
+        canvas.getContext("2d")?.putImageData(new ImageData(pixels, canvas.width), 0, 0);
+      }
+    } catch (refusal) {
+      element("put-told").textContent = words(refusal);
     }
   };
   const show = () => {
@@ -55,19 +59,20 @@ export async function openPanel(place, { throwOf, put }) {
     element("fit").textContent = name + (fit ? `: ${fit}` : "");
     element("difference").textContent = difference;
     const drawing = find("file-curve", SVGElement);
-    drawing.replaceChildren(...(planes ? polar(planes) : settings ? curve(light()) : []));
+    const round = () => (settings ? curve(light()) : []);
+    drawing.replaceChildren(...(planes ? polar(planes) : round()));
     drawing.toggleAttribute("hidden", !planes && !settings);
     drawing.setAttribute("aria-label", planes ? "Intensity over the angle, in two planes" : "Intensity over the angle off the axis");
     element("photometry").textContent = [photometry, ...notes].join("\n");
     find("file-put", HTMLButtonElement).disabled = !settings;
     element("uneven").hidden = !planes;
-    for (const name of ["tools", "parameters"]) element(name).hidden = planes !== null;
+    element("tools").hidden = planes !== null;
     for (const name of ["parameters-told", "copied"]) element(name).textContent = "";
-    element("put-told").textContent = planes
-      ? "The stage draws round lights: of this one, the mean of all its planes."
-      : settings
-      ? `The selected light keeps its place, its aim and its attenuation. A measured light ends where it falls to half of a code of 255${isCut ? ", and at 80° off its axis, as far as shadows reach" : ""}.`
-      : "Only a spotlight can be put on the stage.";
+    const end = `half of a code of 255${isCut ? ", and at 80° off its axis, as far as shadows reach" : ""}`;
+    let told = "Only a spotlight can be put on the stage.";
+    if (planes) told = "The stage draws round lights: of this one, the mean of all its planes.";
+    else if (settings) told = `The selected light keeps its place, its aim and its attenuation. A measured light ends where it falls to ${end}.`;
+    element("put-told").textContent = told;
     return planes ? showPictures() : showParameters();
   };
   select("light").addEventListener("input", show);

@@ -70,7 +70,6 @@ pub fn any_light_anywhere(random: &mut SplitMix64) -> Option<Light> {
     Some(Light { near, far, ..Light::of("light", &light) })
 }
 
-/// Returns a random cone of any falloff, often with a hotspot or a cutoff.
 /// Returns a measured light of any symmetry, of random samples; of usual numbers, of samples that differ by a quarter.
 /// The samples stay in memory: a light of a test borrows them.
 fn measured_anywhere(
@@ -79,31 +78,28 @@ fn measured_anywhere(
     axis: [f32; 3],
     is_usual: bool,
 ) -> Option<MeasuredLight<'static>> {
-    let size = [3, 5, 9, 17, 33][random.below(5) as usize];
+    let size = (2 << random.below(8)) + 1;
     let symmetry = [Symmetry::None, Symmetry::Bilateral, Symmetry::Quadrant][random.below(3) as usize];
     let least = if is_usual { 0.75 } else { 0.0 };
     let mut any = |_| (65_535.0 * random.between(least, 1.0)) as u16;
     let drawn: Vec<u16> = (0..size * size).map(&mut any).collect();
-    let (last, half) = (size - 1, size / 2);
-    let [from_column, from_row] = match symmetry {
-        Symmetry::None => [0, 0],
-        Symmetry::Bilateral => [0, half],
-        Symmetry::Quadrant => [half, half],
-    };
+    let last = size - 1;
+    let [columns, rows] = Distribution::from_parts(&[], size, symmetry).shape().map(|count| count as u32);
     let sample = |column: u32, row: u32| {
         // Both places of a direction on the edge of the square have one sample.
         let is_edge = [0, last].iter().any(|end| column == *end || row == *end);
         let place = |at: u32| if is_edge { at.max(last - at) } else { at };
         drawn[(place(row) * size + place(column)) as usize]
     };
-    let rows = from_row..size;
+    let [columns, rows] = [columns, rows].map(|count| size - count..size);
     let samples: Vec<u16> =
-        rows.flat_map(|row| (from_column..size).map(move |column| sample(column, row))).collect();
+        rows.flat_map(|row| columns.clone().map(move |column| sample(column, row))).collect();
     let distribution = Distribution::new(samples.leak(), size, symmetry).expect("a sound table");
     let side = random.vector(-1.0, 1.0).as_vec3().to_array();
     MeasuredLight::new(position, axis, side, distribution).ok()
 }
 
+/// Returns a random cone of any falloff, often with a hotspot or a cutoff.
 fn cone_anywhere(random: &mut SplitMix64, is_usual: bool) -> Option<Cone<AnyFalloff>> {
     /// Tables as photometric files have them: one with a dark ring, and one of few samples.
     const TABLES: [&[u16]; 2] = [&[65_535, 65_535, 40_000, 3_000, 9_000, 700, 0], &[65_535, 32_768, 0]];

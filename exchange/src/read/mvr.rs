@@ -182,12 +182,11 @@ impl<'a> Types<'a> {
                 Default::default()
             }
         };
-        let lamps: Own = match found.is_empty() {
-            true => {
-                all.notes.extend(notes.iter().cloned());
-                Err(format!("{} has no light", fixture.label()))
-            }
-            false => Ok(found.into()),
+        let lamps: Own = if found.is_empty() {
+            all.notes.extend(notes.iter().cloned());
+            Err(format!("{} has no light", fixture.label()))
+        } else {
+            Ok(found.into())
         };
         self.known.insert(key, lamps.clone());
         lamps.map(|lamps| (lamps, notes))
@@ -231,8 +230,7 @@ impl Scene {
     /// Finds the fixtures of a scene and the points at which they are aimed.
     fn new(root: Node) -> Result<Self, Refusal> {
         let mut scene = Self::default();
-        let is_scene = root.has_tag_name("GeneralSceneDescription");
-        if !is_scene {
+        if !root.has_tag_name("GeneralSceneDescription") {
             let name = format!("{:.80}", root.tag_name().name());
             return Err(Refusal::new("root element", name, "GeneralSceneDescription"));
         }

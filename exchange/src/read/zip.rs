@@ -66,7 +66,11 @@ impl<'a> Zip<'a> {
     /// A damaged directory, or no such file.
     pub(crate) fn file(&self, path: &str) -> Result<Entry, Refusal> {
         let mut found = None;
-        self.each(|own, entry| found = if own == path.as_bytes() { Some(entry) } else { found })?;
+        self.each(|own, entry| {
+            if own == path.as_bytes() {
+                found = Some(entry);
+            }
+        })?;
         found.ok_or_else(|| Refusal::new(self.what[0], "a zip without it", self.what[1]))
     }
 

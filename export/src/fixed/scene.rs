@@ -64,8 +64,9 @@ pub(crate) fn scene(together: &Together<'_>) -> Result<String, ExportError> {
 
 /* The lights by their names. A luminaire_spot changes by luminaire_spot_move, _aim, _aim_along, _zoom, _dim and _tint, a
  * luminaire_directional by luminaire_directional_aim_along, _dim and _tint, and a luminaire_measured by
- * luminaire_measured_aim, _aim_along and _turn, and by luminaire_spot_move, _dim and _tint of its spot. {name}_light and {name}_row_add know the falloff
- * and the attenuation of each light; the functions of luminaire.h light by the inverse square alone. */
+ * luminaire_measured_aim, _aim_along and _turn, and by luminaire_spot_move, _dim and _tint of its spot. {name}_light and
+ * {name}_row_add know the falloff and the attenuation of each light; the functions of luminaire.h light by the inverse
+ * square alone. */
 typedef struct {{
 {fields}    luminaire_rgb {ambient_name}; /* the same at every point and normal */
 }} {name}_scene;

@@ -45,9 +45,9 @@ pub(super) fn lumens(table: Distribution<'_>, candela: f64) -> f64 {
 
 /// Returns the direction with this cosine off the axis, at an angle about it from the side, in radians.
 fn way(cosine: f64, about: f64) -> [f64; 3] {
-    let (up, across) = about.sin_cos();
+    let (front, side) = about.sin_cos();
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-    [sine * across, sine * up, cosine]
+    [sine * side, sine * front, cosine]
 }
 
 /// Returns the pixels of a room, RGBA: a floor and the wall behind, white, under the light, by the 16-bit kernel. The
@@ -109,4 +109,70 @@ pub(super) fn sphere(light: &Measured) -> Vec<u8> {
         [encode_srgb(table.exact(way(cosine, down.atan2(across))) as f32); 3]
     });
     rgba(codes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luminaire::{attenuation::InverseSquare, light::Symmetry};
+
+    /// A light that is brighter toward its side, and dark from the horizon on.
+    const HALF: [u16; 15] = [0, 20_000, 40_000, 65_535, 0, 0, 0, 40_000, 0, 0, 0, 0, 0, 0, 0];
+
+    fn light(samples: &'static [u16], size: u32, symmetry: Symmetry) -> Measured {
+        let table = Distribution::new(samples, size, symmetry).expect("a sound table");
+        let light = MeasuredLight::new([0.0; 3], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], table);
+        light.expect("a sound light").with_attenuation(AnyAttenuation::from(InverseSquare))
+    }
+
+    #[test]
+    fn flux_is_that_of_the_intensities() {
+        let full = light(&[65_535; 9], 3, Symmetry::None);
+        let flux = lumens(full.distribution(), 10.0);
+        assert!((flux / (40.0 * PI) - 1.0).abs() < 1e-9, "{flux}");
+        // A table that is bright on the axis alone: the sum over much finer parts.
+        let spot = light(&[65_535, 0, 0, 0], 3, Symmetry::Quadrant);
+        let middle = |i: i32, count: i32| (f64::from(i) + 0.5) / f64::from(count);
+        let parts = (0..1_000).flat_map(|i| (0..1_000).map(move |j| [middle(i, 1_000), middle(j, 1_000)]));
+        let mean: f64 = parts.map(|[c, a]| spot.distribution().exact(way(2.0 * c - 1.0, TAU * a))).sum();
+        let flux = lumens(spot.distribution(), 1.0);
+        assert!((flux / (4.0 * PI * mean / 1e6) - 1.0).abs() < 2e-3, "{flux} {mean}");
+    }
+
+    /// Returns the sum of the red bytes of these columns of a picture.
+    fn columns(pixels: &[u8], from: usize, to: usize) -> u64 {
+        let rows = pixels.chunks(4 * WIDTH);
+        rows.flat_map(|row| row[4 * from..4 * to].iter().step_by(4)).map(|code| u64::from(*code)).sum()
+    }
+
+    #[test]
+    fn pictures_are_brighter_where_the_light_is() {
+        let light = light(&HALF, 5, Symmetry::Bilateral);
+        let [left, right, above] =
+            [[0, 110], [110, 220], [220, 440]].map(|[from, to]| columns(&sphere(&light), from, to));
+        assert!(5 * right > 6 * left && left > 0, "{left} {right}");
+        // Between the samples at the horizon and those before it, light reaches a little behind.
+        assert!(3 * above < right, "{above} of {right}");
+        let room = room(&light).expect("a room");
+        let [left, right] = [[0, 220], [220, 440]].map(|[from, to]| columns(&room, from, to));
+        assert!(right > left && left > 0, "{left} {right}");
+        assert_eq!(room.chunks(4).map(|pixel| pixel[0]).max(), Some(255));
+    }
+
+    /// The first plane is that of the side, the second that of the front.
+    #[test]
+    fn planes_are_those_of_side_and_front() {
+        let light = light(&HALF, 5, Symmetry::Bilateral);
+        let table = light.distribution();
+        let [side, front] = planes(&light);
+        let at = |plane: &[[f64; 2]], degrees: f64| {
+            plane.iter().find(|[own, _]| *own == degrees).expect("an angle")[1]
+        };
+        let (sine, cosine) = 30.0_f64.to_radians().sin_cos();
+        assert_eq!(at(&side, 30.0), table.exact([sine, 0.0, cosine]));
+        assert_eq!(at(&side, -30.0), table.exact([-sine, 0.0, cosine]));
+        assert_eq!(at(&front, 30.0), table.exact([0.0, sine, cosine]));
+        assert!(at(&side, 30.0) > 2.0 * at(&side, -30.0), "{side:?}");
+        assert_eq!((side[0][0], side[180][0], front.len()), (-180.0, 180.0, 181));
+    }
 }

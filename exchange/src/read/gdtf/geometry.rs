@@ -1,6 +1,6 @@
 //! The tree of a fixture's geometries: where each beam is.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use glam::{DAffine3, DMat3, DVec3};
@@ -56,14 +56,13 @@ impl<'a, 'i> Geometries<'a, 'i> {
         let all = fixture.children().filter(|node| node.has_tag_name("Geometries"));
         let trees: Vec<_> = all.flat_map(|node| node.children()).filter(Node::is_element).collect();
         let name = |node: &Node<'a, 'i>| node.attribute("Name").unwrap_or_default();
-        let mut referred: HashMap<&str, bool> = HashMap::new();
+        let mut referred = HashSet::new();
         for tree in &trees {
             let others = tree.descendants().filter(|node| node.has_tag_name("GeometryReference"));
-            for to in others.filter_map(|node| node.attribute("Geometry")).filter(|to| *to != name(tree)) {
-                referred.insert(to, true);
-            }
+            let others = others.filter_map(|node| node.attribute("Geometry"));
+            referred.extend(others.filter(|to| *to != name(tree)));
         }
-        let tops: Vec<_> = trees.iter().copied().filter(|tree| !referred.contains_key(name(tree))).collect();
+        let tops: Vec<_> = trees.iter().copied().filter(|tree| !referred.contains(name(tree))).collect();
         let named = trees.iter().map(|tree| (name(tree), *tree)).collect();
         Self { tops: if tops.is_empty() { trees.clone() } else { tops }, trees, named, visited: 0 }
     }

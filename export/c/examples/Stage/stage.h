@@ -339,14 +339,15 @@ static inline uint32_t lantern_irradiance(const int32_t point[3], const int16_t 
 
 /* The lights of the scene stage together. */
 #ifndef STAGE_SCENE_H
-#define STAGE_SCENE_H 0x7740910f /* a checksum of this text */
+#define STAGE_SCENE_H 0xba88aac7 /* a checksum of this text */
 
 #include "luminaire_constant.h"
 
 /* The lights by their names. A luminaire_spot changes by luminaire_spot_move, _aim, _aim_along, _zoom, _dim and _tint, a
  * luminaire_directional by luminaire_directional_aim_along, _dim and _tint, and a luminaire_measured by
- * luminaire_measured_aim, _aim_along and _turn, and by luminaire_spot_move, _dim and _tint of its spot. stage_light and stage_row_add know the falloff
- * and the attenuation of each light; the functions of luminaire.h light by the inverse square alone. */
+ * luminaire_measured_aim, _aim_along and _turn, and by luminaire_spot_move, _dim and _tint of its spot. stage_light and
+ * stage_row_add know the falloff and the attenuation of each light; the functions of luminaire.h light by the inverse
+ * square alone. */
 typedef struct {
     luminaire_spot key;
     luminaire_spot back;
@@ -401,6 +402,6 @@ static inline void stage_row_add(
     }
 }
 
-#elif STAGE_SCENE_H != 0x7740910f
+#elif STAGE_SCENE_H != 0xba88aac7
 #error "two scenes have the name stage: export one of them by another name"
 #endif
