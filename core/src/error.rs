@@ -131,6 +131,8 @@ pub enum Parameter {
     Decay,
     /// The correlated colour temperature of a light, in kelvin.
     ColorTemperature,
+    /// The x or the y of a CIE 1931 chromaticity.
+    Chromaticity,
 }
 
 /// The accepted values of a parameter.
@@ -219,6 +221,7 @@ impl fmt::Display for Parameter {
             Self::SourceRadius => "source radius",
             Self::Decay => "decay",
             Self::ColorTemperature => "color temperature",
+            Self::Chromaticity => "chromaticity",
         })
     }
 }

@@ -3,7 +3,7 @@
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use luminaire::attenuation::{AnyAttenuation, Attenuation};
 use luminaire::dynamic::AnyLight;
-use luminaire::{DirectionalLight, MeasuredLight, PointLight, SpotLight, Vec3};
+use luminaire::{DirectionalLight, MeasuredLight, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::json::NamedAmbient;
 
 use crate::curve::Curve;
@@ -170,6 +170,25 @@ impl Lamp {
         self.light = self.light.with_color(color.into())?.with_intensity(self.own_intensity() as f32)?;
         self.kelvin = None;
         Ok(())
+    }
+
+    /// Returns the light behind a gel that passes these parts of the channels of linear sRGB.
+    ///
+    /// # Errors
+    /// A gel that passes nothing of the light.
+    pub(crate) fn behind(mut self, gel: Rgb<f32>) -> Result<Self, Refusal> {
+        if gel == Rgb::new(1.0, 1.0, 1.0) {
+            return Ok(self);
+        }
+        let color = self.light.color().zip(gel, |channel, part| channel * part);
+        let strongest = color.strongest();
+        let light = self.light.with_intensity(self.light.intensity() * strongest)?;
+        if light.intensity() == 0.0 {
+            return Err(Refusal::new("Color", "black", "a colour that passes light"));
+        }
+        self.light = light.with_color(color.map(|channel| channel / strongest))?;
+        self.kelvin = None;
+        Ok(self)
     }
 
     /// Returns the intensities over the angle: those that were measured, or those of a spotlight at

@@ -2,14 +2,69 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::ops::Neg;
 
 use luminaire::light::{Distribution, Symmetry};
 
-/// Intensities in candela over the planes and the angles of photometry of type C, bilinear between both. The angle is 0
-/// in the direction down, and the planes 0 and 90 are to the right and ahead of a viewer above the light.
+/// A coordinate system of photometry: half planes about a pole, and angles from the pole, in degrees.
+///
+/// The axis of the light is the direction down of type C, and the direction at which both angles of the types B and A are
+/// 0. Seen along the axis, the side is to the right and the front is up (CIE 121, IES LM-75).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Goniometer {
+    /// The pole is the axis. The plane C0 is that of the side, and C90 that of the front.
+    C,
+    /// The pole is the side. The planes are the vertical angles, from the axis toward the front, and the angles are
+    /// 90 degrees less the horizontal ones.
+    B,
+    /// The pole is the front. The planes are the horizontal angles, from the axis toward the side, and the angles are
+    /// 90 degrees less the vertical ones.
+    A,
+}
+
+impl Goniometer {
+    /// Returns the components along the plane 0, the plane 90 and the pole of those along side, front and axis.
+    fn own<T>(self, [side, front, axis]: [T; 3]) -> [T; 3] {
+        match self {
+            Self::C => [side, front, axis],
+            Self::B => [axis, front, side],
+            Self::A => [axis, side, front],
+        }
+    }
+
+    /// Returns the components along side, front and axis: the inverse of [`own`](Self::own).
+    fn of_light<T>(self, [zero, right, pole]: [T; 3]) -> [T; 3] {
+        match self {
+            Self::C => [zero, right, pole],
+            Self::B => [pole, right, zero],
+            Self::A => [right, pole, zero],
+        }
+    }
+
+    /// Returns the plane and the angle of the direction that is mirrored from side to side.
+    fn other_side(self, [plane, angle]: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::C => [180.0 - plane, angle],
+            Self::B => [plane, 180.0 - angle],
+            Self::A => [-plane, angle],
+        }
+    }
+
+    /// Returns the plane and the angle of the direction that is mirrored from front to back.
+    fn other_front(self, [plane, angle]: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::C | Self::B => [-plane, angle],
+            Self::A => [plane, 180.0 - angle],
+        }
+    }
+}
+
+/// Intensities in candela over the planes and the angles of a goniometer, bilinear between both.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Sphere {
-    /// Degrees, ascending: all planes of the circle, and one more at either end.
+    goniometer: Goniometer,
+    /// Degrees, ascending: all planes of the circle of type C, and one more at either end; of the other types the planes
+    /// of the file.
     planes: Vec<f64>,
     angles: Vec<f64>,
     /// Plane by plane.
@@ -41,7 +96,7 @@ pub(crate) struct Table {
 const SAME: f64 = 0.5 / 65_535.0;
 
 impl Sphere {
-    /// Creates a sphere from the planes of a file, which may be a half or a quarter of the circle: 0 to 90, 0 to 180,
+    /// Creates a sphere from the planes of a file of type C, which may be a half or a quarter of the circle: 0 to 90, 0 to 180,
     /// 90 to 270 or 270 to 450 degrees. `None` for another part of it, or without light.
     pub(crate) fn new(planes: &[f64], angles: &[f64], candela: &[f64]) -> Option<Self> {
         let (first, last) = (*planes.first()?, *planes.last()?);
@@ -69,7 +124,61 @@ impl Sphere {
         let candela: Vec<_> = all.iter().flat_map(own).collect();
         let peak = candela.iter().copied().fold(0.0, f64::max);
         let planes = all.into_iter().map(|plane| plane.0).collect();
-        (peak > 0.0).then_some(Self { planes, angles: angles.to_vec(), candela, peak })
+        let goniometer = Goniometer::C;
+        (peak > 0.0).then_some(Self { goniometer, planes, angles: angles.to_vec(), candela, peak })
+    }
+
+    /// Creates a sphere from the intensities of a file of type B or A at horizontal and vertical angles, in degrees from -90
+    /// to 90. Angles that begin at 0 are those of both sides. `None` without light.
+    ///
+    /// `candela` has all vertical angles of a horizontal one, one after the other.
+    pub(crate) fn across(
+        goniometer: Goniometer,
+        [horizontal, vertical]: [&[f64]; 2],
+        candela: &[f64],
+    ) -> Option<Self> {
+        let both = |angles: &[f64]| -> Vec<(f64, usize)> {
+            let own = angles.iter().enumerate().map(|(index, angle)| (*angle, index));
+            let mirrored = own.clone().rev().filter(|(angle, _)| angles[0] == 0.0 && *angle > 0.0);
+            mirrored.map(|(angle, index)| (-angle, index)).chain(own).collect()
+        };
+        let [across, up] = [both(horizontal), both(vertical)];
+        let is_b = goniometer == Goniometer::B;
+        let (planes, latitudes) = if is_b { (up, across) } else { (across, up) };
+        let candela = planes.iter().flat_map(|(_, plane)| {
+            latitudes.iter().rev().map(move |(_, latitude)| {
+                let [across, up] = if is_b { [latitude, plane] } else { [plane, latitude] };
+                candela[across * vertical.len() + up]
+            })
+        });
+        let candela: Vec<_> = candela.collect();
+        let peak = candela.iter().copied().fold(0.0, f64::max);
+        let angles = latitudes.iter().rev().map(|(latitude, _)| 90.0 - latitude).collect();
+        let planes = planes.into_iter().map(|plane| plane.0).collect();
+        (peak > 0.0).then_some(Self { goniometer, planes, angles, candela, peak })
+    }
+
+    /// Returns the mean intensity in candela about the axis of the light, at angles off the axis in degrees, and of the direction
+    /// that differs most from it the difference in candela, the angle off the axis and the angle about it from the
+    /// side.
+    pub(crate) fn mean(&self) -> (Vec<(f64, f64)>, [f64; 3]) {
+        let (mut points, mut worst) = (Vec::new(), [0.0; 3]);
+        for angle in (0..=720).map(|i| f64::from(i) / 4.0) {
+            let (sine, cosine) = angle.to_radians().sin_cos();
+            let at = |about: f64| {
+                let (front, side) = about.to_radians().sin_cos();
+                self.peak * self.toward([sine * side, sine * front, cosine])
+            };
+            let mean = (0..360).map(|about| at(f64::from(about))).sum::<f64>() / 360.0;
+            for about in (0..360).map(f64::from) {
+                let difference = (at(about) - mean).abs();
+                if difference > worst[0] {
+                    worst = [difference, angle, about];
+                }
+            }
+            points.push((angle, mean));
+        }
+        (points, worst)
     }
 
     /// Returns the largest intensity.
@@ -78,10 +187,11 @@ impl Sphere {
     }
 
     /// Returns the share of the largest intensity at a plane from 0 to 360 and an angle, in degrees; 0 beyond the
-    /// angles of the file.
+    /// planes and the angles of the file.
     fn at(&self, plane: f64, angle: f64) -> f64 {
-        let last = self.angles.len() - 1;
-        if !(self.angles[0]..=self.angles[last]).contains(&angle) {
+        let holds = |places: &[f64], place| (places[0]..=places[places.len() - 1]).contains(&place);
+        let plane = if holds(&self.planes, plane) { plane } else { plane - 360.0 };
+        if !(holds(&self.planes, plane) && holds(&self.angles, angle)) {
             return 0.0;
         }
         let cell = |places: &[f64], place: f64| {
@@ -96,17 +206,25 @@ impl Sphere {
         (own(i) + (own(i + 1) - own(i)) * u) / self.peak
     }
 
-    /// Returns whether the light is the same at mirrored planes, within half a step of a sample.
-    fn is_mirrored(&self, mirror: impl Fn(f64) -> f64) -> bool {
-        self.planes.iter().all(|plane| {
-            let [own, other] = [*plane, mirror(*plane)].map(|plane| plane.rem_euclid(360.0));
-            self.angles.iter().all(|&angle| (self.at(own, angle) - self.at(other, angle)).abs() <= SAME)
-        })
+    /// Returns the share of the largest intensity in a direction along side, front and axis, of any length.
+    fn toward(&self, direction: [f64; 3]) -> f64 {
+        let [zero, right, pole] = self.goniometer.own(direction);
+        let plane = right.atan2(zero).to_degrees();
+        let plane = if plane < 0.0 { plane + 360.0 } else { plane };
+        self.at(plane, zero.hypot(right).atan2(pole).to_degrees())
+    }
+
+    /// Returns whether the light is the same in mirrored directions, within half a step of a sample.
+    fn is_mirrored(&self, mirror: impl Fn([f64; 2]) -> [f64; 2]) -> bool {
+        let at = |[plane, angle]: [f64; 2]| self.at(plane.rem_euclid(360.0), angle);
+        let places = self.planes.iter().flat_map(|plane| self.angles.iter().map(|angle| [*plane, *angle]));
+        places.into_iter().all(|place| (at(place) - at(mirror(place))).abs() <= SAME)
     }
 
     /// Returns the table of a size, with the symmetry of the intensities.
     pub(crate) fn table(&self, size: u32) -> Table {
-        let [side, front] = [self.is_mirrored(|c| -c), self.is_mirrored(|c| 180.0 - c)];
+        let side = self.is_mirrored(|place| self.goniometer.other_front(place));
+        let front = self.is_mirrored(|place| self.goniometer.other_side(place));
         let symmetry = match (side, front) {
             (true, true) => Symmetry::Quadrant,
             (false, false) => Symmetry::None,
@@ -116,25 +234,31 @@ impl Sphere {
         let from = |folds: bool| if folds { size / 2 } else { 0 };
         let (columns, rows) =
             (from(symmetry == Symmetry::Quadrant)..size, from(symmetry != Symmetry::None)..size);
-        let is_turned = front && !side;
+        let mut table = Table { samples: Vec::new(), size, symmetry, is_turned: front && !side };
         let sample = |(column, row): (u32, u32)| {
             let place = [column, row].map(|index| f64::from(index) / half - 1.0);
-            let (plane, angle) = direction(place, is_turned);
-            (self.at(plane, angle) * 65_535.0).round() as u16
+            (self.toward(table.of_light(direction(place))) * 65_535.0).round() as u16
         };
         let places = rows.flat_map(|row| columns.clone().map(move |column| (column, row)));
-        Table { samples: places.map(sample).collect(), size, symmetry, is_turned }
+        table.samples = places.map(sample).collect();
+        table
     }
 
-    /// Returns the range of shares between two planes and two angles.
-    fn range(&self, [first, last]: [f64; 2], [near, far]: [f64; 2]) -> [f64; 2] {
-        let (start, end) = (self.angles[0], self.angles[self.angles.len() - 1]);
-        let mut range = if near < start || far > end { [0.0; 2] } else { [f64::INFINITY, f64::NEG_INFINITY] };
-        if far < start || near > end {
+    /// Returns the range of shares between two planes of a quarter of the circle and two angles.
+    fn range(&self, planes: [f64; 2], angles: [f64; 2]) -> [f64; 2] {
+        let ends = |places: &[f64]| [places[0], places[places.len() - 1]];
+        let [own_planes, own_angles] = [ends(&self.planes), ends(&self.angles)];
+        let planes = if planes[0] >= own_planes[1] { planes.map(|plane| plane - 360.0) } else { planes };
+        let parts = [(planes, own_planes), (angles, own_angles)];
+        let is_beyond = parts.iter().any(|([from, to], [first, last])| from < first || to > last);
+        let mut range = if is_beyond { [0.0; 2] } else { [f64::INFINITY, f64::NEG_INFINITY] };
+        if parts.iter().any(|([from, to], [first, last])| to < first || from > last) {
             return range;
         }
-        for plane in between(&self.planes, first, last) {
-            for angle in between(&self.angles, near.max(start), far.min(end)) {
+        let [planes, angles] =
+            parts.map(|([from, to], [first, last]): ([f64; 2], [f64; 2])| [from.max(first), to.min(last)]);
+        for plane in between(&self.planes, planes) {
+            for angle in between(&self.angles, angles) {
                 let share = self.at(plane, angle);
                 range = [range[0].min(share), range[1].max(share)];
             }
@@ -142,15 +266,18 @@ impl Sphere {
         range
     }
 
-    /// Returns how a table differs from the intensities, without a bound: in the middles of a grid of half a degree over the angle and one degree over the plane.
+    /// Returns how a table differs from the intensities, without a bound: in the middles of a grid of half a degree over the
+    /// angle and one degree over the plane.
     pub(crate) fn sampled(&self, table: &Table) -> Option<Difference> {
         let distribution = table.distribution()?;
         let (mut found, mut square, mut weights) = (0.0_f64, 0.0, 0.0);
+        let planes = (0..360).map(|i| f64::from(i) + 0.5);
+        let planes: Vec<_> = planes.map(|plane: f64| (plane, plane.to_radians().sin_cos())).collect();
         for angle in (0..360).map(|i| (f64::from(i) + 0.5) / 2.0) {
             let (sine, cosine) = angle.to_radians().sin_cos();
-            for plane in (0..360).map(|i| f64::from(i) + 0.5) {
-                let (front, side) = (plane - table.turn()).to_radians().sin_cos();
-                let share = distribution.exact([sine * side, sine * front, cosine]);
+            for (plane, (right, zero)) in planes.iter().copied() {
+                let direction = self.goniometer.of_light([sine * zero, sine * right, cosine]);
+                let share = distribution.exact(table.own(direction));
                 let difference = 255.0 * (share - self.at(plane, angle)).abs();
                 found = found.max(difference);
                 square += difference * difference * sine;
@@ -207,31 +334,14 @@ impl Sphere {
         let [[x, right], [y, top]] = place;
         let corners = [[x, y], [right, y], [x, top], [right, top]];
         let of_table = corners.map(|place| table.at(quadrant, place));
-        let [near, far] = [[x, y], [right, top]].map(angle_of);
-        // In front of the diagonal the plane is that of the place, and behind it that of the place mirrored in it.
-        let mut planes = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut add = |least: f64, most: f64| planes = [planes[0].min(least), planes[1].max(most)];
-        if x + y <= 1.0 {
-            add(y.atan2(right), top.atan2(x));
-        }
-        if right + top >= 1.0 {
-            add((1.0 - right).atan2(1.0 - y), (1.0 - x).atan2(1.0 - top));
-        }
-        // The turn leaves the circle at most once.
-        let planes = [0, 1].map(|i| turned(planes[i].to_degrees(), quadrant) + table.turn());
-        let planes = [planes[0].min(planes[1]), planes[0].max(planes[1])];
-        let over = if planes[0] >= 360.0 { 360.0 } else { 0.0 };
-        let split = planes[0] < 360.0 && planes[1] > 360.0;
-        let [mut least, mut most] =
-            self.range(planes.map(|plane| if split { plane.min(360.0) } else { plane - over }), [near, far]);
-        if split {
-            let beyond = self.range([0.0, planes[1] - 360.0], [near, far]);
-            (least, most) = (least.min(beyond[0]), most.max(beyond[1]));
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for own in boxes(place).map(|own| self.goniometer.own(table.of_light(signed(own, quadrant)))) {
+            let [low, high] = self.range(planes_of(own), angles_of(own));
+            (least, most) = (least.min(low), most.max(high));
         }
         for (place, own) in corners.into_iter().zip(of_table) {
-            let (plane, angle) = place_of(place);
-            let plane = (turned(plane, quadrant) + table.turn()).rem_euclid(360.0);
-            *found = found.max(255.0 * (own - self.at(plane, angle)).abs());
+            let share = self.toward(table.of_light(signed(direction(place), quadrant)));
+            *found = found.max(255.0 * (own - share).abs());
         }
         let [low, high] = of_table
             .iter()
@@ -247,9 +357,14 @@ impl Table {
         Distribution::new(&self.samples, self.size, self.symmetry).ok()
     }
 
-    /// Returns the plane of the side, in degrees.
-    fn turn(&self) -> f64 {
-        if self.is_turned { 90.0 } else { 0.0 }
+    /// Returns the components along the side, the front and the axis of the table of those of the light.
+    fn own<T: Neg<Output = T>>(&self, [side, front, axis]: [T; 3]) -> [T; 3] {
+        if self.is_turned { [front, -side, axis] } else { [side, front, axis] }
+    }
+
+    /// Returns the components along the side, the front and the axis of the light of those of the table.
+    fn of_light<T: Neg<Output = T>>(&self, [side, front, axis]: [T; 3]) -> [T; 3] {
+        if self.is_turned { [-front, side, axis] } else { [side, front, axis] }
     }
 
     /// Returns the share at a place of a quadrant of the square.
@@ -302,39 +417,64 @@ impl Ord for Part {
 }
 
 /// Returns two places and those of a list between them.
-fn between(places: &[f64], from: f64, to: f64) -> impl Iterator<Item = f64> {
+fn between(places: &[f64], [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     let [start, end] = [places.partition_point(|own| *own <= from), places.partition_point(|own| *own < to)];
     let inside = places.get(start..end).unwrap_or(&[]).iter().copied();
     [from].into_iter().chain(inside).chain([to])
 }
 
-/// Returns a plane of the first quadrant in another one, in degrees.
-fn turned(plane: f64, quadrant: usize) -> f64 {
-    match quadrant {
-        0 => plane,
-        1 => 180.0 - plane,
-        2 => 360.0 - plane,
-        _ => 180.0 + plane,
+/// Returns the direction of a place on the square from -1 to 1, along side, front and axis, with components whose
+/// magnitudes have the sum 1.
+fn direction([x, y]: [f64; 2]) -> [f64; 3] {
+    let along = 1.0 - x.abs() - y.abs();
+    if along < 0.0 {
+        [(1.0 - y.abs()).copysign(x), (1.0 - x.abs()).copysign(y), along]
+    } else {
+        [x, y, along]
     }
 }
 
-/// Returns the angle in degrees off the axis of a place of the first quadrant. It rises with x and with y.
-fn angle_of([x, y]: [f64; 2]) -> f64 {
-    let along = 1.0 - x - y;
-    let [a, b] = if along < 0.0 { [1.0 - y, 1.0 - x] } else { [x, y] };
-    a.hypot(b).atan2(along).to_degrees()
+/// Returns the ranges of the components in a part of the first quadrant: in front, and behind.
+fn boxes([[x, right], [y, top]]: [[f64; 2]; 2]) -> impl Iterator<Item = [Range; 3]> {
+    let (near, far) = (1.0 - x - y, 1.0 - right - top);
+    let front = (near >= 0.0).then(|| [[x, right], [y, top], [far.max(0.0), near]]);
+    let last = if near < 0.0 { near } else { -0.0 };
+    let behind = (far <= 0.0).then_some([[1.0 - top, 1.0 - y], [1.0 - right, 1.0 - x], [far, last]]);
+    front.into_iter().chain(behind).map(|own| own.map(|[from, to]| Range(from, to)))
 }
 
-/// Returns the plane and the angle, in degrees, of a place of the first quadrant.
-fn place_of([x, y]: [f64; 2]) -> (f64, f64) {
-    let [a, b] = if x + y > 1.0 { [1.0 - y, 1.0 - x] } else { [x, y] };
-    (b.atan2(a).to_degrees(), angle_of([x, y]))
+/// Returns components of the first quadrant with the signs of another one.
+fn signed<T: Neg<Output = T>>([side, front, axis]: [T; 3], quadrant: usize) -> [T; 3] {
+    [if quadrant & 1 == 1 { -side } else { side }, if quadrant & 2 == 2 { -front } else { front }, axis]
 }
 
-/// Returns the plane from 0 to 360 and the angle, in degrees, of a place on the square from -1 to 1.
-fn direction([x, y]: [f64; 2], is_turned: bool) -> (f64, f64) {
-    let quadrant = usize::from(x < 0.0) + 2 * usize::from(y < 0.0);
-    let (plane, angle) = place_of([x.abs(), y.abs()]);
-    let plane = turned(plane, quadrant) + if is_turned { 90.0 } else { 0.0 };
-    (plane.rem_euclid(360.0), angle)
+/// The range of a component, of numbers of one sign.
+#[derive(Clone, Copy)]
+struct Range(f64, f64);
+
+impl Neg for Range {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(-self.1, -self.0)
+    }
+}
+
+/// Returns the least and the most of a function of two ranges that is monotone in each number, where the other one is
+/// fixed.
+fn over([a, b]: [Range; 2], function: fn(f64, f64) -> f64) -> [f64; 2] {
+    let all = [function(a.0, b.0), function(a.0, b.1), function(a.1, b.0), function(a.1, b.1)];
+    [all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// Returns the range of the planes of directions, in degrees, within a quarter of the circle from 0 to 360.
+fn planes_of([zero, right, _]: [Range; 3]) -> [f64; 2] {
+    let planes = over([right, zero], f64::atan2).map(f64::to_degrees);
+    if planes[0] < 0.0 { planes.map(|plane| plane + 360.0) } else { planes }
+}
+
+/// Returns the range of the angles of directions from the pole, in degrees.
+fn angles_of([zero, right, pole]: [Range; 3]) -> [f64; 2] {
+    let [from, to] = over([zero, right], f64::hypot);
+    over([Range(from, to), pole], f64::atan2).map(f64::to_degrees)
 }

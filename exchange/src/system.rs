@@ -77,7 +77,7 @@ systems! {
     /// Babylon.js.
     Babylon(Babylon) = "babylon", ["babylon"], "lights of a scene, or numbers";
     /// IES LM-63.
-    Ies = "ies", ["ies"], "photometry of type C of 1986 to 2019";
+    Ies = "ies", ["ies"], "photometry of the types C, B and A of 1986 to 2019";
     /// EULUMDAT.
     Eulumdat = "eulumdat", ["ldt"], "photometry of any symmetry";
     /// The General Device Type Format.

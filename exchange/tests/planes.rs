@@ -196,3 +196,109 @@ fn files_that_end_at_the_horizon_have_no_light_above() {
         assert!(light.exact_intensity(Vec3::new(x, -0.03, z)) > 0.0);
     }
 }
+
+/// A file of type B (2) or A (3) at horizontal and vertical angles every 10 and 5 degrees from these on.
+fn across(kind: u32, [from_side, from_front]: [i32; 2], intensity: Intensity) -> String {
+    let horizontal: Vec<_> = (from_side..=90).step_by(10).map(f64::from).collect();
+    let vertical: Vec<_> = (from_front..=90).step_by(5).map(f64::from).collect();
+    let values = horizontal.iter().flat_map(|h| vertical.iter().map(|v| intensity(*h, *v)));
+    let counts = format!("1 -1 1 {} {} {kind} 2 0 0 0\n1 1 10\n", vertical.len(), horizontal.len());
+    let head = format!("IESNA:LM-63-2002\n[LUMCAT] light\nTILT=NONE\n{counts}");
+    format!("{head}{}{}{}", words(vertical.clone()), words(horizontal.clone()), words(values))
+}
+
+/// A floodlight that is aimed up and to the right.
+fn flood(horizontal: f64, vertical: f64) -> f64 {
+    let share = (horizontal - 20.0).powi(2) / 1_800.0 + (vertical - 10.0).powi(2) / 600.0;
+    // At the poles, where all planes meet, is no light.
+    (1_000.0 * (-share).exp() * horizontal.to_radians().cos() * vertical.to_radians().cos()).round()
+}
+
+fn both_sides(horizontal: f64, vertical: f64) -> f64 {
+    flood(horizontal, vertical) + flood(-horizontal, vertical)
+}
+
+fn all_sides(horizontal: f64, vertical: f64) -> f64 {
+    both_sides(horizontal, vertical) + both_sides(horizontal, -vertical)
+}
+
+/// The horizontal and the vertical angle of a direction to the right, up and ahead: about the horizontal pole of type B,
+/// or the vertical one of type A.
+fn angles(kind: u32, [right, up, ahead]: [f64; 3]) -> [f64; 2] {
+    let angles = if kind == 2 {
+        [right.atan2(up.hypot(ahead)), up.atan2(ahead)]
+    } else {
+        [right.atan2(ahead), up.atan2(right.hypot(ahead))]
+    };
+    angles.map(f64::to_degrees)
+}
+
+/// Floodlights and headlamps: right of the light is x, up is -z and ahead is down, as it hangs.
+#[test]
+fn files_about_other_poles_are_one_light_within_its_difference() {
+    use Symmetry::{Bilateral, None, Quadrant};
+    for (kind, from, intensity, symmetry) in [
+        (2, [-90, -90], flood as Intensity, None),
+        (3, [-90, -90], flood, None),
+        (2, [-90, -90], both_sides, Bilateral),
+        (3, [0, -90], both_sides, Bilateral),
+        (2, [0, 0], all_sides, Quadrant),
+        // The file has nothing below 30 degrees.
+        (2, [-90, -30], flood, None),
+    ] {
+        let text = across(kind, from, intensity);
+        let lamps = read("flood.ies", text.as_bytes(), Option::None, Reading::default()).expect("a light");
+        let (light, stated) = (light(&lamps), 255.0 * f64::from(lamps.lamps[0].difference.angle));
+        let side = if symmetry == Bilateral { [0.0, 0.0, -1.0] } else { [1.0, 0.0, 0.0] };
+        assert_eq!((light.distribution().symmetry(), light.frame()[0]), (symmetry, side.into()), "{from:?}");
+        let (mut rng, mut worst, mut peak) = (Rng::with_seed(63), 0.0_f64, 0.0_f64);
+        for _ in 0..2_000 {
+            let (about, ahead) = (std::f64::consts::TAU * rng.f64(), 2.0 * rng.f64() - 1.0);
+            let (up, right) = about.sin_cos();
+            let sine = (1.0 - ahead * ahead).sqrt();
+            let [h, v] = angles(kind, [sine * right, sine * up, ahead]);
+            let is_lit =
+                h.abs() <= 90.0 && (-90.0..=90.0).contains(&v) && (from[1] == 0 || v >= f64::from(from[1]));
+            let (i, j) = ((h / 10.0).floor(), (v / 5.0).floor());
+            let (s, t) = (h / 10.0 - i, v / 5.0 - j);
+            let corner = |di: f64, dj: f64| intensity(10.0 * (i + di), 5.0 * (j + dj));
+            let near = corner(0.0, 0.0) * (1.0 - s) + corner(1.0, 0.0) * s;
+            let far = corner(0.0, 1.0) * (1.0 - s) + corner(1.0, 1.0) * s;
+            let expected = if is_lit { near * (1.0 - t) + far * t } else { 0.0 };
+            let way = Vec3::new(sine * right, -ahead, -sine * up);
+            worst = worst
+                .max(255.0 * (light.exact_intensity(way) - expected).abs() / f64::from(light.intensity()));
+            peak = peak.max(expected);
+        }
+        println!("type {kind} from {from:?}: {worst:.2} codes, stated {stated:.2}");
+        let most = if from[1] == -30 { 255.0 } else { 3.0 * worst };
+        assert!(worst <= stated && stated <= most, "{kind} {from:?}: {worst} of {stated}");
+        assert!(peak > 0.8 * f64::from(light.intensity()), "{peak}");
+    }
+}
+
+/// Intensities that are the same all about the axis are a round light, and others are by request.
+#[test]
+fn files_about_other_poles_may_be_round() {
+    // The angle off the axis is that of both: cos = cos h cos v.
+    let round: Intensity = |h, v| (1e3 * (h.to_radians().cos() * v.to_radians().cos()).powi(4)).round();
+    for kind in [2, 3] {
+        let fine = across(kind, [-90, -90], round);
+        let reading = Reading { fit: 8.0, ..Reading::default() };
+        let lamps = read("round.ies", fine.as_bytes(), None, reading).expect("a light");
+        assert!(matches!(lamps.lamps[0].light, AnyLight::Spot(_)), "type {kind}");
+        let text = across(kind, [-90, -90], flood);
+        let reading = Reading { is_round: true, ..Reading::default() };
+        let lamps = read("flood.ies", text.as_bytes(), None, reading).expect("a light");
+        assert!(matches!(lamps.lamps[0].light, AnyLight::Spot(_)), "type {kind}");
+        let note = "The light is taken as round: the direction ";
+        assert!(lamps.notes.iter().any(|own| own.starts_with(note)), "{:?}", lamps.notes);
+    }
+    for (from, name) in
+        [([10, -90], "horizontal angles"), ([-90, 10], "vertical angles"), ([90, 0], "horizontal angles")]
+    {
+        let refusal = read("part.ies", across(2, from, flood).as_bytes(), None, Reading::default())
+            .expect_err("a part");
+        assert_eq!(refusal.parameter, name);
+    }
+}

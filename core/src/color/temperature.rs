@@ -44,6 +44,20 @@ impl Rgb<f32> {
         Ok(visible(black_body(kelvin)))
     }
 
+    /// Returns the colour of a CIE 1931 chromaticity in linear sRGB of luminance 1, as a gel or an emitter of a stage light is
+    /// published: `x` in [0, 1], and `y` in [0.001, 1].
+    ///
+    /// What is outside of sRGB is at its border, with the channels that would be negative at 0. The chromaticity of white
+    /// is that of D65: 0.3127, 0.3290.
+    ///
+    /// # Errors
+    /// An `x` or a `y` outside its range.
+    pub fn from_chromaticity(x: f32, y: f32) -> Result<Self, Error> {
+        check_between(Parameter::Chromaticity, x, 0.0, 1.0)?;
+        check_between(Parameter::Chromaticity, y, 1e-3, 1.0)?;
+        Ok(visible([x, y]))
+    }
+
     /// Returns the luminance of a linear colour; that of white is 1.
     pub fn luminance(self) -> f32 {
         let Rgb { red, green, blue } = self.zip(LUMINANCE, |channel, part| channel * part);
@@ -131,6 +145,27 @@ mod tests {
             255.0 * apart / expected.strongest()
         };
         whites.iter().map(difference).fold(0.0, f32::max)
+    }
+
+    /// The primaries of sRGB and its white (IEC 61966-2-1), and what is outside of it.
+    #[test]
+    fn chromaticities_are_those_of_srgb() {
+        for (place, expected) in [
+            ([0.64, 0.33], [1.0 / 0.2126, 0.0, 0.0]),
+            ([0.3, 0.6], [0.0, 1.0 / 0.7152, 0.0]),
+            ([0.15, 0.06], [0.0, 0.0, 1.0 / 0.0722]),
+            ([0.312_7, 0.329], [1.0; 3]),
+            ([0.0, 1.0], [0.0, 1.0 / 0.7152, 0.0]),
+        ] {
+            let found = <[f32; 3]>::from(Rgb::from_chromaticity(place[0], place[1]).unwrap());
+            let strongest = expected.iter().copied().fold(0.0, f32::max);
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-3 * strongest, "{place:?}: {found} of {expected}");
+            }
+        }
+        for [x, y] in [[-0.1, 0.3], [0.3, 0.0], [0.3, 1.1], [f32::NAN, 0.3], [0.3, f32::NAN]] {
+            assert_eq!(Rgb::from_chromaticity(x, y).unwrap_err().parameter, Parameter::Chromaticity);
+        }
     }
 
     #[test]

@@ -1,17 +1,18 @@
 //! IES LM-63 of 1986, 1991, 1995, 2002 and 2019.
 
-use super::photometry::{Fields, POSITIVE, Photometry, Planes};
+use super::photometry::{Across, Fields, POSITIVE, Photometry, Planes};
 use crate::reading::Reading;
 use crate::refusal::Refusal;
+use crate::sphere::Goniometer;
 
-/// Returns the light of a file of type C.
+/// Returns the light of a file, of type C, B or A.
 ///
 /// The intensity is the product of value, multiplier, ballast factor and ballast-lamp factor. The
 /// lumens of the lamps are none: in relative photometry the values are for rated lumens. In
 /// LM-63-2019 the field of the ballast-lamp factor has the origin of the file (section 5.13).
 ///
 /// # Errors
-/// A file that is malformed, or of another type.
+/// A file that is malformed.
 pub(crate) fn read(text: &str, reading: Reading) -> Result<Photometry, Refusal> {
     let tilt = text.lines().enumerate().find_map(|(above, line)| {
         let (label, tilt) = line.split_once('=')?;
@@ -52,10 +53,12 @@ pub(crate) fn read(text: &str, reading: Reading) -> Result<Photometry, Refusal> 
     let angles = fields.count("number of vertical angles", 2)?;
     let planes = fields.count("number of horizontal angles", 1)?;
     let kind = fields.number("photometric type", 1.0..=3.0)?;
-    if kind != 1.0 {
-        let expected = "1 (type C); 2 is type B and 3 is type A: convert the file to type C";
-        return Err(fields.refusal("photometric type", kind, expected));
-    }
+    let goniometer = match kind {
+        1.0 => Goniometer::C,
+        2.0 => Goniometer::B,
+        3.0 => Goniometer::A,
+        _ => return Err(fields.refusal("photometric type", kind, "1 (type C), 2 (type B) or 3 (type A)")),
+    };
     fields.skip(4)?; // units, width, length, height
     factor *= fields.number("ballast factor", POSITIVE)?;
     let lamp = fields.number("ballast-lamp photometric factor", POSITIVE)?;
@@ -73,6 +76,12 @@ pub(crate) fn read(text: &str, reading: Reading) -> Result<Photometry, Refusal> 
         ));
     }
     fields.skip(1)?; // watts
+    if goniometer != Goniometer::C {
+        let vertical = fields.ascending("vertical angle", angles, -90.0..=90.0)?;
+        let horizontal = fields.ascending("horizontal angle", planes, -90.0..=90.0)?;
+        let candela = fields.candela(angles.saturating_mul(planes), factor)?;
+        return Across { goniometer, horizontal, vertical, candela }.light(&names, notes, reading);
+    }
     let vertical = fields.ascending("vertical angle", angles, -90.0..=180.0)?;
     let horizontal = fields.ascending("horizontal angle", planes, 0.0..=360.0)?;
     let symmetry = match (planes, horizontal[0], horizontal[planes - 1]) {

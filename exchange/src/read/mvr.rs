@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 use glam::{DAffine3, DMat3, DVec3};
+use luminaire::Rgb;
 use roxmltree::Node;
 
 use super::gdtf::{self, rows, upright};
@@ -32,6 +33,8 @@ struct Fixture {
     world: DAffine3,
     /// The identifier of the point at which it is aimed.
     focus: String,
+    /// The part of each channel of linear sRGB that its gel passes.
+    gel: Rgb<f32>,
 }
 
 impl Fixture {
@@ -91,7 +94,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Lamps, Refusal> {
             let own = if found.len() == 1 { name.clone() } else { format!("{name}: {}", lamp.name) };
             let own =
                 Lamp { name: unique(&own, &mut names), notes: std::mem::take(&mut notes), ..lamp.clone() };
-            match own.moved(upright(fixture.world)).and_then(|own| own.aimed(focus)) {
+            let own = own.moved(upright(fixture.world)).and_then(|own| own.aimed(focus));
+            match own.and_then(|own| own.behind(fixture.gel)) {
                 Ok(own) => lamps.lamps.push(own),
                 Err(refusal) => lamps.refused.push(refusal.at(&name)),
             }
@@ -270,10 +274,10 @@ impl Scene {
         let text = |key| child(node, key).and_then(|node| node.text()).unwrap_or_default().trim();
         let cut = |key| text(key).chars().take(200).collect::<String>();
         let [file, mode] = ["GDTFSpec", "GDTFMode"].map(cut);
-        let focus = cut("Focus").to_lowercase();
+        let (focus, gel) = (cut("Focus").to_lowercase(), gel(text("Color")));
         let has_commands = child(node, "CustomCommands").is_some_and(|node| node.has_children());
         for (what, is_there) in [
-            ("colour is not read", has_color(text("Color"))),
+            ("colour is not read", gel.is_none()),
             ("gobo is not read", !text("Gobo").is_empty()),
             ("commands, such as pan and tilt, are not read", has_commands),
         ] {
@@ -281,7 +285,8 @@ impl Scene {
                 *self.unread.entry(what).or_default() += 1;
             }
         }
-        self.fixtures.push(Fixture { name: named(node), file, mode, world, focus });
+        let gel = gel.unwrap_or(WHITE);
+        self.fixtures.push(Fixture { name: named(node), file, mode, world, focus, gel });
     }
 }
 
@@ -297,11 +302,23 @@ fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
     node.children().find(|node| node.has_tag_name(name))
 }
 
-/// Returns whether a colour in xyY is other than white, that of D65.
-fn has_color(text: &str) -> bool {
-    let numbers: Vec<f64> = text.split(',').filter_map(|word| word.trim().parse().ok()).collect();
-    let is_far = |(own, white): (&f64, f64)| (own - white).abs() > 1e-3;
-    numbers.iter().zip([0.3127, 0.3290]).any(is_far)
+/// What no gel passes of each channel.
+const WHITE: Rgb<f32> = Rgb::new(1.0, 1.0, 1.0);
+
+/// Returns what a gel passes of each channel, by its colour in CIE xyY, such as `0.3127, 0.3290, 100.0`, the white of D65
+/// of a fixture without a gel; `None` if the text is no such colour.
+fn gel(text: &str) -> Option<Rgb<f32>> {
+    if text.is_empty() {
+        return Some(WHITE);
+    }
+    let numbers: Vec<f32> = text.split(',').map_while(|word| word.trim().parse().ok()).collect();
+    let [x, y, percent] = numbers[..] else { return None };
+    let color = Rgb::from_chromaticity(x, y).ok()?;
+    let is_near = |(own, white): (f32, f32)| (own - white).abs() <= 1e-3;
+    if [(x, 0.3127), (y, 0.329), (percent, 100.0)].into_iter().all(is_near) {
+        return Some(WHITE);
+    }
+    (0.0..=100.0).contains(&percent).then(|| color.map(|channel| channel * percent / 100.0))
 }
 
 /// Returns the transform from an object to the one around it, in metres; without one, they are at one place.
@@ -372,7 +389,7 @@ mod tests {
         let own = lamps.lamps.iter().flat_map(|lamp| &lamp.notes);
         let notes: Vec<_> = own.chain(&lamps.notes).cloned().collect();
         let notes = notes.join("\n");
-        assert!(lamps.lamps[1].notes.is_empty() && lamps.notes.len() == 5, "{:?}", lamps.notes);
+        assert!(lamps.lamps[1].notes.is_empty() && lamps.notes.len() == 4, "{:?}", lamps.notes);
         for note in [
             "Ours@Hazer.gdtf: the fixture has no geometry of the type Beam",
             "ours@two beams.GDTF (Other): there is no mode `Other`: the one that is read is All",
@@ -381,10 +398,42 @@ mod tests {
             "fixtures left out: 1 (7), because no GDTF file is named",
             "fixtures left out: 1 (Guest), because the zip has no file `guest.gdtf`: export the rig with",
             "fixtures left out: 1 (Hazer), because Ours@Hazer.gdtf has no light",
-            "fixtures whose colour is not read: 1",
         ] {
             assert!(notes.contains(note), "expected {note}, found\n{notes}");
         }
+    }
+
+    /// The colour of a fixture is a gel before its light, whose white it filters.
+    #[test]
+    fn colours_are_gels() {
+        let of = |color: &str| {
+            let scene = SCENE.replace("0.64,0.33,21", color);
+            let lamps = read(&rig(&scene)).expect("a rig");
+            let is_unread = lamps.notes.iter().any(|note| note == "fixtures whose colour is not read: 1");
+            let own = &lamps.lamps[1];
+            (
+                <[f32; 3]>::from(own.light.color()),
+                own.light.intensity(),
+                own.kelvin,
+                is_unread,
+                lamps.refused.len(),
+            )
+        };
+        let (white, intensity, kelvin, ..) = of("");
+        assert_eq!(kelvin, Some(6_000.0));
+        assert_eq!(of("0.3127, 0.3290, 100.0"), (white, intensity, kelvin, false, 0));
+        // The red primary of sRGB of luminance 0.21 passes 98.8 % of red alone.
+        let (red, of_red, none, is_unread, _) = of("0.64,0.33,21");
+        assert!(red[0] == 1.0 && red[1] + red[2] < 2e-3 && none.is_none() && !is_unread, "{red:?}");
+        assert!((of_red / (intensity * white[0]) - 0.21 / 0.2126).abs() < 1e-3, "{of_red} of {intensity}");
+        // A grey gel dims.
+        let (grey, of_grey, ..) = of("0.3127,0.3290,50");
+        assert!((of_grey / intensity - 0.5).abs() < 1e-3 && (grey[2] - white[2]).abs() < 2e-3, "{grey:?}");
+        for unread in ["0.3,0.3", "0.3,0,100", "0.3,0.3,101", "red", "0.3,0.3,1,1", "NaN,0.3,1"] {
+            let (color, .., is_unread, _) = of(unread);
+            assert!(is_unread && color == white, "{unread}");
+        }
+        assert_eq!(of("0.64,0.33,0").4, 1);
     }
 
     /// A part of a matrix that cannot be read refuses what is below it, by its name.

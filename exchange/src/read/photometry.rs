@@ -7,7 +7,7 @@ use crate::curve::Curve;
 use crate::limits::within;
 use crate::reading::Reading;
 use crate::refusal::Refusal;
-use crate::sphere::Sphere;
+use crate::sphere::{Goniometer, Sphere};
 
 /// A photometric file of a light.
 #[derive(Debug)]
@@ -92,7 +92,7 @@ impl<'a> Fields<'a> {
         }
         let last = angles.len() - 1;
         for end in [0, last] {
-            let limit = [90.0, 180.0].into_iter().find_map(|limit| within(angles[end], limit, limit));
+            let limit = [-90.0, 90.0, 180.0].into_iter().find_map(|limit| within(angles[end], limit, limit));
             angles[end] = limit.unwrap_or(angles[end]);
         }
         Ok(angles)
@@ -154,7 +154,7 @@ impl Planes<'_> {
             return Err(refusal("0 to 90, 0 to 180, or 90 to 180 (type C)"));
         }
         let (candela, rest) = &self.candela;
-        notes.extend(rest.map(|word| format!("What follows the last intensity is not read: {word:.40}")));
+        notes.extend(rest.map(not_read));
         let mut mean = vec![0.0; self.vertical.len()];
         for (weight, plane) in weights(&self.horizontal).zip(candela.chunks(mean.len())) {
             mean.iter_mut().zip(plane).for_each(|(mean, candela)| *mean += weight * candela);
@@ -172,15 +172,10 @@ impl Planes<'_> {
         if 255.0 * difference > ROUND {
             let (plane, angle) = (self.horizontal[worst / size] % 360.0, self.vertical[worst % size]);
             let differs = format!(
-                "the horizontal plane {plane} differs from the mean of the planes by {:.1} of 255 codes \
-                 ({:.1} % of the peak) at the vertical angle {angle}",
-                255.0 * difference,
-                100.0 * difference
+                "the horizontal plane {plane} differs from the mean of the planes by {} at the vertical angle {angle}",
+                of_peak(difference)
             );
-            if !reading.is_round && 255.0 * difference > reading.fit {
-                let expected =
-                    format_args!("a light with rotational symmetry; in this one {differs}{}", reading.remedy);
-                let refusal = Refusal::new("symmetry", self.symmetry, expected);
+            if let Some(refusal) = refused(self.symmetry, difference, &differs, reading) {
                 let Some(sphere) = Sphere::new(&self.horizontal, &self.vertical, candela) else {
                     return Err(refusal);
                 };
@@ -198,6 +193,80 @@ impl Planes<'_> {
         let shape = Shape::Round(curve, difference);
         Ok(Photometry { name: first_name(names), shape, kelvin: None, notes })
     }
+}
+
+/// Intensities in candela at horizontal and vertical angles, in degrees from -90 to 90, about a horizontal or a vertical
+/// pole: the types B and A. `candela` has all vertical angles of a horizontal one, one after the other.
+pub(crate) struct Across<'a> {
+    pub(crate) goniometer: Goniometer,
+    pub(crate) horizontal: Vec<f64>,
+    pub(crate) vertical: Vec<f64>,
+    pub(crate) candela: (Vec<f64>, Option<&'a str>),
+}
+
+impl Across<'_> {
+    /// Returns the light with the first name that is not empty: with its intensities in all directions, or with their mean
+    /// about the axis as curve if none is farther off the mean than `reading` takes.
+    ///
+    /// # Errors
+    /// No light, or angles of which the first one is over 0.
+    pub(crate) fn light(
+        &self,
+        names: &[&str],
+        mut notes: Vec<String>,
+        reading: Reading,
+    ) -> Result<Photometry, Refusal> {
+        for (name, angles) in [("horizontal angles", &self.horizontal), ("vertical angles", &self.vertical)] {
+            let (first, last) = (angles[0], angles[angles.len() - 1]);
+            if angles.len() < 2 || first > 0.0 {
+                let found = format_args!("{first} to {last}");
+                return Err(Refusal::new(
+                    name,
+                    found,
+                    "-90 to 90, or 0 to 90 of a light that is the same on both sides",
+                ));
+            }
+        }
+        let (candela, rest) = &self.candela;
+        notes.extend(rest.map(not_read));
+        let sphere = Sphere::across(self.goniometer, [&self.horizontal, &self.vertical], candela);
+        let sphere = sphere.ok_or_else(|| Refusal::new("intensities", "0 cd at every angle", "a light"))?;
+        let (points, [difference, angle, about]) = sphere.mean();
+        let peak = points.iter().fold(0.0, |peak: f64, point| peak.max(point.1));
+        let difference = difference / peak;
+        if 255.0 * difference > ROUND {
+            let differs = format!(
+                "the direction {angle} degrees off the axis, {about} about it, differs from the mean about the axis by {}",
+                of_peak(difference)
+            );
+            let symmetry = if self.horizontal[0] < 0.0 { "none" } else { "bilateral" };
+            if let Some(refusal) = refused(symmetry, difference, &differs, reading) {
+                let shape = Shape::Planes(sphere, refusal);
+                return Ok(Photometry { name: first_name(names), shape, kelvin: None, notes });
+            }
+            notes.push(format!("The light is taken as round: {differs}."));
+        }
+        let none = || Refusal::new("intensities", "not finite", "numbers");
+        let shape = Shape::Round(Curve::new(points).ok_or_else(none)?, difference);
+        Ok(Photometry { name: first_name(names), shape, kelvin: None, notes })
+    }
+}
+
+/// Returns a difference relative to the peak in words.
+fn of_peak(difference: f64) -> String {
+    format!("{:.1} of 255 codes ({:.1} % of the peak)", 255.0 * difference, 100.0 * difference)
+}
+
+/// Returns the refusal of a light that differs by more than is taken as round.
+fn refused(symmetry: &str, difference: f64, differs: &str, reading: Reading) -> Option<Refusal> {
+    let expected = format_args!("a light with rotational symmetry; in this one {differs}{}", reading.remedy);
+    let is_refused = !reading.is_round && 255.0 * difference > reading.fit;
+    is_refused.then(|| Refusal::new("symmetry", symmetry, expected))
+}
+
+/// Returns a note of a word behind the last intensity.
+fn not_read(word: &str) -> String {
+    format!("What follows the last intensity is not read: {word:.40}")
 }
 
 impl Photometry {
