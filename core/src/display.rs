@@ -46,6 +46,8 @@ mod ramp;
 mod rgb565;
 mod srgb;
 
+#[cfg(feature = "fixed")]
+pub(crate) use self::dither::srgb_light;
 #[cfg(all(feature = "arithmetic", feature = "fixed"))]
 pub(crate) use self::{curve::Encoding, dither::code_lights, srgb::code_thresholds};
 pub use self::{

@@ -42,6 +42,7 @@ static void colors(void) {
     for (place = 0; place < count; ++place) {
         luminaire_rgb light, sum;
         int16_t color[3];
+        uint16_t texel;
         uint8_t bytes[2];
         light.red = get();
         light.green = get();
@@ -86,6 +87,12 @@ static void colors(void) {
         put(sum.red);
         put(sum.green);
         put(sum.blue);
+        texel = CAST(uint16_t, place & 0xffff);
+        put(CAST(uint32_t, luminaire_decode_srgb(CAST(uint8_t, texel & 0xff))));
+        luminaire_row_texture(&light, &texel, 1);
+        put(light.red);
+        put(light.green);
+        put(light.blue);
     }
 }
 

@@ -13,7 +13,7 @@ use fastrand::Rng;
 use luminaire::display::{
     Apa102, Curve, Gamma22, Gamma28, Gray1, Gray2, Gray4, Gray8, Hd108, Layout, LedChip, LedLoad, LedOrder,
     LedStrip, Linear, Palette, Pixel, Pwm, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888, Rgbw,
-    TemporalDither, clip, encode_srgb, encode_srgb_dithered, pack,
+    TemporalDither, clip, decode_srgb, encode_srgb, encode_srgb_dithered, pack,
 };
 use luminaire::number::Light16;
 use luminaire::{Fx16, Rgb};
@@ -96,6 +96,10 @@ fn by_the_kernel(light: Rgb<u32>, place: u32, palette: &Palette<'_>) -> Vec<u32>
     let filter = Rgb::new(filter, 20_000 - filter, -1 - filter).map(Fx16::from_bits);
     let Rgb { red, green, blue } = (sum + sum.filtered(filter)).map(Light16::to_bits);
     words.extend([red, green, blue]);
+    let texel = Rgb565((place & 0xffff) as u16);
+    words.push(decode_srgb::<Fx16>((place & 0xff) as u8).to_bits() as u32);
+    let textured = sum.filtered(texel.to_codes().map(decode_srgb::<Fx16>)).map(Light16::to_bits);
+    words.extend(<[u32; 3]>::from(textured));
     words
 }
 

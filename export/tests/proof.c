@@ -21,6 +21,7 @@ static volatile int choice;
 static luminaire_spot spots[FEW];
 static luminaire_vertex vertices[MANY];
 static luminaire_rgb lights[MANY];
+static uint16_t texels[FEW];
 static int8_t bytes[3 * MANY];
 static luminaire_row row;
 static luminaire_cone cone;
@@ -125,6 +126,8 @@ static void pixels(void) {
     luminaire_rgb565_dithered(rgb(), word, word);
     luminaire_high_first(OR_NULL(two), (uint16_t)word);
     luminaire_low_first(OR_NULL(two), (uint16_t)word);
+    luminaire_decode_srgb((uint8_t)word);
+    luminaire_row_texture(OR_NULL(lights), OR_NULL(texels), FEW);
 }
 
 /* A pixel has any three widths up to 8, to which others are clipped. */

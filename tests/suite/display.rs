@@ -15,13 +15,19 @@ use crate::outputs::bayer;
 /// standard.
 #[test]
 fn every_code_comes_back() {
-    let mut worst = 0.0_f64;
-    for code in 0..=255 {
-        let linear = decode_srgb(code);
-        assert_eq!(encode_srgb(linear), code);
-        worst = worst.max((f64::from(linear) - oracle::srgb_linear(code.into())).abs());
+    fn largest<S: Format>() -> f64 {
+        let codes = (0..=255).map(|code| {
+            let linear = decode_srgb::<S>(code);
+            assert_eq!(encode_srgb(linear), code, "{}", S::NAME);
+            (linear.exact() - oracle::srgb_linear(code.into())).abs()
+        });
+        codes.fold(0.0, f64::max)
     }
-    assert!((1e-6..=2e-6).contains(&worst), "largest error {worst:.2e}");
+    let [single, fx32, fx16] = [largest::<f32>(), largest::<Fx32>(), largest::<Fx16>()];
+    assert!((1e-6..=2e-6).contains(&single), "{single:.2e}");
+    // Half a step of the table, and half a step of the format: the table rounds no code past a middle.
+    assert!((1.5e-8..=2.0_f64.powi(-25)).contains(&fx32), "{fx32:.2e}");
+    assert!((2.9e-5..=2.0_f64.powi(-15)).contains(&fx16), "{fx16:.2e}");
 }
 
 /// Encoding many values at once gives the code of each, on both sides of every threshold and

@@ -61,7 +61,7 @@ fn dither_is_even_in_codes() {
     let one = Palette::new(&BLACK_AND_WHITE[1..]).expect("a palette");
     assert_eq!((palette.spacing(), one.spacing()), (255, 0));
     for code in 0..=255 {
-        let color = Rgb::from([decode_srgb(code); 3]);
+        let color = Rgb::from([decode_srgb::<f32>(code); 3]);
         let white = |of: &Palette| (0..64).map(|i| u32::from(of.dithered(color, i % 8, i / 8))).sum::<u32>();
         let expected = f64::from(code) / 255.0 * 64.0;
         assert!((f64::from(white(&palette)) - expected).abs() <= 2.5, "{code}: {}", white(&palette));

@@ -195,6 +195,14 @@ impl<L: Encoding, const LAST: usize> CodeLight<L, LAST> {
     };
 }
 
+/// Returns the light of an sRGB code, in units of 2^-24.
+#[cfg(feature = "fixed")]
+#[inline]
+pub(crate) fn srgb_light(code: u8) -> u32 {
+    let lights = &CodeLight::<Srgb, 255>::STEPS;
+    usize::from(code).checked_sub(1).and_then(|index| lights.get(index)).copied().unwrap_or(0)
+}
+
 /// Returns the light of the codes from 1 on, in units of 2^-24.
 #[cfg(all(feature = "arithmetic", feature = "fixed"))]
 pub(crate) const fn code_lights<L: Encoding, const LAST: usize>() -> &'static [u32] {

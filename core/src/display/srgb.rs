@@ -175,11 +175,24 @@ pub(super) fn curve(linear: f32, last: f32) -> f32 {
     code * (last / 255.0)
 }
 
-/// Returns the linear value of an sRGB code, in `[0, 1]`, within 2e-6 (exhaustive).
+/// Returns the linear value of an sRGB code, in `[0, 1]`: of a colour, or of a texture's channel.
 ///
-/// The function is meant for set-up. [`encode_srgb`] of the result returns the code.
-pub fn decode_srgb(code: u8) -> f32 {
-    decode(f32::from(code) / 255.0)
+/// It is within 2e-6 in `f32`, which evaluates a polynomial. Fixed point reads the table of the dither: the value is
+/// the nearest one of `Fx16`, and within 2^-25 in `Fx32` (exhaustive). [`encode_srgb`] of the result returns the code.
+///
+/// A surface with a texture reflects the light that arrives times the linear values of its texel, as
+/// [`filtered`](crate::Rgb::filtered) has it:
+///
+/// ```
+/// use luminaire::{Fx16, Rgb, display::{Rgb565, clip, decode_srgb}, number::Light16};
+/// let texel = Rgb565::from_codes(Rgb::new(255, 188, 0));
+/// let light = Rgb::new(Light16::ONE, Light16::ONE, Light16::ONE);
+/// let reflected = clip(light.filtered(texel.to_codes().map(decode_srgb::<Fx16>)));
+/// assert_eq!(Rgb565::from_linear(reflected), texel);
+/// ```
+#[inline]
+pub fn decode_srgb<S: Scalar>(code: u8) -> S {
+    S::of_srgb(code)
 }
 
 /// Returns the linear value of an encoded value in `[0, 1]`, within 2e-6.

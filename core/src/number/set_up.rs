@@ -26,6 +26,8 @@ pub trait Arithmetic: Directions + Places + Ramps + Errors + Lights {
     /// The result is exactly 0 if all bytes are 0, and exactly 1 if all bytes are 255 or the sum is
     /// larger. Any other result is within one step of the exact value.
     fn weighted_byte(sum: u32) -> Self;
+    /// Returns the linear value of an sRGB code.
+    fn of_srgb(code: u8) -> Self;
     /// Returns the value as the word that the format stores.
     fn word(self) -> Word;
 }

@@ -1571,6 +1571,27 @@ static inline uint16_t luminaire_rgb565_dithered(luminaire_rgb light, uint32_t x
         | luminaire_code_dithered(luminaire_lights_5, 5, light.blue, threshold));
 }
 
+/* Returns the linear value of an sRGB code in steps of 2^-14, to nearest: of a texture's channel. */
+static inline int16_t luminaire_decode_srgb(uint8_t code) {
+    return (int16_t)((LUMINAIRE_READ_32(&luminaire_lights_8[code]) + (1 << 9)) >> 10);
+}
+
+/* Returns the light that a surface reflects whose colour is a pixel of RGB565. */
+static inline luminaire_rgb luminaire_rgb_textured(luminaire_rgb light, uint16_t texel) {
+    /* The nearest codes of eight bits: 255/31 and 255/63 times as much. */
+    uint32_t red = ((uint32_t)texel >> 11) * 527 + 23, green = ((uint32_t)texel >> 5 & 63) * 259 + 33;
+    uint32_t blue = ((uint32_t)texel & 31) * 527 + 23;
+    light.red = luminaire_light_filtered(light.red, luminaire_decode_srgb((uint8_t)(red >> 6)));
+    light.green = luminaire_light_filtered(light.green, luminaire_decode_srgb((uint8_t)(green >> 6)));
+    light.blue = luminaire_light_filtered(light.blue, luminaire_decode_srgb((uint8_t)(blue >> 6)));
+    return light;
+}
+
+/* Multiplies the lights of a row of surfaces by their colours: pixels of RGB565 of a texture, one each. */
+static inline void luminaire_row_texture(luminaire_rgb *lights, const uint16_t *texels, uint32_t count) {
+    for (uint32_t i = 0; lights && texels && i < count; ++i) { lights[i] = luminaire_rgb_textured(lights[i], texels[i]); }
+}
+
 /* Writes a pixel of 16 bits with its upper byte first: the order of most displays on SPI. */
 static inline void luminaire_high_first(uint8_t bytes[2], uint16_t pixel) {
     if (!bytes) { return; }

@@ -3,6 +3,7 @@
 
 use super::{FloatFrame, FloatOffset, FloatRamp, FloatRay, clamp, errors, positive};
 use crate::{
+    display,
     number::{
         Arithmetic, Directions, Errors, Irradiance, Lights, Offset, Places, Placing, Ramps, Ray, Rise,
         Scalar, Share, Slopes, Stages, Types, Vectors, Word, outside_bound, raised,
@@ -85,6 +86,10 @@ impl Arithmetic for f32 {
         // `sum >> 8` has at most 24 bits, which `f32` represents exactly.
         let share = (sum >> 8) as i32 as f32 * (1.0 / 16_711_680.0);
         if share < 1.0 { share } else { 1.0 }
+    }
+
+    fn of_srgb(code: u8) -> Self {
+        display::decode(f32::from(code) / 255.0)
     }
 
     #[inline]

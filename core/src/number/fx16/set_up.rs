@@ -6,6 +6,7 @@ use super::{
     versine,
 };
 use crate::{
+    display,
     number::{
         Arithmetic, Directions, Errors, Fx16, Fx32, HALF_A_CODE, KEPT, Length, Light16, Lights, Offset,
         Places, Placing, Ramps, Ray, Rise, Scalar, Slopes, Stages, Types, Versine, Weight16, Word,
@@ -83,6 +84,11 @@ impl Arithmetic for Fx16 {
         // `257 / 2^16 = (1 - 2^-16) / 255`. The difference from `1 / 255` changes the result by at
         // most a quarter of a step, so the rounding still gives exactly 1 if all bytes are 255.
         Self::from_bits((((sum >> 10) * 257 + (1 << 15)) >> 16).min(1 << 14) as i16)
+    }
+
+    #[inline]
+    fn of_srgb(code: u8) -> Self {
+        Self::from_bits(((display::srgb_light(code) + (1 << 9)) >> 10) as i16)
     }
 
     #[inline]

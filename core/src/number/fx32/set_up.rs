@@ -3,6 +3,7 @@
 
 use super::{Fine, FineRay, Frame32, Gain32, Offset32, errors, versine};
 use crate::{
+    display,
     number::{
         Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Placing, Ramps, Rise,
         Slopes, Stages, Types, Versine, Weight32, Word, nearest, raised,
@@ -96,6 +97,11 @@ impl Arithmetic for Fx32 {
         /// `2^38 / 255`. The product of this constant and the sum has at most 63 bits.
         const INVERSE: u64 = 1_077_952_576;
         Self::from_bits(((u64::from(sum) * INVERSE + (1 << 31)) >> 32).min(1 << 30) as i32)
+    }
+
+    #[inline]
+    fn of_srgb(code: u8) -> Self {
+        Self::from_bits((display::srgb_light(code) << 6) as i32)
     }
 
     #[inline]

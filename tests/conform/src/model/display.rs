@@ -62,6 +62,6 @@ pub(super) fn rgb565_dithered<S: Format>(case: &mut Case<'_>) -> Outcome {
 /// The linear value of a code, which is the input's low eight bits.
 pub(super) fn decode(case: &mut Case<'_>) -> Outcome {
     let code = case.whole("code");
-    case.give(decode_srgb(code as u8));
+    case.give(decode_srgb::<f32>(code as u8));
     Ok(())
 }
