@@ -133,7 +133,7 @@ mod tests {
     fn the_order_is_seen_by_everybody() {
         let palette = Palette::new();
         let colours: Vec<[f64; 3]> =
-            palette.colours().iter().map(|colour| colour.map(|c| f64::from(decode_srgb(c)))).collect();
+            palette.colours().iter().map(|colour| colour.map(|c| f64::from(decode_srgb::<f32>(c)))).collect();
         let seen = |kind: Option<&[[f64; 3]; 3]>, colour: &[f64; 3]| match kind {
             None => *colour,
             Some(rows) => {

@@ -38,7 +38,7 @@ use crate::number::{Scalar, Word, float::clamp};
 ///
 /// ```
 /// use luminaire::display::{decode_srgb, encode_srgb_dithered};
-/// let (four, five) = (decode_srgb(4), decode_srgb(5));
+/// let (four, five) = (decode_srgb::<f32>(4), decode_srgb(5));
 /// let quarter = four + 0.25 * (five - four);
 /// let cell = (0..64).map(|i| encode_srgb_dithered(quarter, i % 8, i / 8));
 /// assert_eq!(cell.filter(|&code| code == 5).count(), 16);

@@ -15,13 +15,6 @@ use crate::format::{Color, Format, Light};
 use crate::input::Place;
 
 effects! { each;
-    /// A texture of RGB565, whose texel is the colour of the surface.
-    "texel", lit, [];
-    fn texel((light, Place { x, y }): (Light, Place)) -> Light {
-        let texel = Rgb565((y << 8 | x) as u16);
-        light.filtered(texel.to_codes().map(luminaire::display::decode_srgb::<Format>))
-    }
-
     /// Stops: a picture that is brighter or darker than its light.
     "exposure", light, [];
     fn exposure(light: Light) -> Light { EXPOSURE.expose(light) }
