@@ -29,6 +29,7 @@
 //! ```
 
 mod curve;
+mod decode;
 mod dither;
 mod encode;
 mod exposure;
@@ -46,12 +47,11 @@ mod ramp;
 mod rgb565;
 mod srgb;
 
-#[cfg(feature = "fixed")]
-pub(crate) use self::dither::srgb_light;
 #[cfg(all(feature = "arithmetic", feature = "fixed"))]
 pub(crate) use self::{curve::Encoding, dither::code_lights, srgb::code_thresholds};
 pub use self::{
     curve::{Gamma22, Gamma28, Linear, Srgb},
+    decode::decode_srgb,
     dither::{encode_srgb_dithered, encode_srgb_dithered_each, threshold},
     encode::Curve,
     exposure::{CompiledExposure, Exposure},
@@ -63,9 +63,9 @@ pub use self::{
     pixel::{Pixel, Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888},
     pwm::{Pwm, Pwm8, TemporalDither},
     ramp::{Ramp, Rgb565Ramp},
-    srgb::{decode_srgb, encode_srgb, encode_srgb_each},
+    srgb::{encode_srgb, encode_srgb_each},
 };
 pub(crate) use self::{
+    decode::decode,
     levels::{offsets, packed, shown},
-    srgb::decode,
 };

@@ -38,7 +38,7 @@ use crate::number::{Scalar, Word, float::clamp};
 ///
 /// ```
 /// use luminaire::display::{decode_srgb, encode_srgb_dithered};
-/// let (four, five) = (decode_srgb::<f32>(4), decode_srgb(5));
+/// let [four, five] = [4, 5].map(decode_srgb::<f32>);
 /// let quarter = four + 0.25 * (five - four);
 /// let cell = (0..64).map(|i| encode_srgb_dithered(quarter, i % 8, i / 8));
 /// assert_eq!(cell.filter(|&code| code == 5).count(), 16);
@@ -171,7 +171,6 @@ struct CodeLight<L, const LAST: usize>(PhantomData<L>);
 
 impl<L: Encoding, const LAST: usize> CodeLight<L, LAST> {
     /// The light of the codes from 1 on, in units of 2^-24.
-    #[cfg(feature = "fixed")]
     const STEPS: [u32; LAST] = {
         let mut table = [0; LAST];
         let mut code = 0;
@@ -196,9 +195,8 @@ impl<L: Encoding, const LAST: usize> CodeLight<L, LAST> {
 }
 
 /// Returns the light of an sRGB code, in units of 2^-24.
-#[cfg(feature = "fixed")]
 #[inline]
-pub(crate) fn srgb_light(code: u8) -> u32 {
+pub(super) fn srgb_light(code: u8) -> u32 {
     let lights = &CodeLight::<Srgb, 255>::STEPS;
     usize::from(code).checked_sub(1).and_then(|index| lights.get(index)).copied().unwrap_or(0)
 }

@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// Upper end of the linear segment of the sRGB curve, in linear light.
-const TOE: f32 = 0.003_130_8;
+pub(super) const TOE: f32 = 0.003_130_8;
 
 /// The curved part of the sRGB encoding, as a polynomial in the square root of the linear value.
 ///
@@ -24,20 +24,6 @@ const TOE: f32 = 0.003_130_8;
 /// suffices, because the polynomial only selects a threshold, and the comparison with this
 /// threshold determines the code.
 const ENCODE: [f32; 5] = [-9.436_19, 369.214_33, -240.939_53, 214.911_74, -78.940_82];
-
-/// The sRGB decoding `((v + 0.055) / 1.055)^2.4` for `v` in `[0, 1]`: minimax fit of degree 7.
-///
-/// Coefficients start with the constant term.
-const DECODE: [f32; 8] = [
-    0.000_870_130_95,
-    0.034_664_018,
-    0.494_245_95,
-    0.804_610_3,
-    -0.663_287_1,
-    0.544_319_1,
-    -0.277_593_4,
-    0.062_172_695,
-];
 
 /// Returns the sRGB code of a linear value.
 ///
@@ -175,31 +161,6 @@ pub(super) fn curve(linear: f32, last: f32) -> f32 {
     code * (last / 255.0)
 }
 
-/// Returns the linear value of an sRGB code, in `[0, 1]`: of a colour, or of a texture's channel.
-///
-/// It is within 2e-6 in `f32`, which evaluates a polynomial. Fixed point reads the table of the dither: the value is
-/// the nearest one of `Fx16`, and within 2^-25 in `Fx32` (exhaustive). [`encode_srgb`] of the result returns the code.
-///
-/// A surface with a texture reflects the light that arrives times the linear values of its texel, as
-/// [`filtered`](crate::Rgb::filtered) has it:
-///
-/// ```
-/// use luminaire::{Fx16, Rgb, display::{Rgb565, clip, decode_srgb}, number::Light16};
-/// let texel = Rgb565::from_codes(Rgb::new(255, 188, 0));
-/// let light = Rgb::new(Light16::ONE, Light16::ONE, Light16::ONE);
-/// let reflected = clip(light.filtered(texel.to_codes().map(decode_srgb::<Fx16>)));
-/// assert_eq!(Rgb565::from_linear(reflected), texel);
-/// ```
-#[inline]
-pub fn decode_srgb<S: Scalar>(code: u8) -> S {
-    S::of_srgb(code)
-}
-
-/// Returns the linear value of an encoded value in `[0, 1]`, within 2e-6.
-pub(crate) fn decode(value: f32) -> f32 {
-    if value <= 12.92 * TOE { value / 12.92 } else { clamp(polynomial(DECODE, value)) }
-}
-
 /// Returns a linear value just below the threshold between the codes 0 and 1 of sRGB, by 2^-21 of it:
 /// the sum of a luminance may round up.
 pub(super) const fn first_step(last: u32) -> f32 {
@@ -209,7 +170,7 @@ pub(super) const fn first_step(last: u32) -> f32 {
 
 /// Evaluates a polynomial by Horner's rule.
 #[inline]
-fn polynomial<const N: usize>(coefficients: [f32; N], x: f32) -> f32 {
+pub(super) fn polynomial<const N: usize>(coefficients: [f32; N], x: f32) -> f32 {
     coefficients.into_iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 

@@ -26,8 +26,9 @@ pub trait Arithmetic: Directions + Places + Ramps + Errors + Lights {
     /// The result is exactly 0 if all bytes are 0, and exactly 1 if all bytes are 255 or the sum is
     /// larger. Any other result is within one step of the exact value.
     fn weighted_byte(sum: u32) -> Self;
-    /// Returns the linear value of an sRGB code.
-    fn of_srgb(code: u8) -> Self;
+    /// Returns a linear value in `[0, 1]` of which the format takes the kind that it can: a float, or an integer in
+    /// units of 2^-24, of which it returns the nearest value.
+    fn of_linear(float: impl FnOnce() -> f32, steps24: impl FnOnce() -> u32) -> Self;
     /// Returns the value as the word that the format stores.
     fn word(self) -> Word;
 }

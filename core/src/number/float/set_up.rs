@@ -3,7 +3,6 @@
 
 use super::{FloatFrame, FloatOffset, FloatRamp, FloatRay, clamp, errors, positive};
 use crate::{
-    display,
     number::{
         Arithmetic, Directions, Errors, Irradiance, Lights, Offset, Places, Placing, Ramps, Ray, Rise,
         Scalar, Share, Slopes, Stages, Types, Vectors, Word, outside_bound, raised,
@@ -88,8 +87,9 @@ impl Arithmetic for f32 {
         if share < 1.0 { share } else { 1.0 }
     }
 
-    fn of_srgb(code: u8) -> Self {
-        display::decode(f32::from(code) / 255.0)
+    #[inline]
+    fn of_linear(float: impl FnOnce() -> f32, _: impl FnOnce() -> u32) -> Self {
+        float()
     }
 
     #[inline]

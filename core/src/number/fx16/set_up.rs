@@ -6,7 +6,6 @@ use super::{
     versine,
 };
 use crate::{
-    display,
     number::{
         Arithmetic, Directions, Errors, Fx16, Fx32, HALF_A_CODE, KEPT, Length, Light16, Lights, Offset,
         Places, Placing, Ramps, Ray, Rise, Scalar, Slopes, Stages, Types, Versine, Weight16, Word,
@@ -87,8 +86,8 @@ impl Arithmetic for Fx16 {
     }
 
     #[inline]
-    fn of_srgb(code: u8) -> Self {
-        Self::from_bits(((display::srgb_light(code) + (1 << 9)) >> 10) as i16)
+    fn of_linear(_: impl FnOnce() -> f32, steps24: impl FnOnce() -> u32) -> Self {
+        Self::from_bits(((steps24() + (1 << 9)) >> 10) as i16)
     }
 
     #[inline]

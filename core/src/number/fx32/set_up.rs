@@ -3,7 +3,6 @@
 
 use super::{Fine, FineRay, Frame32, Gain32, Offset32, errors, versine};
 use crate::{
-    display,
     number::{
         Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Placing, Ramps, Rise,
         Slopes, Stages, Types, Versine, Weight32, Word, nearest, raised,
@@ -100,8 +99,8 @@ impl Arithmetic for Fx32 {
     }
 
     #[inline]
-    fn of_srgb(code: u8) -> Self {
-        Self::from_bits((display::srgb_light(code) << 6) as i32)
+    fn of_linear(_: impl FnOnce() -> f32, steps24: impl FnOnce() -> u32) -> Self {
+        Self::from_bits((steps24() << 6) as i32)
     }
 
     #[inline]
