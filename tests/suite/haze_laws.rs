@@ -131,7 +131,7 @@ fn assert_total<A: Attenuation>(rng: &mut Rng, constants: impl Fn(&mut Rng) -> A
     let tame = rng.bool();
     let number = move |rng: &mut Rng| if tame && rng.u8(..8) > 0 { 4.0 * rng.f32() - 2.0 } else { any(rng) };
     let place = |rng: &mut Rng| Vec3::new((), (), ()).map(|()| number(rng));
-    let ramp = FloatRamp::from_bits([(); 3].map(|()| number(rng).to_bits()));
+    let ramp = FloatRamp::from_bits([(); 4].map(|()| number(rng).to_bits()));
     let falloff = CompiledCone::from_parts(ramp, Soft, Soft);
     let (position, axis, gain) = (place(rng), place(rng), number(rng));
     let (cone, reach) = ([number(rng), number(rng)], [number(rng), number(rng)]);

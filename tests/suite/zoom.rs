@@ -19,8 +19,8 @@ use support::{
     sweep::{self, half},
 };
 
-/// The least share of a hotspot in the outer angle that is tested: `f32` keeps those of 1/1,000 and more.
-const LEAST: f32 = 1.2e-3;
+/// The least share of a hotspot or a cutoff in the outer angle that is drawn.
+const LEAST: f32 = 1e-6;
 
 /// A pair of cones by their outer half angles in degrees, the share of the cutoff in the outer
 /// angle and of the hotspot in the cutoff, and the part of the way from one cone to the other.
@@ -219,17 +219,14 @@ trait Ramped: Format {
     fn versines(ramp: Self::Ramp) -> [f64; 3];
 }
 
-/// The reciprocal of an edge keeps no hotspot of less than 1/1,000 of the outer angle.
 impl Ramped for f32 {
-    /// A root has half of the rounding of a versine, a product and a sum one each, and a square doubles them: nine in all. A
-    /// half angle has up to `2 / pi` of that relative error. A hotspot of 1/1,000 multiplies the rounding of its versine by
-    /// 1,000, of which a quarter is left between that and the widest hotspot.
-    const BETWEEN: [f64; 3] = [0.0, 3.5e-7, 2e-5];
+    /// A root, the complement of the part, a product and a sum have a rounding each, and a square doubles them and has one
+    /// more: nine in all. A half angle has up to `2 / pi` of that relative error.
+    const BETWEEN: [f64; 3] = [0.0, 3.5e-7, 0.0];
 
     fn versines(ramp: FloatRamp) -> [f64; 3] {
-        let [outer, limit, reciprocal] = ramp.to_bits().map(|bits| f64::from(f32::from_bits(bits)));
-        let inner = outer - 1.0 / reciprocal;
-        [if inner > 1e-6 * outer { inner } else { 0.0 }, outer, limit]
+        let [outer, limit, _, inner] = ramp.to_bits().map(|bits| f64::from(f32::from_bits(bits)));
+        [inner, outer, limit]
     }
 }
 
@@ -259,10 +256,7 @@ fixed_ramp!(Fx32 Fx16);
 fn a_zoomed_ramp_has_the_angles_between() {
     /// The largest error of the inner versine, the outer versine and that of the end, in units of its bound.
     fn part_of_bound<S: Ramped>(zoom: Zoom) -> f64 {
-        let hotspot = |side: usize| zoom.inner[side] * zoom.cutoff[side];
-        let is_kept = [0, 1].iter().all(|&side| hotspot(side) == 0.0 || hotspot(side) >= LEAST);
-        let is_held =
-            |cones: &[Cone<Step>; 2]| is_kept && cones.iter().all(|cone| cone.compile::<S>().is_ok());
+        let is_held = |cones: &[Cone<Step>; 2]| cones.iter().all(|cone| cone.compile::<S>().is_ok());
         let Some(cones) = zoom.cones(Step).ok().filter(is_held) else { return 0.0 };
         let ramps = cones.map(|cone| {
             let [inner, outer, limit] = cone.versines();
@@ -285,7 +279,8 @@ fn a_zoomed_ramp_has_the_angles_between() {
             let angle = (1.0 - versine).acos().max((2.0 * versine).sqrt());
             let off = absolute + relative * angle;
             let bound = off * angle.sin() + off * off + if i == 0 { of_inner * exact[1] } else { 0.0 };
-            oracle::counted((found[i] - exact[i]).abs() / bound)
+            let off = (found[i] - exact[i]).abs();
+            if off > 0.0 { oracle::counted(off / bound) } else { oracle::counted(off) }
         });
         parts.into_iter().fold(0.0, f64::max)
     }

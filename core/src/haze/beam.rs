@@ -124,7 +124,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// Whether the light attenuates with the inverse square and has no hotspot.
     #[inline(always)]
     fn is_plain(&self) -> bool {
-        let [outer, _, reciprocal] = self.falloff.ramp.to_bits().map(f32::from_bits);
+        let [outer, _, reciprocal, _] = self.falloff.ramp.to_bits().map(f32::from_bits);
         A::is_inverse_square::<f32>(&self.attenuation) && outer * reciprocal < FULL
     }
 
@@ -147,7 +147,7 @@ impl<P: Falloff, A: Attenuation> BeamScattering<P, A> {
     /// divided by a ratio.
     #[inline(always)]
     fn integral(&self, arc: &Arc, curve: [f32; 3], ratio: f32) -> f32 {
-        let [outer, _, reciprocal] = self.falloff.ramp.to_bits().map(f32::from_bits);
+        let [outer, _, reciprocal, _] = self.falloff.ramp.to_bits().map(f32::from_bits);
         let outer = outer / ratio;
         let edge = arc.edge(lesser(self.cone[1], outer));
         let Span { from, to, scale } = arc.span(edge);
@@ -228,7 +228,7 @@ fn range<A: Attenuation>(constants: &A::Constants<f32>) -> f32 {
 
 /// Returns the versines between which the intensity of a cone varies.
 fn rim<P: Falloff>(falloff: &CompiledCone<f32, P>) -> [f32; 2] {
-    let [_, limit, _] = falloff.ramp.to_bits().map(f32::from_bits);
+    let [_, limit, ..] = falloff.ramp.to_bits().map(f32::from_bits);
     let limit = clamp(limit);
     let full = falloff.at(0.0);
     let is_full = |versine: f32| (falloff.at(versine) - full).abs() < STEP;

@@ -141,8 +141,9 @@ impl Ray<f32> for FloatRay {
     /// one multiplication less per point, and the result is bit-identical.
     #[inline]
     fn rise(&self, axis: Vec3<f32>, ramp: FloatRamp) -> f32 {
+        let FloatRamp { outer, limit, reciprocal, inner } = ramp;
         let doubled =
-            FloatRamp { outer: 2.0 * ramp.outer, limit: 2.0 * ramp.limit, reciprocal: 0.5 * ramp.reciprocal };
+            FloatRamp { outer: 2.0 * outer, limit: 2.0 * limit, reciprocal: 0.5 * reciprocal, inner };
         doubled.rise(self.twice_versine(axis))
     }
 
@@ -191,28 +192,38 @@ impl Directed<f32> for FloatRay {
     }
 }
 
-/// A ramp, the map from versines to the falloff's argument `t`. The fields are the outer versine,
-/// the versine of the cutoff, and the reciprocal of the span from inner to outer versine.
+/// A ramp, the map from versines to the falloff's argument `t`.
+///
+/// The fields are the outer versine, the versine of the cutoff, the reciprocal of the span from inner
+/// to outer versine, and the inner versine. No point reads the inner versine: only a zoom does,
+/// because the reciprocal of a narrow hotspot or of a steep edge has lost it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FloatRamp {
     outer: f32,
     limit: f32,
     reciprocal: f32,
+    inner: f32,
 }
 
 impl FloatRamp {
     /// Restores a ramp from its bits, in the order of the fields.
     ///
     /// Invalid values are replaced, so that every versine gives a `t` in `[0, 1]`.
-    pub const fn from_bits([outer, limit, reciprocal]: [u32; 3]) -> Self {
+    pub const fn from_bits([outer, limit, reciprocal, inner]: [u32; 4]) -> Self {
         let [outer, limit] = [f32::from_bits(outer), f32::from_bits(limit)];
         let reciprocal = positive(f32::from_bits(reciprocal));
-        Self { outer, limit: if limit < outer { limit } else { outer }, reciprocal }
+        Self {
+            outer,
+            limit: if limit < outer { limit } else { outer },
+            reciprocal,
+            inner: positive(f32::from_bits(inner)),
+        }
     }
 
     /// Returns the bits, in the order of the fields.
-    pub const fn to_bits(self) -> [u32; 3] {
-        [self.outer.to_bits(), self.limit.to_bits(), self.reciprocal.to_bits()]
+    pub const fn to_bits(self) -> [u32; 4] {
+        let Self { outer, limit, reciprocal, inner } = self;
+        [outer.to_bits(), limit.to_bits(), reciprocal.to_bits(), inner.to_bits()]
     }
 
     /// Compiles a ramp: see `Ramps::ramp`.
@@ -229,24 +240,16 @@ impl FloatRamp {
             outer,
             limit: if limit < outer { limit } else { outer },
             reciprocal: if reciprocal < f32::MAX { reciprocal } else { f32::MAX },
+            inner: positive(inner),
         }
     }
 
     /// Returns the ramp between this ramp and another one.
     fn between(self, other: Self, part: f32) -> Self {
         let [inner, outer, limit] =
-            [(self.inner(), other.inner()), (self.outer, other.outer), (self.limit, other.limit)]
+            [(self.inner, other.inner), (self.outer, other.outer), (self.limit, other.limit)]
                 .map(|(from, to)| versine_between(from, to, part));
         Self::new(inner, outer, limit)
-    }
-
-    /// Returns the inner versine, within the rounding error of the outer versine.
-    ///
-    /// A hotspot of less than 1/1,000 of the outer angle counts as none: its versine would be a
-    /// rounding error, of which the root is large.
-    fn inner(self) -> f32 {
-        let inner = self.outer - 1.0 / self.reciprocal;
-        if inner > 1e-6 * self.outer { inner } else { 0.0 }
     }
 
     #[inline]

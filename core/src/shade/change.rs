@@ -97,13 +97,13 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     /// shadow map does not zoom with the light.
     ///
     /// The half angles of the outer angle and of the cutoff are within 1.9e-9 radians and 1.3e-8 of their size in fixed
-    /// point, and within 3.5e-7 of their size in `f32`. So is the inner angle, but its versine is off by up to 2e-9
-    /// and 2e-5 of the outer one more (derived). In `f32` a hotspot of less than 1/1,000 of the outer angle
-    /// counts as none. No fixed-point format divides.
+    /// point, and within 3.5e-7 of their size in `f32`. So is the inner angle; in fixed point its versine is off by up to
+    /// 2e-9 of the outer one more, and the versine of a hotspot is that which the ramp of the light has (derived). No
+    /// fixed-point format divides.
     ///
     /// [`SpotLight::compile_zoom`](crate::SpotLight::compile_zoom) compiles the two lights so that
-    /// all cones between them keep the accuracy of the format. In `Fx16` a cone whose cutoff is
-    /// within its hotspot zooms as a step.
+    /// all cones between them keep the accuracy of the format, and refuses two that cannot. Two lights that are compiled
+    /// singly zoom without this promise. In fixed point a cone whose cutoff is within its hotspot zooms as a step.
     #[must_use]
     pub fn zoomed(self, other: &Self, part: S) -> Self {
         if part > S::ZERO {

@@ -48,7 +48,7 @@ pub(super) fn program(names: Names<'_>, light: &AnyLight) -> Result<Program, Exp
             };
             program.constants = place(names, spot.position());
             program.constants.push(names.constant("axis", "unit vector along the beam", xyz(cone.axis)));
-            let [outer, limit, slope] = cone.ramp.to_bits().map(f32::from_bits);
+            let [outer, limit, slope, _] = cone.ramp.to_bits().map(f32::from_bits);
             // The ramp is that of a versine, and the functions compute twice the versine.
             let value = |value: f32| Value::Number(value);
             let doc = "twice the versine (1 - cos) of half the angle at which the falloff ends";
