@@ -262,8 +262,6 @@ impl<P: Falloff> Cone<P> {
 
     /// Returns the bounds of the derivatives that this cone would have with this inner versine.
     fn slopes(&self, inner: f32) -> Slopes {
-        // So narrow a ramp is a step: its versines differ by a few ULP.
-        const STEEPEST: f32 = 1.0 - 1.0 / 1_048_576.0;
         if inner < STEEPEST * self.outer { slopes(self.falloff, inner / self.outer) } else { Slopes::STEP }
     }
 
@@ -291,6 +289,10 @@ impl<P: Falloff> Cone<P> {
         refused(Parameter::InnerAngle, inner, Expected::AngleBetween(0.0, widest.to_degrees()))
     }
 }
+
+/// The widest hotspot of a cone that is no step, as a part of the outer versine: so narrow a ramp is a step, because its
+/// versines differ by a few ULP.
+const STEEPEST: f32 = 1.0 - 1.0 / 1_048_576.0;
 
 /// Returns the widest full angle in degrees whose versine is at most this one.
 fn widest(versine: f32) -> f32 {
@@ -326,12 +328,17 @@ fn slopes<P: Falloff>(falloff: P, hotspot: f32) -> Slopes {
 /// `l^2 / 2`, which is `l^2 / a^2` of the outer versine.
 fn narrowest<S: Scalar>(edge: &Slopes) -> Angle {
     let room = positive(HALF_A_CODE - S::rounding(edge));
-    let turned = S::DIRECTION_ERROR * edge.angle / room;
+    let [turned, shortened] = errors_of_direction::<S>(edge).map(|error| error / room);
     if edge.beside_axis == 0.0 {
         return Angle::radians(2.0 * turned);
     }
-    let length = S::fine_stages(0.0).length as f32;
-    let shortened = length * length * edge.beside_axis / room;
     // The root of `a^2 = turned a + shortened`.
     Angle::radians(turned + trig::sqrt(turned * turned + 4.0 * shortened))
+}
+
+/// Returns by how much the direction changes an intensity, times the half angle and times its square: see
+/// [`narrowest`].
+fn errors_of_direction<S: Scalar>(edge: &Slopes) -> [f32; 2] {
+    let length = S::fine_stages(0.0).length as f32;
+    [S::DIRECTION_ERROR * edge.angle, length * length * edge.beside_axis]
 }

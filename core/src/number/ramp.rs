@@ -12,7 +12,7 @@ use super::{
     root::{self, high_half, inverse_32},
     rounded,
 };
-use crate::vec3::Vec3;
+use crate::{trig, vec3::Vec3};
 
 /// The largest zoom of a ramp, which scales versines by `4^zoom`. A larger zoom would need more
 /// bits than a direction has.
@@ -193,6 +193,37 @@ pub(super) fn zoom(limit: f32) -> u32 {
 /// Returns the nearest versine times `4^zoom`; saturates, and NaN becomes zero.
 fn magnified(value: f32, zoom: u32) -> Versine {
     Versine::from_bits(rounded(value * (1_u64 << (29 + 2 * zoom)) as f32) as u32)
+}
+
+/// `Errors::CHORD_ERROR` of a ramp in fixed point.
+///
+/// A root has a relative error of 7.5e-9. The outer chord of a cone with a cutoff comes from two reciprocals, each
+/// within 2^-31, of a divisor of 32 bits, and from a span rounded down by a unit of 2^-29 of at least a half: in all
+/// 5.1e-9 of the versine, 2.6e-9 of the chord.
+pub(super) const CHORD_ERROR: f32 = 1.02e-8;
+
+/// `Errors::CHORD_STEP` of a ramp in fixed point: less than three units of 2^-31. A root is off by two, which is one before the
+/// shift by a zoom and one of that shift, and a chord between by one more. At the largest zoom the unit of a versine is
+/// as much as 0.002 of a chord's.
+pub(super) const CHORD_STEP: f32 = 3.01 / (1_u32 << 31) as f32;
+
+/// Returns `Errors::edge_error` of a ramp in fixed point.
+///
+/// In the scale of the ramp a versine is rounded by half a unit of 2^-29, and the last one is more than a half
+/// unless the zoom is the largest. Two such roundings of the edge weigh `1 - t` and `t`, one in all. With a cutoff the span
+/// has two of its own. An argument of up to 4 units of 2^-31 at the end counts as no cutoff, which moves `t` by as much.
+pub(super) fn edge_error(outer: f32) -> f32 {
+    const UNIT: f32 = 1.0 / (1_u64 << (29 + 2 * MOST_ZOOM)) as f32;
+    7.5e-9 + 1.5 * UNIT / outer
+}
+
+/// Returns `Errors::inner_chord_error` of a ramp in fixed point.
+///
+/// A ramp rounds an inner versine to its unit: less than half of it counts as no hotspot.
+pub(super) fn inner_chord_error(inner: f32, limit: f32) -> f32 {
+    let half = 0.5 / (1_u64 << (29 + 2 * zoom(limit))) as f32;
+    let chord = trig::sqrt(inner);
+    if inner > half { half / (chord + trig::sqrt(inner - half)) } else { chord }
 }
 
 /// The largest chord: `sqrt(2)` with 31 fraction bits, of a versine of 2.

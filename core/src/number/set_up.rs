@@ -153,6 +153,13 @@ pub trait Errors: Types {
     /// of `point - light`. The difference `point - light` is exact if both positions are multiples
     /// of the same power of two.
     const DIRECTION_ERROR: f32;
+    /// Upper bound of the relative error of a chord `sqrt(versine)` of a [cone between](Ramps::zoomed) two
+    /// cones, beside those that the versines of the two have.
+    const CHORD_ERROR: f32;
+    /// Upper bound of the absolute error of such a chord, beside [`CHORD_ERROR`](Self::CHORD_ERROR).
+    const CHORD_STEP: f32;
+    /// Whether a ramp has lost the falloff of a cone whose cutoff is within its hotspot, and so zooms as a step.
+    const LOSES_HIDDEN: bool;
     /// The shortest distance that is not zero.
     const NEAREST: f64;
     /// Step of the squared cosines that [`Offset::is_outside`](super::Offset::is_outside) compares.
@@ -168,10 +175,22 @@ pub trait Errors: Types {
     /// Returns an upper bound of the intensity error of the coarse evaluation, including the
     /// direction's error.
     ///
-    /// The cone spans versines from 0 to `outer` and is evaluated up to the versine `limit`. If the
+    /// The cone spans versines from 0 to `outer` and is evaluated up to the versine `limit`. The bound is that of all cones
+    /// with at least this `outer` and at most this `limit`. If the
     /// bound exceeds half a linear code, the cone needs a [`fine_ramp`](Ramps::fine_ramp). The bound
     /// is zero in a format that has only one evaluation.
     fn coarse_error(_edge: &Slopes, _outer: f32, _limit: f32) -> f32 {
+        0.0
+    }
+    /// Returns an upper bound of the rounding errors of the versines that a zoom computes from chords, relative to
+    /// the outer versine: what they sum up to in the argument `t`, times the width of the edge as a part of the
+    /// outer versine. The bound is zero in a format that does not round them in a unit of its own.
+    fn edge_error(_outer: f32) -> f32 {
+        0.0
+    }
+    /// Returns an upper bound of the rounding error of the inner chord in a ramp, for a cone with these inner and
+    /// last versines. The bound is zero in a format that stores the versine as it is.
+    fn inner_chord_error(_inner: f32, _limit: f32) -> f32 {
         0.0
     }
     /// Returns an upper bound of the intensity error of the coarse evaluation of a distribution of this steepness: the

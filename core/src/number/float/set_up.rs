@@ -225,6 +225,11 @@ impl Errors for f32 {
     // rounding of the product with the reciprocal length turns the direction by 1.72 * 2^-25 in the
     // worst case: all three components are over 1/2.
     const DIRECTION_ERROR: f32 = 1.12e-7;
+    // With `u = 2^-24`: the root of a versine, the complement of the part, the product and the sum have one rounding of `u`
+    // each, and the square one more, half of which is that of a chord: `4.5 u = 2.68e-7`. The versines themselves are stored.
+    const CHORD_ERROR: f32 = 2.7e-7;
+    const CHORD_STEP: f32 = 0.0;
+    const LOSES_HIDDEN: bool = false;
     const NEAREST: f64 = 1.1e-19;
     const OUTSIDE_STEP: f32 = Self::STEP;
 

@@ -11,7 +11,7 @@ use crate::{
         Places, Placing, Ramps, Ray, Rise, Scalar, Slopes, Stages, Types, Versine, Weight16, Word,
         fx32::{Fine, FineRay},
         raised,
-        ramp::{FixedRamp, MOST_ZOOM, zoom},
+        ramp::{self, FixedRamp, MOST_ZOOM, zoom},
         root, rounded, sphere,
     },
     trig,
@@ -239,6 +239,9 @@ impl Ramps for Fx16 {
 
 impl Errors for Fx16 {
     const DIRECTION_ERROR: f32 = 1.55e-5;
+    const CHORD_ERROR: f32 = ramp::CHORD_ERROR;
+    const CHORD_STEP: f32 = ramp::CHORD_STEP;
+    const LOSES_HIDDEN: bool = true;
     const NEAREST: f64 = 1.0 / 65_536.0;
     const OUTSIDE_STEP: f32 = Self::STEP;
 
@@ -270,7 +273,6 @@ impl Errors for Fx16 {
     fn coarse_error(edge: &Slopes, outer: f32, limit: f32) -> f32 {
         const LENGTH: f32 = 2.3e-4;
         const MET: f32 = 0.9;
-        let limit = if limit < outer { limit } else { outer };
         let direction = 1.36e-5 + 0.87 / (1_u32 << (14 + zoom(limit))) as f32;
         // The chord `2 sin(theta / 2)` is not longer than the arc `theta`. So the bound of a narrow
         // cone's derivative with respect to the angle, taken with respect to the chord, also holds
@@ -281,6 +283,14 @@ impl Errors for Fx16 {
         // Beside the axis both terms are largest at one point.
         let strip = edge.beside_axis * (LENGTH * LENGTH / 2.0 / outer + 3.0 / 65_536.0);
         MET * (versine + edge.fraction * 3.0 / 65_536.0 + 1.5 * Self::STEP) + strip
+    }
+
+    fn edge_error(outer: f32) -> f32 {
+        ramp::edge_error(outer)
+    }
+
+    fn inner_chord_error(inner: f32, limit: f32) -> f32 {
+        ramp::inner_chord_error(inner, limit)
     }
 
     fn fine_below(error: f32, intensity: f32, growth: f32) -> u32 {

@@ -6,7 +6,7 @@ use crate::{
     number::{
         Arithmetic, Directions, Errors, Fx32, Length, Light32, Lights, Offset, Places, Placing, Ramps, Rise,
         Slopes, Stages, Types, Versine, Weight32, Word, nearest, raised,
-        ramp::{FixedRamp, MOST_ZOOM, zoom},
+        ramp::{self, FixedRamp, MOST_ZOOM, zoom},
         root::{self, high_half, signed_high_half, wide},
         rounded, sphere,
     },
@@ -253,6 +253,9 @@ impl Errors for Fx32 {
     // `3 / 2^59 a = 4e-12`. The constant does not include the halving of an offset with a component
     // of more than 32,768 units, which turns the direction by 0.71 steps more.
     const DIRECTION_ERROR: f32 = 2.68e-9;
+    const CHORD_ERROR: f32 = ramp::CHORD_ERROR;
+    const CHORD_STEP: f32 = ramp::CHORD_STEP;
+    const LOSES_HIDDEN: bool = true;
     const NEAREST: f64 = 1.0 / 65_536.0;
     const OUTSIDE_STEP: f32 = 1.0 / (1 << 14) as f32;
 
@@ -267,6 +270,14 @@ impl Errors for Fx32 {
         edge.angle * (0.21e-6 + LENGTH / 2.0 + 0.6e-8)
             + (edge.fraction + edge.beside_axis) * 3e-9
             + 3.0 * LENGTH
+    }
+
+    fn edge_error(outer: f32) -> f32 {
+        ramp::edge_error(outer)
+    }
+
+    fn inner_chord_error(inner: f32, limit: f32) -> f32 {
+        ramp::inner_chord_error(inner, limit)
     }
 
     fn stages(_: f64) -> Stages {
