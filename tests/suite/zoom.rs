@@ -5,7 +5,8 @@ use luminaire::{
     Angle, Cone, Error, Fx16, Fx32, SpotLight, Vec3,
     attenuation::NoAttenuation,
     codegen::{FixedRamp, FloatRamp},
-    falloff::{Falloff, Power, Soft, Step},
+    error::{Expected, Parameter},
+    falloff::{AnyFalloff, Falloff, Power, Soft, Step},
     number::Quick,
 };
 use support::{
@@ -314,6 +315,90 @@ fn a_quick_cone_between_may_have_a_larger_bound() {
     let soft = times(Soft, [88.872_246, 1.538_514_1], [0.944_174_5, 0.212_701_17]);
     let power = times(Power::<8>, [33.738_77, 2.223_590_6], [0.751_046_9, 0.0]);
     assert_that!((1.09..=1.11).contains(&soft) && (1.45..=1.47).contains(&power), soft, power);
+}
+
+/// The cones with an angle as the error of their zoom asks for it, if the error is of one of them.
+fn mended<P: Falloff>(rng: &mut Rng, cones: [Cone<P>; 2], error: Error) -> Option<[Cone<P>; 2]> {
+    let Error { parameter, value, accepted } = error;
+    let degrees = match accepted {
+        Expected::AngleBetween(least, most) => match rng.u8(..4) {
+            0 => least,
+            1 => most,
+            _ => (least + (most - least) * rng.f32()).clamp(least, most),
+        },
+        Expected::AngleFrom(least) => (least * 1.000_001 * if rng.bool() { 1.0 } else { 1.3 }).min(180.0),
+        _ => return None,
+    };
+    let angle = Angle::degrees(degrees);
+    let side = [0, 1].into_iter().find(|&side| {
+        let [inner, outer, limit] = cones[side].versines();
+        let versine = match parameter {
+            Parameter::InnerAngle => inner,
+            Parameter::OuterAngle => outer,
+            Parameter::CutoffAngle => limit,
+            _ => return false,
+        };
+        Angle::from_versine(versine).to_degrees() == value
+    })?;
+    let [inner, outer, limit] = cones[side].versines();
+    let mended = match parameter {
+        Parameter::InnerAngle => cones[side].with_inner(angle),
+        Parameter::CutoffAngle => cones[side].with_cutoff(angle),
+        _ => {
+            let wide = angle.versine().min(1.0);
+            let [inner, limit] = [inner, limit].map(|versine| (versine / outer * wide).min(wide));
+            Cone::from_versines(cones[side].falloff(), [inner, wide, limit])
+        }
+    };
+    let mut cones = cones;
+    cones[side] = mended.ok()?;
+    Some(cones)
+}
+
+/// An error names an angle of one of the two cones, and with an accepted angle the zoom compiles: if one angle is enough,
+/// at once.
+#[test]
+fn a_refused_zoom_says_what_it_takes() {
+    fn assert_mended<S: Format>(narrowest: f32) {
+        let mut rng = Rng::with_seed(6);
+        let mut after = [0; 5];
+        for falloff in AnyFalloff::samples() {
+            for _ in 0..if is_full() { 20_000 } else { 300 } {
+                let mut zoom = Zoom::anywhere(&mut rng, narrowest);
+                if rng.bool() {
+                    // Next to the narrowest, alone or both.
+                    let least = Cone::narrowest::<S>(falloff).to_degrees() / 2.0;
+                    let beside = |rng: &mut Rng| (least * (1.0 + 3.0 * rng.f32().powi(2))).min(89.9);
+                    zoom.outer =
+                        [beside(&mut rng), if rng.bool() { beside(&mut rng) } else { zoom.outer[1] }];
+                }
+                let Ok(mut cones) = zoom.cones(falloff) else { continue };
+                if rng.u8(..16) == 0 {
+                    cones[0] = cones[0].with_inner(cones[0].outer()).unwrap_or(cones[0]);
+                }
+                if cones.iter().any(|cone| cone.compile::<S>().is_err()) {
+                    continue;
+                }
+                let first = cones;
+                let mut steps = 0;
+                while let Err(error) = light(cones[0]).compile_zoom::<S>(&cones[1]) {
+                    steps += 1;
+                    let next = mended(&mut rng, cones, error).filter(|_| steps < after.len());
+                    cones = next.unwrap_or_else(|| panic!("{} {error}: {first:?} {cones:?}", S::NAME));
+                }
+                after[steps] += 1;
+            }
+        }
+        println!("{}: {after:?}", S::NAME);
+        let [at_once, after_one, ..] = after;
+        assert_that!(
+            at_once > 100 && after_one > 20 && 4 * after[2..].iter().sum::<u32>() < after_one,
+            after
+        );
+    }
+    assert_mended::<f32>(0.004);
+    assert_mended::<Fx32>(1e-4);
+    assert_mended::<Fx16>(0.6);
 }
 
 /// At its ends a zoom has exactly the two cones, also for parts outside [0, 1] and NaN.

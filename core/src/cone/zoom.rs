@@ -125,11 +125,17 @@ impl<P: Falloff> Cone<P> {
         }
         let is_wider = self.inner * other.outer >= other.inner * self.outer;
         let (wider, narrower) = if is_wider { (self, other) } else { (other, self) };
-        let share = narrower.inner / narrower.outer;
-        let remedies = [(wider, narrower, share), (narrower, wider, 0.0), (wider, narrower, 0.0)];
-        let found = remedies.into_iter().find_map(|(cone, other, share)| {
-            cone.remedy(share.min(1.0) * cone.outer, |cone| holds(cone, other))
-        });
+        // A hotspot of less than 1/1,000 of the angle is more easily missed than an edge less steep.
+        let is_tiny = narrower.inner < 1e-6 * narrower.outer;
+        let without = |cone: &Self| Self { inner: 0.0, ..*cone };
+        let found = if is_tiny && narrower.has_hotspot() && holds(&without(narrower), wider) {
+            narrower.remedy(0.0, |cone| holds(cone, wider))
+        } else {
+            let inner = narrower.inner / narrower.outer * wider.outer;
+            wider
+                .remedy(inner, |cone| holds(cone, narrower))
+                .or_else(|| narrower.remedy(0.0, |cone| holds(cone, wider)))
+        };
         // Two cones without a hotspot zoom if each does with itself.
         let none = Error {
             parameter: Parameter::InnerAngle,
@@ -148,25 +154,20 @@ impl<P: Falloff> Cone<P> {
         let refused =
             |parameter, versine, accepted| Some(Error { parameter, value: degrees(versine), accepted });
         let with_inner = |inner: f32| holds(&Self { inner, ..*self });
-        let inner = inner.min(0.9 * self.limit);
-        for from in [inner, 0.0] {
-            if from < self.inner && with_inner(from) {
-                let to = bisect(from, self.inner, with_inner) * (1.0 - INSIDE);
-                // A hotspot of a few units of the ramp is less certain than a wider one and than none.
-                let tiny = |i: u32| to / (1_u64 << (2 * i)) as f32;
-                let (from, to) = if from == 0.0 && to > 0.0 && !(1..24).all(|i| with_inner(tiny(i))) {
-                    (0.0, 0.0)
-                } else if from < to {
-                    (from * (1.0 + INSIDE), to)
-                } else {
-                    (from, from)
-                };
-                return refused(
-                    Parameter::InnerAngle,
-                    self.inner,
-                    Expected::AngleBetween(degrees(from), degrees(to)),
-                );
-            }
+        let safe = [inner.min(0.9 * self.limit), 0.0];
+        if let Some(from) = safe.into_iter().find(|&from| from < self.inner && with_inner(from)) {
+            let to = bisect(from, self.inner, with_inner) * (1.0 - INSIDE);
+            // A hotspot of a few units of the ramp may be worse than a wider one and than none.
+            let narrower_hold = || (1_u32..24).all(|i| with_inner(to / (1_u64 << (2 * i)) as f32));
+            let range = if with_inner(0.0) && narrower_hold() {
+                [0.0, to]
+            } else if from < to {
+                [from, to].map(|inner| if from > 0.0 { inner } else { 0.0 })
+            } else {
+                [from; 2]
+            };
+            let [least, most] = range.map(degrees);
+            return refused(Parameter::InnerAngle, self.inner, Expected::AngleBetween(least, most));
         }
         let with_cutoff = |limit: f32| holds(&Self { limit, ..*self });
         if self.has_cutoff() && with_cutoff(self.outer) {

@@ -191,11 +191,13 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// [`zoomed`](CompiledSpotLight::zoomed) between the two.
     ///
     /// Both lights have the falloff of this light. Each cone between the two keeps the accuracy of
-    /// the format: if one of them needs the fine evaluation of `Fx16`, all have it. Two lights
-    /// of one intensity that are compiled singly zoom, too. In `Fx16` the error bound of a cone
-    /// between them may then be larger than that of either. In `Fx32` the half angles of a cone between are off by up
-    /// to 1.9e-9 radians, about as much as a direction is: next to the narrowest cone of the format, the bound
-    /// of such a cone exceeds half a linear code.
+    /// the format, half a linear code, at every part of the way (derived): if one of them needs the fine
+    /// evaluation of `Fx16`, all have it. Two lights that are compiled singly zoom, too, but the error of a cone
+    /// between them has no bound.
+    ///
+    /// The chords of a cone between have errors of their own, so a zoom needs a little more room than a single light: in `Fx32`
+    /// the narrowest cone of a zoom is up to 1.8 times as wide as [`Cone::narrowest`], and in `f32` the
+    /// steepest edge is two thirds as steep.
     ///
     /// Two lights of [`compile_quick`](Self::compile_quick) zoom as two that are compiled singly. A cone between
     /// theirs may be a little too steep to be compiled by itself. Its [bound](Self::quick_error_bound) is that of the cone of
@@ -215,7 +217,24 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// ```
     ///
     /// # Errors
-    /// The errors of [`compile`](Self::compile), for one of the two cones or for one between them.
+    /// The errors of [`compile`](Self::compile), for one of the two cones. Two cones between which the format cannot hold a
+    /// cone; the error names an angle of one of them, and the angles with which the other one zooms:
+    ///
+    /// - a cone that is next to the narrowest of the format, or next to its steepest edge;
+    /// - cones between that are steeper than both: from a narrow cone to a wide one with a wider hotspot;
+    /// - a step together with a cone that is none: between them an edge is steeper than any;
+    /// - in fixed point, a hotspot of so few units of a versine that it is nearly lost, together with a steep edge;
+    /// - in fixed point, a cutoff within the hotspot of one of the two alone: its ramp is that of a step.
+    ///
+    /// ```
+    /// use luminaire::{Angle, Cone, Fx16, SpotLight};
+    /// let [narrow, step] = [10.0, 50.0].map(|degrees| Cone::soft(Angle::degrees(degrees)));
+    /// let step = step?.with_inner(step?.outer())?;
+    /// let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], narrow?)?;
+    /// let refused = spot.compile_zoom::<Fx16>(&step).unwrap_err();
+    /// assert_eq!(refused.to_string(), "");
+    /// # Ok::<(), luminaire::Error>(())
+    /// ```
     pub fn compile_zoom<S: Scalar>(&self, other: &Cone<P>) -> Result<[CompiledSpotLight<S, P, A>; 2], Error> {
         check_reach::<S>(self.position)?;
         let ([own, others], error) = self.cone.compile_zoom::<S>(other)?;
