@@ -317,7 +317,7 @@ fn a_quick_cone_between_may_have_a_larger_bound() {
     assert_that!((1.09..=1.11).contains(&soft) && (1.45..=1.47).contains(&power), soft, power);
 }
 
-/// The cones with an angle as the error of their zoom asks for it, if the error is of one of them.
+/// The cones with an angle as the error of their zoom expects it, if the error names one of theirs.
 fn mended<P: Falloff>(rng: &mut Rng, cones: [Cone<P>; 2], error: Error) -> Option<[Cone<P>; 2]> {
     let Error { parameter, value, accepted } = error;
     let degrees = match accepted {
@@ -399,6 +399,29 @@ fn a_refused_zoom_says_what_it_takes() {
     assert_mended::<f32>(0.004);
     assert_mended::<Fx32>(1e-4);
     assert_mended::<Fx16>(0.6);
+}
+
+/// The errors of chords leave less room than a single light has: in `Fx32` for narrow cones, in `f32` for steep edges.
+#[test]
+fn a_zoom_needs_room_for_its_chords() {
+    fn least(mut refused: f32, mut held: f32, holds: impl Fn(f32) -> bool) -> f32 {
+        for _ in 0..20 {
+            let middle = (refused + held) / 2.0;
+            if holds(middle) { held = middle } else { refused = middle }
+        }
+        held
+    }
+    fn zooms<S: Format>(cone: Cone<Soft>) -> bool {
+        light(cone).compile_zoom::<S>(&cone).is_ok()
+    }
+    let narrowest = Cone::narrowest::<Fx32>(Soft).to_degrees();
+    let soft = |degrees: f32| Cone::from_outer(Soft, Angle::degrees(degrees)).expect("a sound angle");
+    let wider = least(narrowest, 9.0 * narrowest, |degrees| zooms::<Fx32>(soft(degrees))) / narrowest;
+    let edge =
+        |width: f32| soft(90.0).with_inner(Angle::degrees(90.0 * (1.0 - width))).expect("a narrower angle");
+    let single = least(1e-4, 1.0, |width| edge(width).compile::<f32>().is_ok());
+    let steeper = single / least(1e-4, 1.0, |width| zooms::<f32>(edge(width)));
+    assert_that!((1.7..=1.75).contains(&wider) && (0.7..=0.73).contains(&steeper), wider, steeper);
 }
 
 /// At its ends a zoom has exactly the two cones, also for parts outside [0, 1] and NaN.

@@ -196,8 +196,8 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     /// between them has no bound.
     ///
     /// The chords of a cone between have errors of their own, so a zoom needs a little more room than a single light: in `Fx32`
-    /// the narrowest cone of a zoom is up to 1.8 times as wide as [`Cone::narrowest`], and in `f32` the
-    /// steepest edge is two thirds as steep.
+    /// the narrowest cone of a zoom is 1.75 times as wide as [`Cone::narrowest`], and in `f32` the
+    /// steepest edge is 0.7 times as steep.
     ///
     /// Two lights of [`compile_quick`](Self::compile_quick) zoom as two that are compiled singly. A cone between
     /// theirs may be a little too steep to be compiled by itself. Its [bound](Self::quick_error_bound) is that of the cone of
@@ -228,11 +228,11 @@ impl<P: Falloff, A: Attenuation> SpotLight<P, A> {
     ///
     /// ```
     /// use luminaire::{Angle, Cone, Fx16, SpotLight};
-    /// let [narrow, step] = [10.0, 50.0].map(|degrees| Cone::soft(Angle::degrees(degrees)));
-    /// let step = step?.with_inner(step?.outer())?;
-    /// let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], narrow?)?;
+    /// let soft = Cone::soft(Angle::degrees(10.0))?;
+    /// let step = Cone::from_outer(soft.falloff(), Angle::degrees(50.0))?.with_inner(Angle::degrees(50.0))?;
+    /// let spot = SpotLight::new([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], soft)?;
     /// let refused = spot.compile_zoom::<Fx16>(&step).unwrap_err();
-    /// assert_eq!(refused.to_string(), "");
+    /// assert_eq!(refused.to_string(), "inner angle = 50: expected 0 to 48.1928 degrees (full angle)");
     /// # Ok::<(), luminaire::Error>(())
     /// ```
     pub fn compile_zoom<S: Scalar>(&self, other: &Cone<P>) -> Result<[CompiledSpotLight<S, P, A>; 2], Error> {

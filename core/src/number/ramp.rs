@@ -197,10 +197,9 @@ fn magnified(value: f32, zoom: u32) -> Versine {
 
 /// `Errors::CHORD_ERROR` of a ramp in fixed point.
 ///
-/// A root has a relative error of 7.5e-9. The outer chord of a cone with a cutoff comes from two reciprocals, each
-/// within 2^-31, of a divisor of 32 bits, and from a span rounded down by a unit of 2^-29 of at least a half: in all
-/// 5.1e-9 of the versine, 2.6e-9 of the chord.
-pub(super) const CHORD_ERROR: f32 = 1.02e-8;
+/// A root has the first part. The outer chord of a cone with a cutoff has the second, half of the error of its versine: that comes
+/// from two reciprocals, each within 2^-31, of a divisor of 32 bits, as a span rounded down by a unit of 2^-29 of at least a half.
+pub(super) const CHORD_ERROR: f32 = 7.5e-9 + 2.6e-9;
 
 /// `Errors::CHORD_STEP` of a ramp in fixed point: less than three units of 2^-31. A root is off by two, which is one before the
 /// shift by a zoom and one of that shift, and a chord between by one more. At the largest zoom the unit of a versine is

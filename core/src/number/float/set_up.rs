@@ -226,8 +226,8 @@ impl Errors for f32 {
     // worst case: all three components are over 1/2.
     const DIRECTION_ERROR: f32 = 1.12e-7;
     // With `u = 2^-24`: the root of a versine, the complement of the part, the product and the sum have one rounding of `u`
-    // each, and the square one more, half of which is that of a chord: `4.5 u = 2.68e-7`. The versines themselves are stored.
-    const CHORD_ERROR: f32 = 2.7e-7;
+    // each, and the square one more, half of which is that of a chord: `4.5 u`. The versines themselves are stored.
+    const CHORD_ERROR: f32 = 4.5 / 16_777_216.0;
     const CHORD_STEP: f32 = 0.0;
     const LOSES_HIDDEN: bool = false;
     const NEAREST: f64 = 1.1e-19;
