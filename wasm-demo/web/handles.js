@@ -171,7 +171,7 @@ export class Handles {
     // Chromium tells of hidden parts of a drawing, too.
     body.setAttribute("tabindex", isSelected ? "0" : "-1");
     body.setAttribute("aria-label", `Position of light ${light + 1}, ${name}`);
-    tellPlace(body, position);
+    tellPlace(body, position, this.#stage.farthest);
     if (!isShown) return;
     /** @type {(value: number, end: number) => number} */
     const inside = (value, end) => Math.min(Math.max(value, MARGIN), end - MARGIN);
@@ -192,7 +192,7 @@ export class Handles {
     const isSeen = isSpot && !Number.isNaN(place.x);
     for (const part of [this.#aim, this.#area, this.#outline, this.#name, ...this.#sides]) part.toggleAttribute("hidden", !isSeen);
     this.#aim.setAttribute("aria-label", `Aim of light ${light + 1}`);
-    tellPlace(this.#aim, aim);
+    tellPlace(this.#aim, aim, this.#stage.farthest);
     if (!isSeen) return;
     this.#aim.setAttribute("transform", `translate(${place.x.toFixed(1)} ${place.y.toFixed(1)})`);
     const pool = this.#stage.pool(light, aspect);
@@ -331,11 +331,14 @@ function slider(kind, parts) {
 }
 
 /**
- * Tells a position in metres to those who do not see it.
+ * Tells a position in metres to those who do not see it. Without its ends a slider is from 0 to 100.
  * @param {SVGElement} handle
  * @param {Float32Array} place
+ * @param {number} farthest the largest coordinate
  */
-function tellPlace(handle, [x = 0, y = 0, z = 0]) {
+function tellPlace(handle, [x = 0, y = 0, z = 0], farthest) {
+  handle.setAttribute("aria-valuemin", String(-farthest));
+  handle.setAttribute("aria-valuemax", String(farthest));
   handle.setAttribute("aria-valuenow", String(tidy(x)));
   handle.setAttribute("aria-valuetext", `x ${tidy(x)}, height ${tidy(y)}, z ${tidy(z)} metres`);
 }

@@ -57,6 +57,12 @@ impl Stage {
         model::listed::<AnyAttenuation>()
     }
 
+    /// The largest coordinate of a place in the current number format, in metres, of either sign.
+    #[wasm_bindgen(getter)]
+    pub fn farthest(&self) -> f32 {
+        self.state.format.farthest()
+    }
+
     /// The illuminance in lux that is shown as full scale at the current exposure, on a white surface.
     #[wasm_bindgen(getter, js_name = fullScale)]
     pub fn full_scale(&self) -> f32 {

@@ -57,6 +57,19 @@ long("axe-core finds no fault in any state, on a laptop and on a telephone", asy
   }
 });
 
+more("sliders in the picture tell their place within their ends, also below 0", async () => {
+  await open("#stage?scene=bare-spot&play=none");
+  await redraw("the light put far away", () => ask(() => {
+    const x = document.getElementById("light-x");
+    x.value = "-20";
+    x.dispatchEvent(new Event("input", { bubbles: true }));
+  }));
+  const told = await ask(() => [...document.querySelectorAll("[role=slider]")].map((slider) =>
+    ["min", "now", "max"].map((name) => Number(slider.getAttribute(`aria-value${name}`) ?? NaN))));
+  must(told, (told) => told.length > 2 && told.some(([, now]) => now === -20), "sliders, one of them at -20");
+  for (const [least, now, most] of told) must([least, now, most], () => least <= now && now <= most, "a value between its ends");
+});
+
 more("keys do what the mouse does in the picture", async () => {
   await open("#stage?scene=bare-spot&play=none");
   const [picture, number] = [() => window.probe.sum(), (id) => `Number(document.getElementById("light-${id}").value)`];

@@ -15,6 +15,13 @@ use crate::format::{Color, Format, Light};
 use crate::input::Place;
 
 effects! { each;
+    /// The light that a texture of 16 bits reflects.
+    "texel", lit, [];
+    fn texel((light, Place { x, y }): (Light, Place)) -> Light {
+        let texel = Rgb565((y << 8 | x) as u16);
+        light.filtered(texel.to_codes().map(luminaire::display::decode_srgb::<Format>))
+    }
+
     /// Stops: a picture that is brighter or darker than its light.
     "exposure", light, [];
     fn exposure(light: Light) -> Light { EXPOSURE.expose(light) }
