@@ -133,6 +133,10 @@ pub enum Parameter {
     ColorTemperature,
     /// The x or the y of a CIE 1931 chromaticity.
     Chromaticity,
+    /// The value of a DMX channel at an end, in degrees or as a share of full scale.
+    ChannelValue,
+    /// The number of a slot of a DMX universe.
+    Slot,
 }
 
 /// The accepted values of a parameter.
@@ -222,6 +226,8 @@ impl fmt::Display for Parameter {
             Self::Decay => "decay",
             Self::ColorTemperature => "color temperature",
             Self::Chromaticity => "chromaticity",
+            Self::ChannelValue => "value of the channel",
+            Self::Slot => "slot",
         })
     }
 }

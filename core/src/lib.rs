@@ -88,6 +88,7 @@
 //! | surfaces | [`specular`]: Lambert with a highlight of Phong, Blinn-Phong or a dual cone |
 //! | projectors | [`projector`]: gobos and shadow maps, in integers |
 //! | haze | [`haze`]: the visible beam of a spotlight |
+//! | control | [`dmx`]: pan, tilt, zoom, dimmer and colours by the slots of a universe, in integers |
 //! | outputs | [`display`]: exposure; light over full scale clipped, or scaled to keep the hue; sRGB, grey of 1 to 8 bits, RGB332 to RGB888 and palettes, to the nearest code or dithered; LEDs of 1 to 16 bits, dithered in time, and strips of LEDs within a limit of their current |
 //! | drawables | [`draw`]: gradients without bands, pools of light on a wall, sprites lit by their normals, row by row |
 //! | choice at run time | [`dynamic`]: any light with any edge and attenuation, and a plan of the effects that a scene requires |
@@ -177,7 +178,7 @@
 
 // Modules, lowest first: `error`, `search`, `source`, `stored`, `model`, `models`, `trig`, `vec3`, `angle`, `effect`,
 // `distribution`, `number`, `attenuation`, `color`, `falloff`, `specular`, `cone`, `display`, `points`, `interop`, `shade`,
-// `haze`, `material`, `row`, `draw`, `light`, `any_light`, `bound`, `projector`, `codegen`, `plan`, `dynamic`,
+// `haze`, `material`, `row`, `draw`, `light`, `dmx`, `any_light`, `bound`, `projector`, `codegen`, `plan`, `dynamic`,
 // `guide`.
 
 #![no_std]
@@ -202,6 +203,7 @@ pub mod codegen;
 mod color;
 pub mod display;
 mod distribution;
+pub mod dmx;
 pub mod draw;
 pub mod dynamic;
 mod effect;

@@ -20,12 +20,13 @@ use crate::head::{guarded, head};
 use crate::name::global;
 use crate::trace::Trace;
 
-/// The files of C that the source of lights in [`Language::CFixed`](crate::Language::CFixed) includes, and
-/// `luminaire_display.h`: names and texts.
-pub const C_HEADERS: [(&str, &str); 3] = [
+/// The files of C that the source of lights in [`Language::CFixed`](crate::Language::CFixed) includes,
+/// `luminaire_display.h` and `luminaire_dmx.h`: names and texts.
+pub const C_HEADERS: [(&str, &str); 4] = [
     ("luminaire.h", include_str!("../c/src/luminaire.h")),
     ("luminaire_constant.h", include_str!("../c/src/luminaire_constant.h")),
     ("luminaire_display.h", include_str!("../c/src/luminaire_display.h")),
+    ("luminaire_dmx.h", include_str!("../c/src/luminaire_dmx.h")),
 ];
 /// The functions of a cone.
 const CONE: &str = include_str!("fixed/cone.h");

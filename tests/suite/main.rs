@@ -14,6 +14,7 @@ mod cones;
 mod decay;
 mod display;
 mod display_ramp;
+mod dmx;
 mod domain;
 mod draw;
 mod falloff_ends;

@@ -99,6 +99,8 @@ pub trait Places: Types {
         bound: Self,
         radius: Self::Position,
     ) -> Option<Vec3<Self::Position>>;
+    /// Returns a vector in proportion to three integers, of which the largest is about 2^30.
+    fn along_integers(way: [i32; 3]) -> Vec3<Self::Position>;
     /// Returns a length times a whole number; wraps in fixed point.
     fn length_times(length: Self::Position, count: i32) -> Self::Position;
     /// Compiles the frame of a projected square from three unit vectors and the size of the square.

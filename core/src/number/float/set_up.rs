@@ -184,6 +184,10 @@ impl Places for f32 {
         (bound > 0.0 && squared_sine > 0.0).then(|| tip.zip(axis, |tip, axis| tip - back * axis))
     }
 
+    fn along_integers(way: [i32; 3]) -> Vec3<f32> {
+        way.map(|c| c as f32 / (1 << 30) as f32).into()
+    }
+
     #[inline]
     fn length_times(length: f32, count: i32) -> f32 {
         length * count as f32

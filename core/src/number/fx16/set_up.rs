@@ -193,6 +193,10 @@ impl Places for Fx16 {
         (bound > Self::ZERO).then(|| sphere::moved_back(tip, axis, squared_sine << 16, radius)).flatten()
     }
 
+    fn along_integers(way: [i32; 3]) -> Vec3<Length> {
+        way.map(Length::from_bits).into()
+    }
+
     #[inline]
     fn length_times(length: Length, count: i32) -> Length {
         Length::from_bits(length.to_bits().wrapping_mul(count))
