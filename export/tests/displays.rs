@@ -78,6 +78,35 @@ private:
 };
 ";
 
+/// Packets of a console: pan to the right, then a wider zoom, then the start code of another protocol, then darkness.
+const ESP_DMX: &str = "#include \"screen.h\"
+#include <stddef.h>
+#include <string.h>
+typedef unsigned int dmx_port_t;
+struct dmx_config_t { int priority; };
+struct dmx_personality_t { uint16_t footprint; char description[33]; };
+struct dmx_packet_t { int err, sc; size_t size; bool is_rdm; };
+enum { DMX_PACKET_SIZE = 513, DMX_TIMEOUT_TICK = 125 };
+#define DMX_CONFIG_DEFAULT { 255 }
+static int received;
+static inline bool dmx_driver_install(dmx_port_t, const dmx_config_t *, const dmx_personality_t *, int) { return true; }
+static inline bool dmx_set_pin(dmx_port_t, int, int, int) { return true; }
+static inline size_t dmx_receive(dmx_port_t, dmx_packet_t *packet, unsigned) {
+    static const dmx_packet_t packets[] = { { 0, 0, 513, false }, { 0, 0, 10, false }, { 0, 0, 513, false },
+        { 0, 0xcc, 26, true }, { 5, 0, 513, false }, { 0, 0, 513, false }, { 0, 0, 0, false } };
+    *packet = packets[received++ % 7];
+    return packet->size;
+}
+static inline size_t dmx_read(dmx_port_t, void *to, size_t size) {
+    static const uint8_t slots[][9] = { { 125, 0, 213, 85, 255, 40, 255, 255, 255 },
+        { 130, 0, 213, 85, 255, 40, 255, 255, 255 }, { 130, 0, 213, 85, 255, 255, 255, 255, 255 }, { 0 }, { 0 },
+        { 130, 0, 213, 85, 0, 255, 255, 255, 255 } };
+    memset(to, 0, size);
+    if (size > 9) { memcpy((uint8_t *)to + 1, slots[received - 1], 9); }
+    return size;
+}
+";
+
 /// Two pages, of the upper and the lower half.
 const GX_EPD2: &str = "#include \"screen.h\"
 #define GxEPD_BLACK 0x0000
@@ -148,9 +177,9 @@ static inline uint32_t lv_timer_handler() {
 ";
 
 /// What a sketch shows in each of some frames: the calls of its `loop`, and of its `setup` where that draws.
-fn shown(name: &str, library: (&str, &str), frames: usize) -> Vec<Vec<u16>> {
+fn shown(name: &str, libraries: &[(&str, &str)], frames: usize) -> Vec<Vec<u16>> {
     let folder = tempfile::tempdir().expect("a folder");
-    for (file, text) in [("screen.h", SCREEN), library] {
+    for (file, text) in [("screen.h", SCREEN)].iter().chain(libraries) {
         fs::write(folder.path().join(file), text).expect("a file");
     }
     let (main, program) = (folder.path().join("main.cpp"), folder.path().join(name));
@@ -193,7 +222,7 @@ fn the_stage_is_what_the_kernel_computes() {
     let night = ambient[0].compile::<Fx16>();
     let up = Fx16::normal([0.0, 1.0, 0.0]);
     let length = Length::from_bits;
-    for (number, frame) in shown("Stage", ("TFT_eSPI.h", TFT_ESPI), 34).iter().enumerate() {
+    for (number, frame) in shown("Stage", &[("TFT_eSPI.h", TFT_ESPI)], 34).iter().enumerate() {
         let along = if number < 32 { number } else { 64 - number } as i32;
         let target = Vec3::new((along - 16) * 4_096, 0, 0).map(length);
         let arrived = |(name, light): (&str, AnyLight), point| match light {
@@ -225,22 +254,37 @@ fn the_stage_is_what_the_kernel_computes() {
 #[test]
 fn the_head_turns_and_zooms() {
     let found: Vec<_> =
-        shown("Head", ("LovyanGFX.hpp", LOVYAN_GFX), 33).iter().map(|frame| lit(frame)).collect();
+        shown("Head", &[("LovyanGFX.hpp", LOVYAN_GFX)], 33).iter().map(|frame| lit(frame)).collect();
     let [first, .., last] = &found[..] else { return };
     assert!(last.0 > first.0 + 20.0 && last.1 > 3 * first.1, "{found:?}");
     assert!(found.windows(2).all(|pair| pair[1].0 > pair[0].0), "{found:?}");
 }
 
+/// A larger pan is counterclockwise as seen from above: to the left of the wall that the head looks at. Packets of other protocols, with errors or of no bytes leave the picture.
+#[test]
+fn the_console_turns_zooms_and_dims_the_head() {
+    let frames = shown("Patch", &[("LovyanGFX.hpp", LOVYAN_GFX), ("esp_dmx.h", ESP_DMX)], 7);
+    let found: Vec<_> = frames.iter().map(|frame| lit(frame)).collect();
+    let [first, turned, wide, dark] = found[..] else { return assert!(found.is_empty(), "{found:?}") };
+    assert!(
+        (turned.0 - first.0).abs() > 10.0 && (turned.1 as f64 / first.1 as f64 - 1.0).abs() < 0.2,
+        "{found:?}"
+    );
+    assert!((wide.0 - turned.0).abs() < 4.0 && wide.1 > 3 * turned.1, "{found:?}");
+    assert!(turned.0 < first.0 && dark.1 == 0, "{found:?}");
+}
+
 #[test]
 fn the_light_on_paper_moves_along_the_wall() {
-    let found: Vec<_> = shown("Paper", ("GxEPD2_BW.h", GX_EPD2), 7).iter().map(|frame| lit(frame)).collect();
+    let found: Vec<_> =
+        shown("Paper", &[("GxEPD2_BW.h", GX_EPD2)], 7).iter().map(|frame| lit(frame)).collect();
     assert!(found.iter().all(|(_, white)| (200..WIDTH * HEIGHT / 2).contains(white)), "{found:?}");
     assert!(found.windows(2).all(|pair| pair[1].0 > pair[0].0 + 2.0), "{found:?}");
 }
 
 #[test]
 fn the_slider_dims_the_lamp() {
-    let found = shown("Widget", ("lvgl.h", LVGL), 1);
+    let found = shown("Widget", &[("lvgl.h", LVGL)], 1);
     let [first, dimmed] = &found[..] else { return assert!(found.is_empty(), "{} frames", found.len()) };
     let sum = |frame: &[u16]| frame.iter().map(|pixel| u32::from(pixel >> 11)).sum::<u32>();
     assert!(sum(dimmed) > 0 && 2 * sum(dimmed) < 3 * sum(first) / 2, "{} {}", sum(first), sum(dimmed));
