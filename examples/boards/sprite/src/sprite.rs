@@ -1,0 +1,68 @@
+//! The sprite: its opaque pixels, row by row.
+
+include!(concat!(env!("OUT_DIR"), "/sprite.rs"));
+
+/// An opaque pixel: from the upper bits on the normal's x and y of eight bits, a zero, seven bits of z, five of the
+/// material, and three of the dither's threshold.
+///
+/// The normal is in units of 1/127, to the right, down and to the viewer. The threshold is that of the pixel's place in
+/// the sprite, so that the dither moves with it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[repr(transparent)]
+pub struct Word(pub u32);
+
+impl Word {
+    /// Returns the normal.
+    #[inline(always)]
+    pub const fn normal(self) -> [i8; 3] {
+        [(self.0 >> 24) as i8, (self.0 >> 16) as i8, (self.0 >> 8) as i8]
+    }
+
+    /// Returns the threshold of the dither, from 0 to 7.
+    #[inline(always)]
+    pub(crate) const fn threshold(self) -> u32 {
+        self.0 & 7
+    }
+
+    /// Returns eight times the material.
+    #[inline(always)]
+    pub(crate) const fn material(self) -> u32 {
+        self.0 & 0xf8
+    }
+}
+
+/// Neighbouring opaque pixels of a row: from `start` to before `end`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[repr(C)]
+pub struct Span {
+    /// The row.
+    pub y: u8,
+    /// The first column.
+    pub start: u8,
+    /// The column after the last.
+    pub end: u8,
+}
+
+/// A sprite and its tables, which firmware puts where it has room.
+#[derive(Clone, Copy, Debug)]
+pub struct Sprite<'a> {
+    /// The opaque pixels.
+    pub words: &'a [Word],
+    /// Where they are, in the same order.
+    pub spans: &'a [Span],
+    /// The tables of what is shown.
+    pub shown: crate::shown::Shown<'a>,
+}
+
+impl Sprite<'static> {
+    /// Returns the sprite of the pictures in `art`, with its tables.
+    pub fn new() -> Self {
+        Self { words: &WORDS, spans: &SPANS, shown: crate::shown::Shown::new() }
+    }
+}
+
+impl Default for Sprite<'static> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
