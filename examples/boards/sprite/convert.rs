@@ -5,6 +5,9 @@ use luminaire::{display::threshold, draw::normals_from_opengl};
 /// Red, green, blue and opacity of each pixel, row by row.
 pub type Picture = Vec<[u8; 4]>;
 
+/// The mark of the last word of a span.
+const END: u32 = 1 << 8;
+
 /// The sprite's numbers.
 #[derive(Debug, PartialEq)]
 pub struct Converted {
@@ -48,11 +51,16 @@ pub fn convert(
         }
         let [nx, ny, nz] = nearest(normal).map(|c| u32::from(c as u8));
         let dither = u32::from(threshold(x as u32, y as u32)) >> 4;
-        converted.words.push(nx << 24 | ny << 16 | nz << 8 | (index as u32) << 3 | dither);
+        converted.words.push(nx << 24 | ny << 16 | nz << 9 | (index as u32) << 3 | dither);
         match converted.spans.last_mut() {
             Some([row, _, end]) if *row == y && *end == x => *end += 1,
             _ => converted.spans.push([y, x, x + 1]),
         }
+    }
+    let mut after = 0;
+    for [_, start, end] in &converted.spans {
+        after += end - start;
+        converted.words[after - 1] |= END;
     }
     Ok(converted)
 }

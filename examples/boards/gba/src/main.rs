@@ -44,7 +44,7 @@ extern "C" fn main() -> ! {
         if is_pointwise {
             points::draw(&sprite, &lights, picture);
         } else {
-            cells::draw::<4>(&sprite, &lights, picture);
+            cells::draw::<4>(&sprite, &lights, picture, cells::run);
         }
         let cycles = console.cycles().wrapping_sub(cycles);
         console.show(picture, CORNER, lights.pixels(), [time, is_pointwise.into(), cycles]);

@@ -20,21 +20,77 @@
 //!
 //! beside the errors of the kernel and of roundings. A test compares all pixels of pictures with it.
 
-use luminaire::{Fx16, Length, Vec3, light::Row, number::Light16};
+use core::ops::Range;
+
+use luminaire::{
+    Fx16, Length, Vec3,
+    light::{CompiledPointLight, Row},
+    number::Light16,
+};
 
 use crate::{
     measures::{PIXEL_BITS, SIDE},
     scene::{Lights, place},
+    shown::Shown,
     sprite::{Span, Sprite, Word},
 };
 
 /// The most corners in a row of cells of at least 4 pixels.
 const CORNERS: usize = SIDE / 4 + 1;
 
-/// Two numbers, one of each light.
-type Both = [i32; 2];
+/// The light of both lights at a place, with 15 fraction bits each: the first in the upper half. Every number stays in its
+/// half, so that one addition is that of both.
+type Both = u32;
 
-/// The tilt of a vector to the light: `o / o.z` at the first pixel, and how much it falls from one pixel to the next.
+/// Fraction bits of a tilt. With more, its product with the light would not fit 32 bits.
+const TILT_BITS: u32 = 9;
+
+/// Further fraction bits of a tilt while it is computed.
+const MORE_BITS: u32 = 9;
+
+/// What the pixels of a column have in common in a row.
+#[derive(Clone, Copy, Default, Debug)]
+#[repr(C)]
+pub struct Column {
+    /// The light of both lights on the plane, with 15 fraction bits: that of the first in the upper half.
+    pub light: Both,
+    /// The tilts `o.x / o.z` of both lights, with 9 fraction bits.
+    pub tilt: [i32; 2],
+}
+
+/// Neighbouring opaque pixels of a row.
+#[derive(Debug)]
+pub struct Run<'a> {
+    /// The pixels' words, of which the last has the mark of the end.
+    pub words: &'a [Word],
+    /// What their columns have, as many.
+    pub columns: &'a [Column],
+    /// The tilts `o.y / o.z` of both lights, with 9 fraction bits.
+    pub tilt: [i32; 2],
+    /// The tables.
+    pub shown: Shown<'a>,
+    /// Where the pixels are drawn, as many.
+    pub pixels: &'a mut [u16],
+}
+
+/// Draws neighbouring opaque pixels, on any processor.
+#[inline(always)]
+pub fn run(run: Run<'_>) {
+    let Run { words, columns, tilt: tilt_y, shown, pixels } = run;
+    for ((word, column), to) in words.iter().zip(columns).zip(pixels) {
+        let [nx, ny] = word.across();
+        let steps = |tilt_x: i32, tilt_y: i32, light: u32| {
+            let tilt = word.toward() + nx * tilt_x + ny * tilt_y;
+            (tilt.max(0) as u32).wrapping_mul(light) >> 20
+        };
+        let first = steps(column.tilt[0], tilt_y[0], column.light >> 16);
+        let second = steps(column.tilt[1], tilt_y[1], column.light & 0xffff);
+        *to = shown.pixel(*word, [first, second]);
+    }
+}
+
+/// The tilt of a vector to the light: `o / o.z` at the first pixel, and how much it falls from one pixel to the next; with
+/// [`MORE_BITS`], and half a step of the result.
 #[derive(Clone, Copy)]
 struct Tilt {
     x: i32,
@@ -42,110 +98,152 @@ struct Tilt {
     step: i32,
 }
 
-/// Fraction bits of a tilt.
-const TILT_BITS: u32 = 16;
-
 impl Tilt {
     fn new(light: Vec3<Length>) -> Self {
-        // A height of 1 to 2^15 units: the reciprocal has 15 to 1 bits below the first.
         let reciprocal = u32::MAX / (light.z.to_bits() as u32).max(1);
-        let scaled = |c: i32| ((i64::from(c) * i64::from(reciprocal)) >> (32 - TILT_BITS)) as i32;
-        let from = |c: Length| scaled(c.to_bits().wrapping_sub(place(0).to_bits()));
+        let scaled = |c: i32| ((i64::from(c) * i64::from(reciprocal)) >> (32 - TILT_BITS - MORE_BITS)) as i32;
+        let from = |c: Length| scaled(c.to_bits().wrapping_sub(place(0).to_bits())) + (1 << (MORE_BITS - 1));
         Self { x: from(light.x), y: from(light.y), step: scaled(PIXEL_BITS) }
     }
 }
 
 /// Draws the sprite with light that is interpolated over cells of `N` pixels' side, 4 or 8. Transparent pixels keep
-/// their values.
+/// their values. `run` draws a run of pixels, as [`run`] does.
 #[inline(never)]
-pub fn draw<const N: usize>(sprite: &Sprite<'_>, lights: &Lights, pixels: &mut [u16; SIDE * SIDE]) {
+pub fn draw<const N: usize>(
+    sprite: &Sprite<'_>,
+    lights: &Lights,
+    pixels: &mut [u16; SIDE * SIDE],
+    run: impl Fn(Run<'_>),
+) {
     const { assert!(matches!(N, 4 | 8), "N is 4 or 8") };
-    let tilts = lights.1.map(Tilt::new);
-    let mut words = sprite.words;
-    let mut spans = sprite.spans;
-    let (mut upper, mut lower) = ([[0; 2]; CORNERS], [[0; 2]; CORNERS]);
-    corners::<N>(lights, 0, &mut lower);
-    for top in (0..SIDE).step_by(N) {
-        (upper, lower) = (lower, upper);
-        corners::<N>(lights, (top + N) as i32, &mut lower);
-        let mut steps = [[0; 2]; CORNERS];
-        for ((step, from), to) in steps.iter_mut().zip(&upper).zip(&lower) {
-            *step = [0, 1].map(|i| (to[i] - from[i]) >> N.ilog2());
+    let [a, b] = lights.1.map(Tilt::new);
+    let mut columns = [Column::default(); SIDE];
+    let (mut x, mut y) = ([a.x, b.x], [a.y, b.y]);
+    for column in &mut columns {
+        column.tilt = x.map(|tilt| tilt >> MORE_BITS);
+        x = [x[0] - a.step, x[1] - b.step];
+    }
+    let cells = cells::<N>(sprite.spans);
+    let (mut words, mut spans) = (sprite.words, sprite.spans);
+    let (mut here, mut lower) = ([0; CORNERS], [0; CORNERS]);
+    for band in 0..SIDE / N {
+        let [above, [first, end], below] = [0, 1, 2].map(|i| cells[band + i]);
+        if above == NONE && end > 0 {
+            corners::<N>(lights, band, first..end + 1, &mut lower);
         }
-        let mut here = upper;
-        for y in top..top + N {
+        (here, lower) = (lower, here);
+        if end > 0 {
+            corners::<N>(lights, band + 1, first.min(below[0])..end.max(below[1]) + 1, &mut lower);
+        }
+        let mut steps = [0; CORNERS];
+        for i in first..=end {
+            steps[i % CORNERS] = between::<N>(here[i % CORNERS], lower[i % CORNERS]);
+        }
+        for row in N * band..N * (band + 1) {
+            expand::<N>(&mut here, &steps, first..end, &mut columns);
             while let Some((span, rest)) = spans.split_first()
-                && usize::from(span.y) == y
+                && usize::from(span.y) == row
             {
                 spans = rest;
-                words = row::<N>(sprite, (*span, &here), &tilts, words, pixels);
+                let (start, end) = (usize::from(span.start), usize::from(span.end));
+                let (Some((now, rest)), Some(columns), Some(pixels)) = (
+                    words.split_at_checked(end.saturating_sub(start)),
+                    columns.get(start..end),
+                    pixels.get_mut(SIDE * row + start..SIDE * row + end),
+                ) else {
+                    return;
+                };
+                words = rest;
+                let tilt = y.map(|tilt| tilt >> MORE_BITS);
+                run(Run { words: now, columns, tilt, shown: sprite.shown, pixels });
             }
-            for (here, step) in here.iter_mut().zip(&steps) {
-                *here = [0, 1].map(|i| here[i] + step[i]);
-            }
+            y = [y[0] - a.step, y[1] - b.step];
         }
     }
 }
 
-/// Sets the light of the corners in a row of pixels, with [`fraction bits`](scaled).
+/// No cells: a range that is the smallest and the largest with another.
+const NONE: [usize; 2] = [CORNERS - 1, 0];
+
+/// Returns the first cell with opaque pixels and that after the last, of each row of cells, between two rows without.
+fn cells<const N: usize>(spans: &[Span]) -> [[usize; 2]; CORNERS + 1] {
+    let mut cells = [NONE; CORNERS + 1];
+    for span in spans {
+        let [first, end] = &mut cells[(usize::from(span.y) / N + 1) % (CORNERS + 1)];
+        *first = (*first).min(usize::from(span.start) / N);
+        *end = (*end).max(usize::from(span.end).div_ceil(N)).min(CORNERS - 1);
+    }
+    cells
+}
+
+/// Sets the light of the columns of some cells between corners, and moves the corners to the next row.
 #[inline(always)]
-fn corners<const N: usize>(lights: &Lights, y: i32, corners: &mut [Both; CORNERS]) {
-    let row =
-        Row::along_x(Fx16::normal([0.0, 0.0, 1.0]), [place(y), Length::ZERO], |i| place((N * i) as i32));
-    for (i, light) in lights.0.iter().enumerate() {
-        let mut arrived = [Light16::ZERO; CORNERS];
-        row.fill(light, 0, &mut arrived[..=SIDE / N]);
-        for (corner, light) in corners.iter_mut().zip(arrived) {
-            corner[i] = scaled::<N>(light);
+fn expand<const N: usize>(
+    here: &mut [Both; CORNERS],
+    steps: &[Both; CORNERS],
+    cells: Range<usize>,
+    columns: &mut [Column; SIDE],
+) {
+    let (Some(here), Some(steps), (columns, [])) =
+        (here.get_mut(cells.start..=cells.end), steps.get(cells.start..=cells.end), columns.as_chunks_mut::<N>())
+    else {
+        return;
+    };
+    let columns = columns.get_mut(cells).unwrap_or_default();
+    let mut corners = here.iter_mut().zip(steps);
+    let Some((first, step)) = corners.next() else { return };
+    let mut from = *first;
+    *first = from.wrapping_add(*step);
+    for (columns, (corner, step)) in columns.iter_mut().zip(corners) {
+        let (to, mut light) = (*corner, from);
+        *corner = to.wrapping_add(*step);
+        let step = between::<N>(from, to);
+        for column in columns {
+            column.light = light;
+            light = light.wrapping_add(step);
         }
+        from = to;
     }
 }
 
-/// Returns light with 17 fraction bits, times 128/127 because of the unit of normals.
+/// Returns the step from one pixel to the next, rounded down, between the light at two places `N` pixels apart.
+#[inline(always)]
+fn between<const N: usize>(from: Both, to: Both) -> Both {
+    // In each half the difference has a sign, and that of the lower half borrows from the upper one.
+    let difference = to.wrapping_sub(from);
+    let lower = (to & 0xffff) as i32 - (from & 0xffff) as i32;
+    let upper = difference.wrapping_sub(lower as u32) as i32;
+    ((upper >> N.ilog2()) as u32 & 0xffff_0000).wrapping_add((lower >> N.ilog2()) as u32)
+}
+
+/// Sets the light of some corners in a row of corners.
+#[inline(never)]
+fn corners<const N: usize>(lights: &Lights, row: usize, range: Range<usize>, corners: &mut [Both; CORNERS]) {
+    let [mut first, mut second] = [[Light16::ZERO; CORNERS]; 2];
+    let start = range.start;
+    let corners = corners.get_mut(range).unwrap_or_default();
+    for (light, arrived) in lights.0.iter().zip([&mut first, &mut second]) {
+        fill::<N>(light, [start, row], arrived.get_mut(..corners.len()).unwrap_or_default());
+    }
+    for ((corner, first), second) in corners.iter_mut().zip(first).zip(second) {
+        *corner = scaled::<N>(first) << 16 | scaled::<N>(second);
+    }
+}
+
+/// Sets the irradiances of the plane at corners.
+#[inline(never)]
+fn fill<const N: usize>(light: &CompiledPointLight<Fx16>, [first, y]: [usize; 2], arrived: &mut [Light16]) {
+    let corner = |i: usize| place((N * i) as i32);
+    let row = Row::along_x(Fx16::normal([0.0, 0.0, 1.0]), [corner(y), Length::ZERO], corner);
+    row.fill(light, first, arrived);
+}
+
+/// Returns light with 15 fraction bits, times 128/127 because of the unit of normals, at most the last below 2.
 ///
 /// A step between corners is rounded down, in both directions, by less than 1: `2 N` more keep the light positive.
 #[inline(always)]
-fn scaled<const N: usize>(light: Light16) -> i32 {
-    let light = light.to_bits() as i32;
-    (light << 3) + (light >> 4) + 2 * N as i32
-}
-
-/// Draws a span. Returns the words after it.
-#[inline(always)]
-fn row<'a, const N: usize>(
-    sprite: &Sprite<'_>,
-    (span, here): (Span, &[Both; CORNERS]),
-    tilts: &[Tilt; 2],
-    mut words: &'a [Word],
-    pixels: &mut [u16; SIDE * SIDE],
-) -> &'a [Word] {
-    let (y, mut x, end) = (usize::from(span.y), usize::from(span.start), usize::from(span.end));
-    let tilt_y = [0, 1].map(|i| tilts[i].y - tilts[i].step * y as i32);
-    let mut tilt_x = [0, 1].map(|i| tilts[i].x - tilts[i].step * x as i32);
-    while x < end {
-        let (cell, within) = (x / N, x % N);
-        let count = (N - within).min(end - x);
-        let Some([from, to]) = here.get(cell..).and_then(|here| here.first_chunk()) else { break };
-        let step = [0, 1].map(|i| (to[i] - from[i]) >> N.ilog2());
-        let mut light = [0, 1].map(|i| from[i] + within as i32 * step[i]);
-        let (Some((now, rest)), Some(to)) =
-            (words.split_at_checked(count), pixels.get_mut(SIDE * y + x..SIDE * y + x + count))
-        else {
-            break;
-        };
-        for (word, to) in now.iter().zip(to) {
-            let [nx, ny, nz] = word.normal().map(i32::from);
-            let steps = [0, 1].map(|i| {
-                let tilt = nx * tilt_x[i] + ny * tilt_y[i] + (nz << TILT_BITS);
-                let steps = (tilt.max(0) as u32 >> 9).wrapping_mul(light[i] as u32) >> 20;
-                tilt_x[i] -= tilts[i].step;
-                light[i] += step[i];
-                steps
-            });
-            *to = sprite.shown.pixel(*word, steps);
-        }
-        words = rest;
-        x += count;
-    }
-    words
+fn scaled<const N: usize>(light: Light16) -> u32 {
+    let light = light.to_bits();
+    ((light << 1) + (light >> 6) + 2 * N as u32).min(0xffff)
 }
