@@ -5,6 +5,7 @@
 #![no_main]
 
 mod console;
+mod run;
 
 use core::panic::PanicInfo;
 
@@ -44,7 +45,7 @@ extern "C" fn main() -> ! {
         if is_pointwise {
             points::draw(&sprite, &lights, picture);
         } else {
-            cells::draw::<4>(&sprite, &lights, picture, cells::run);
+            cells::draw::<4>(&sprite, &lights, picture, run::run);
         }
         let cycles = console.cycles().wrapping_sub(cycles);
         console.show(picture, CORNER, lights.pixels(), [time, is_pointwise.into(), cycles]);
