@@ -1,7 +1,7 @@
 //! Converts the pictures in `art`, and computes the tables.
 
 #[path = "src/measures.rs"]
-#[allow(dead_code, reason = "some are the program's part")]
+#[allow(dead_code, unreachable_pub, reason = "some are the program's part alone, and all are its interface")]
 mod measures;
 
 #[path = "convert.rs"]
@@ -26,8 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for file in ["art", "build.rs", "convert.rs", "src/measures.rs"] {
         println!("cargo::rerun-if-changed={file}");
     }
-    let [color, normals, glow] =
-        ["golem.png", "golem-normals.png", "golem-glow.png"].map(|name| picture(name));
+    let [color, normals, glow] = ["golem.png", "golem-normals.png", "golem-glow.png"].map(picture);
     let sprite = convert::convert([&color?, &normals?, &glow?], SIDE, MATERIALS)?;
     write("sprite.rs", &source(&sprite))?;
     let light = PointLight::new([0.0; 3])?.with_intensity(INTENSITY)?;
@@ -58,7 +57,7 @@ fn pixels(sprite: &Converted, lights: &[f32]) -> Vec<u16> {
         .flat_map(|m| (0..LEVELS).map(move |i| (m, i)))
         .flat_map(|i| (0..LEVELS).map(move |j| (i, j)))
     {
-        let [color, glow] = sprite.materials[material].map(|codes| codes.map(decode_srgb));
+        let [color, glow]: [[f32; 3]; 2] = sprite.materials[material].map(|codes| codes.map(decode_srgb));
         let channel = |c: usize| {
             let arrived = AMBIENT[c] + lights[first] * COLORS[0][c] + lights[second] * COLORS[1][c];
             glow[c] + color[c] * arrived

@@ -3,20 +3,20 @@
 use luminaire::{display::threshold, draw::normals_from_opengl};
 
 /// Red, green, blue and opacity of each pixel, row by row.
-pub type Picture = Vec<[u8; 4]>;
+pub(crate) type Picture = Vec<[u8; 4]>;
 
 /// The mark of the last word of a span.
 const END: u32 = 1 << 8;
 
 /// The sprite's numbers.
 #[derive(Debug, PartialEq)]
-pub struct Converted {
+pub(crate) struct Converted {
     /// The opaque pixels: `sprite::Word` has the layout.
-    pub words: Vec<u32>,
+    pub(crate) words: Vec<u32>,
     /// Where they are: row, first column, the column after the last.
-    pub spans: Vec<[usize; 3]>,
+    pub(crate) spans: Vec<[usize; 3]>,
     /// The colour and the glow of each material, in sRGB codes.
-    pub materials: Vec<[[u8; 3]; 2]>,
+    pub(crate) materials: Vec<[[u8; 3]; 2]>,
 }
 
 /// Converts the colours, the normals in OpenGL's convention and the glow of a sprite of a width.
@@ -25,7 +25,7 @@ pub struct Converted {
 ///
 /// # Errors
 /// More than `most` materials; an opaque pixel whose normal is black or faces away.
-pub fn convert(
+pub(crate) fn convert(
     [color, normals, glow]: [&Picture; 3],
     width: usize,
     most: usize,
@@ -69,7 +69,7 @@ pub fn convert(
 ///
 /// The nearest bytes to a vector of length 127 have a length from 126.2 to 127.8, by which a surface would be too bright
 /// or too dark. Of the 27 next to them, these err least in the length and, a third as important, in the direction.
-pub fn nearest(vector: [i8; 3]) -> [i8; 3] {
+pub(crate) fn nearest(vector: [i8; 3]) -> [i8; 3] {
     let length = |vector: [f64; 3]| vector.iter().map(|c| c * c).sum::<f64>().sqrt();
     let exact = vector.map(f64::from);
     let exact = exact.map(|c| 127.0 * c / length(exact));

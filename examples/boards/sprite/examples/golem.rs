@@ -78,10 +78,10 @@ fn golem(place: [f64; 2]) -> Option<Surface> {
     let side = x.abs();
     let mut best: Option<Surface> = None;
     let mut put = |height: Option<f64>, kind: Kind| {
-        if let Some(height) = height {
-            if best.is_none_or(|best| height > best.height) {
-                best = Some(Surface { height, kind });
-            }
+        if let Some(height) = height
+            && best.is_none_or(|best| height > best.height)
+        {
+            best = Some(Surface { height, kind });
         }
     };
     // Skull, jaw, cheeks, brow, nose, ears.

@@ -185,9 +185,11 @@ fn expand<const N: usize>(
     cells: Range<usize>,
     columns: &mut [Column; SIDE],
 ) {
-    let (Some(here), Some(steps), (columns, [])) =
-        (here.get_mut(cells.start..=cells.end), steps.get(cells.start..=cells.end), columns.as_chunks_mut::<N>())
-    else {
+    let (Some(here), Some(steps), (columns, [])) = (
+        here.get_mut(cells.start..=cells.end),
+        steps.get(cells.start..=cells.end),
+        columns.as_chunks_mut::<N>(),
+    ) else {
         return;
     };
     let columns = columns.get_mut(cells).unwrap_or_default();

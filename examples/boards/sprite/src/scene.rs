@@ -48,8 +48,8 @@ pub fn place(pixel: i32) -> Length {
 fn wave(turn: u32, amplitude: i32) -> Length {
     let sine = |turn: u32| i32::from(SINE[(turn >> 8 & 0xff) as usize]);
     let (from, to) = (sine(turn), sine(turn + 0x100));
-    let between = from + ((to - from) * (turn & 0xff) as i32 >> 8);
-    Length::from_bits((amplitude >> 4) * between >> 10)
+    let between = from + (((to - from) * (turn & 0xff) as i32) >> 8);
+    Length::from_bits(((amplitude >> 4) * between) >> 10)
 }
 
 /// Returns the distance from the plane of the sprite: 2.75 to 4.25 units.

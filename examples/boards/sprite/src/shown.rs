@@ -17,6 +17,10 @@ pub type Pixels = [u16; MATERIALS * LEVELS * LEVELS];
 pub type Steps = [u8; STEPS];
 
 /// The pixels, with blue in the upper bits, as the console has them.
+#[allow(
+    clippy::large_const_arrays,
+    reason = "firmware has it in a static of its own, in the memory that it chooses"
+)]
 pub const PIXELS: Pixels = include!(concat!(env!("OUT_DIR"), "/pixels.rs"));
 
 /// The levels of light. Between those of two levels the fraction is linear in light, as in the kernel's dither.
