@@ -1,4 +1,4 @@
-//! Passes the memory layout to the linker, and draws the orb.
+//! Passes the memory layout to the linker.
 
 use std::error::Error;
 use std::path::PathBuf;

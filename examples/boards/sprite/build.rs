@@ -35,7 +35,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     write("sine.rs", &list(sine.map(|sine| sine as i16)))?;
     let lights: Vec<f32> = (0..LEVELS).map(light_of).collect();
     write("levels.rs", &list((0..STEPS).map(|step| level((step as f32 + 0.5) / 2_048.0, &lights))))?;
-    write("pixels.rs", &list(pixels(&sprite, &lights)))
+    write("pixels.rs", &list(pixels(&sprite, &lights)))?;
+    write("lamps.rs", &list(COLORS.map(|[red, green, blue]| shown(Rgb::new(red, green, blue)))))
 }
 
 /// The light of a level: that of an sRGB channel of five bits.
@@ -62,11 +63,16 @@ fn pixels(sprite: &Converted, lights: &[f32]) -> Vec<u16> {
             let arrived = AMBIENT[c] + lights[first] * COLORS[0][c] + lights[second] * COLORS[1][c];
             glow[c] + color[c] * arrived
         };
-        let Rgb555(bits) = Rgb555::nearest(clip::<f32>(Rgb::new(channel(0), channel(1), channel(2))));
         pixels[(material * LEVELS + first) * LEVELS + second] =
-            (bits & 31) << 10 | bits & 31 << 5 | bits >> 10;
+            shown(Rgb::new(channel(0), channel(1), channel(2)));
     }
     pixels
+}
+
+/// The pixel of a linear colour, with blue in the upper bits.
+fn shown(color: Rgb<f32>) -> u16 {
+    let Rgb555(bits) = Rgb555::nearest(clip::<f32>(color));
+    (bits & 31) << 10 | bits & 31 << 5 | bits >> 10
 }
 
 /// The constants of the sprite.

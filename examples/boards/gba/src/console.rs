@@ -3,7 +3,7 @@
 use core::arch::global_asm;
 use core::ptr::{read_volatile, write_volatile};
 
-use luminaire_sprite::measures::SIDE;
+use luminaire_sprite::{measures::SIDE, shown::LAMPS};
 
 /// The width of the screen in pixels.
 pub(crate) const WIDTH: usize = 240;
@@ -69,8 +69,18 @@ const SCREEN: usize = 0x0600_0000;
 const PALETTE: usize = 0x0500_0200;
 /// The memory of objects, of which the picture takes the first half.
 const PICTURE: usize = 0x0601_4000;
-const TILES: usize = 0x0601_6000;
+const TILE: usize = 0x0601_6000;
+/// The tile's number: tiles have 32 bytes.
+const TILE_NUMBER: u16 = ((TILE - 0x0601_0000) / 32) as u16;
 const OBJECTS: usize = 0x0700_0000;
+
+/// A lamp of 8 x 8 pixels: its rows, from the left in the lowest four bits. 1 is the light's colour, 2 is white.
+const LAMP: [u32; 8] =
+    [0x0011_1100, 0x0111_1110, 0x1111_1111, 0x1112_2111, 0x1112_2111, 0x1111_1111, 0x0111_1110, 0x0011_1100];
+/// Where the bar below the picture begins, and its rows.
+const BAR: [usize; 2] = [8, 4];
+const GREY: u16 = 0x2108;
+const WHITE: u16 = 0x7fff;
 
 fn write(address: usize, value: u16) {
     // SAFETY: the callers of this module name registers and memory of the display and of the timers, which Rust has not.
@@ -86,19 +96,31 @@ fn read(address: usize) -> u16 {
 #[derive(Debug)]
 pub(crate) struct Console {
     shown: u32,
-    /// The refreshes of the display since the start, and the cycles at which the last was counted.
-    time: u32,
+    /// The mode of the bar on the screen.
+    mode: Option<u32>,
 }
 
 impl Console {
-    /// Sets up the screen and the timers.
+    /// Sets up the screen, the objects and the timers.
     pub(crate) fn take() -> Self {
         // Mode 3, a bitmap of 15 bits, and objects.
         write(REGISTERS, 0x1403);
         // Two timers count cycles in 32 bits.
         write(REGISTERS + 0x106, 0x84);
         write(REGISTERS + 0x102, 0x80);
-        Self { shown: 0, time: 0 }
+        for (i, row) in LAMP.into_iter().enumerate() {
+            write(TILE + 4 * i, row as u16);
+            write(TILE + 4 * i + 2, (row >> 16) as u16);
+        }
+        for (i, color) in LAMPS.into_iter().enumerate() {
+            write(PALETTE + 32 * i + 2, color);
+            write(PALETTE + 32 * i + 4, WHITE);
+        }
+        // Each of 128 objects is hidden until it has a place.
+        for i in 0..128 {
+            write(OBJECTS + 8 * i, 0x0200);
+        }
+        Self { shown: 0, mode: None }
     }
 
     /// The memory for a picture: that of the display has room beside the screen, and stores 16 bits at a time without
@@ -123,7 +145,8 @@ impl Console {
         self.cycles() / 280_896
     }
 
-    /// Waits until the display is between two refreshes, and copies a picture to it.
+    /// Waits until the display is between two refreshes, and copies a picture to it. The lamps are at the pixels of the
+    /// lights, and the bar below the picture has dots of the size of a pixel or of a cell.
     pub(crate) fn show(
         &mut self,
         picture: &[u16; SIDE * SIDE],
@@ -131,16 +154,35 @@ impl Console {
         lights: [[i32; 2]; 2],
         [time, mode, cycles]: [u32; 3],
     ) {
-        // A copy takes eight lines of the 68 without a picture.
+        // All of this takes less than twelve lines of the 68 without a picture.
         while !(160..216).contains(&read(REGISTERS + 6)) {}
         for (y, row) in picture.chunks_exact(SIDE).enumerate() {
             let to = SCREEN + 2 * (WIDTH * (top + y) + left);
             copy(row, to);
         }
+        for (i, [x, y]) in lights.into_iter().enumerate() {
+            // The console takes an object's place modulo 256 rows and 512 columns.
+            let [x, y] = [(left as i32 + x - 4) as u16 & 0x1ff, (top as i32 + y - 4) as u16 & 0xff];
+            let object = OBJECTS + 8 * i;
+            write(object, y);
+            write(object + 2, x);
+            write(object + 4, (i as u16) << 12 | TILE_NUMBER);
+        }
+        if self.mode != Some(mode) {
+            self.mode = Some(mode);
+            bar([left, top + SIDE + BAR[0]], if mode == 0 { 4 } else { 1 });
+        }
         self.shown += 1;
         // SAFETY: nothing else uses it.
         unsafe { write_volatile(&raw mut MAILBOX, [self.shown, time, mode, cycles]) }
-        let _ = (lights, PALETTE, TILES, OBJECTS);
+    }
+}
+
+/// Draws a bar of dots of this width.
+fn bar([left, top]: [usize; 2], width: usize) {
+    for (y, x) in (0..BAR[1]).flat_map(|y| (0..SIDE).map(move |x| (y, x))) {
+        let color = if (x / width + y / width).is_multiple_of(2) { WHITE } else { GREY };
+        write(SCREEN + 2 * (WIDTH * (top + y) + left + x), color);
     }
 }
 

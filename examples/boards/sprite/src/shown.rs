@@ -26,6 +26,9 @@ pub const PIXELS: Pixels = include!(concat!(env!("OUT_DIR"), "/pixels.rs"));
 /// The levels of light. Between those of two levels the fraction is linear in light, as in the kernel's dither.
 pub const LEVEL: Steps = include!(concat!(env!("OUT_DIR"), "/levels.rs"));
 
+/// The colours of the two lights, as pixels.
+pub const LAMPS: [u16; 2] = include!(concat!(env!("OUT_DIR"), "/lamps.rs"));
+
 static HERE: (Pixels, Steps) = (PIXELS, LEVEL);
 
 /// The two tables.
