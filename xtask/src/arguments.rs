@@ -31,7 +31,7 @@ The laboratory, built when it is first called; `cargo xtask COMMAND --help` has 
                 sets, and from the packed crates
   prove         Prove the errors of the fixed-point stages, by Gappa and Coq, and C, by Frama-C
   fuzz          Search inputs that break a law of the kernel or a reader of files, by libFuzzer
-  board         Build the firmware of a board with a display: rp2040
+  board         Build the firmware of a board with a display, or of a console: rp2040, gba
   conform       Compare the results of every model, bit by bit, with the conformance vectors
   measure       Measure errors, and costs on every target; compare them with the record, or write it
   pictures      Take the pictures of the demo for the documents again

@@ -1,11 +1,11 @@
 /* Runs a cartridge of a Game Boy Advance in mGBA, without a window, and prints what the program has put into its
  * memory, with the pixels that the screen then has.
  *
- *     gba CARTRIDGE REFRESHES PRESS [FOLDER EVERY]
+ *     gba CARTRIDGE REFRESHES PRESS [FILE REFRESH]
  *
  * After each refresh of the display in which a picture is new, a line has the numbers of the program's mailbox, and the
- * bits of the sprite's pixels as hexadecimal words. Button A is down during the refresh PRESS. With a folder, the screen is
- * written to it as a PPM after every EVERY-th refresh, with the objects.
+ * bits of the sprite's pixels as hexadecimal words. Button A is down for eight refreshes from PRESS on. With a file, the whole
+ * screen after the refresh REFRESH is written to it as a PPM.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,9 +26,7 @@ static void silent(struct mLogger *logger, int category, enum mLogLevel level, c
     (void) logger; (void) category; (void) level; (void) format; (void) words;
 }
 
-static int picture(const color_t *pixels, const char *folder, int number) {
-    char name[4096];
-    snprintf(name, sizeof name, "%s/%05d.ppm", folder, number);
+static int write_screen(const color_t *pixels, const char *name) {
     FILE *file = fopen(name, "wb");
     if (!file) { perror(name); return 1; }
     fprintf(file, "P6\n%d %d\n255\n", WIDTH, HEIGHT);
@@ -42,7 +40,7 @@ static int picture(const color_t *pixels, const char *folder, int number) {
 }
 
 int main(int count, char **words) {
-    if (count != 4 && count != 6) { fprintf(stderr, "usage: gba CARTRIDGE REFRESHES PRESS [FOLDER EVERY]\n"); return 2; }
+    if (count != 4 && count != 6) { fprintf(stderr, "usage: gba CARTRIDGE REFRESHES PRESS [FILE REFRESH]\n"); return 2; }
     static color_t pixels[WIDTH * HEIGHT];
     struct mLogger logger = { .log = silent };
     mLogSetDefaultLogger(&logger);
@@ -54,7 +52,6 @@ int main(int count, char **words) {
     mCoreLoadConfig(core);
     if (!mCoreLoadFile(core, words[1])) { fprintf(stderr, "%s: cannot be loaded\n", words[1]); return 1; }
     core->reset(core);
-    printf("cycles %d\n", core->frameCycles(core));
     const int refreshes = atoi(words[2]), press = atoi(words[3]);
     unsigned shown = 0;
     for (int refresh = 0; refresh < refreshes; ++refresh) {
@@ -62,7 +59,7 @@ int main(int count, char **words) {
         core->runFrame(core);
         unsigned mailbox[4];
         for (int i = 0; i < 4; ++i) { mailbox[i] = core->busRead32(core, MAILBOX + 4 * i); }
-        if (count == 6 && refresh % atoi(words[5]) == 0 && picture(pixels, words[4], refresh)) { return 1; }
+        if (count == 6 && refresh == atoi(words[5]) && write_screen(pixels, words[4])) { return 1; }
         if (mailbox[0] == shown) { continue; }
         shown = mailbox[0];
         printf("picture %d", refresh);

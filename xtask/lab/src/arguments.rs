@@ -24,7 +24,7 @@ pub(crate) enum Request {
     Pictures,
     /// Draw the pictures of renderers that are not the project's
     Renderers,
-    /// Build the firmware of a board with a display: rp2040
+    /// Build the firmware of a board with a display, or of a console: rp2040, gba
     Board(DeviceOptions),
     /// Time frames of the demo and of three.js without a GPU, in one run
     Rivals,

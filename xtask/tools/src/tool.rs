@@ -53,6 +53,8 @@ pub const QEMU: Tool = tool(
     "qemu",
     "SoftwareFreedomConservancy.QEMU",
 );
+/// Emulates a Game Boy Advance, as a library of C.
+pub const MGBA: Tool = debian(&["/usr/include/mgba/core/core.h"], &["libmgba-dev"]);
 /// Proves bounds of errors.
 pub const GAPPA: Tool = debian(&["gappa"], &["gappa", "coq", "libcoq-gappa"]);
 /// Checks the proofs.

@@ -17,6 +17,8 @@ use crate::{command, install, project};
 
 /// Debian's compiler for web browsers: recent, and with its library's source as a package.
 const DEBIAN_PACKAGES: [&str; 4] = ["rustc-web", "rust-web-src", "cargo-web", "lld"];
+/// Targets of tier 3: rustup has no standard library for them.
+const FROM_SOURCE: [&str; 1] = ["armv4t-none-eabi"];
 const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 
 /// A target, and where its standard library comes from.
@@ -131,7 +133,11 @@ fn remedy(target: &str, system: System) -> String {
         System::Linux => format!(", or on Debian, as root, `apt-get install {packages}`"),
         System::Mac | System::Windows => String::new(),
     };
-    format!("`rustup target add {target}`{debian}")
+    let rustup = match FROM_SOURCE.contains(&target) {
+        true => "component add rust-src".to_owned(),
+        false => format!("target add {target}"),
+    };
+    format!("`rustup {rustup}`{debian}")
 }
 
 fn active_rustc() -> PathBuf {
@@ -195,5 +201,6 @@ mod tests {
         for (system, words) in [(System::Linux, &*linux), (System::Mac, rustup), (System::Windows, rustup)] {
             assert_eq!(remedy("thumbv7m-none-eabi", system), words, "{system:?}");
         }
+        assert_eq!(remedy("armv4t-none-eabi", System::Mac), "`rustup component add rust-src`");
     }
 }

@@ -7,9 +7,8 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use object::LittleEndian;
-use object::elf::{FileHeader32, PT_LOAD};
-use object::read::elf::{FileHeader, ProgramHeader};
+
+use super::elf::segments;
 
 /// The bytes of flash in a block.
 const PAGE: u32 = 256;
@@ -29,14 +28,8 @@ pub(super) fn image(file: &Path) -> Result<Vec<u8>> {
 /// The pages of a program by their addresses. Bytes that the program does not use are zero.
 fn pages(elf: &[u8]) -> Result<BTreeMap<u32, [u8; PAGE as usize]>> {
     let mut pages = BTreeMap::new();
-    let header = FileHeader32::<LittleEndian>::parse(elf)?;
-    let endian = header.endian()?;
-    for segment in header.program_headers(endian, elf)? {
-        if segment.p_type(endian) != PT_LOAD {
-            continue;
-        }
-        let data = segment.data(endian, elf).ok().context("a segment is not in the file")?;
-        for (address, &byte) in (segment.p_paddr(endian)..).zip(data) {
+    for (start, data) in segments(elf)? {
+        for (address, &byte) in (start..).zip(data) {
             let page = pages.entry(address / PAGE * PAGE).or_insert([0; PAGE as usize]);
             page[(address % PAGE) as usize] = byte;
         }

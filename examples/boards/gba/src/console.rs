@@ -12,7 +12,8 @@ pub(crate) const HEIGHT: usize = 160;
 
 // The header of a cartridge, and the start: it lets the cartridge wait as short as usual ones can, copies what is beside
 // the processor, and the table to the other memory. The console compares 156 bytes of the header with its maker's logo,
-// which is not here; emulators start without it.
+// which is not here; emulators start without it. The check of the
+// header, at 0xbd, is that of the command that writes the cartridge.
 global_asm!(
     r#"
     .section .start, "ax"
@@ -25,9 +26,8 @@ start:
     .ascii "CLME00"
     .byte 0x96, 0, 0
     .space 7
-    .byte 0, CHECK
+    .byte 0, 0
     .space 2
-    .equ CHECK, 0
 begin:
     ldr r0, =0x04000204
     ldr r1, =0x4317

@@ -20,7 +20,11 @@ impl Lights {
     pub fn at(time: u32) -> Self {
         let (first, second) = (time.wrapping_mul(256), time.wrapping_mul(192));
         let positions = [
-            Vec3::new(wave(first + 0x4000, 290_000), wave(first, 230_000), height(first.wrapping_mul(2))),
+            Vec3::new(
+                wave(first.wrapping_add(0x4000), 290_000),
+                wave(first, 230_000),
+                height(first.wrapping_mul(2)),
+            ),
             Vec3::new(
                 wave(0x9000_u32.wrapping_sub(second), 320_000),
                 wave(0x5000_u32.wrapping_sub(second), 190_000),
@@ -47,7 +51,7 @@ pub fn place(pixel: i32) -> Length {
 /// Returns a sine by 65,536ths of a turn, interpolated linearly, with this amplitude.
 fn wave(turn: u32, amplitude: i32) -> Length {
     let sine = |turn: u32| i32::from(SINE[(turn >> 8 & 0xff) as usize]);
-    let (from, to) = (sine(turn), sine(turn + 0x100));
+    let (from, to) = (sine(turn), sine(turn.wrapping_add(0x100)));
     let between = from + (((to - from) * (turn & 0xff) as i32) >> 8);
     Length::from_bits(((amplitude >> 4) * between) >> 10)
 }

@@ -202,6 +202,17 @@ fn pixels_of_both_modes_are_those_of_the_exact_light() {
 }
 
 #[test]
+fn lights_stay_in_their_domain_at_all_times() {
+    for time in (0..4_096).chain(u32::MAX - 4_096..=u32::MAX) {
+        for Vec3 { x, y, z } in Lights::at(time).1 {
+            let [x, y, z] = [x, y, z].map(Length::to_f64);
+            let is_inside = x.abs() <= 4.9 && y.abs() <= 3.6 && (f64::from(NEAREST)..=4.25).contains(&z);
+            assert!(is_inside, "{time}: ({x}, {y}, {z})");
+        }
+    }
+}
+
+#[test]
 fn transparent_pixels_keep_their_values_in_both_modes() {
     let sprite = Sprite::new();
     let mut opaque = [false; SIDE * SIDE];
