@@ -115,10 +115,10 @@ fn remarks(pictures: &[Picture]) -> Result<Vec<String>> {
         (Vec::new(), format!("gba: {} pixels, 0 differ", pictures.len() * SIDE * SIDE));
     for (mode, name) in MODES.iter().enumerate() {
         let of_mode: Vec<_> = pictures.iter().filter(|picture| picture.mode == mode).collect();
-        let [first, .., last] = of_mode[..] else { anyhow::bail!("{name}: expected pictures") };
+        let [first, .., end] = of_mode[..] else { anyhow::bail!("{name}: expected pictures") };
         let each =
             of_mode.iter().map(|picture| f64::from(picture.cycles)).sum::<f64>() / of_mode.len() as f64;
-        let rate = (of_mode.len() - 1) as f64 / f64::from(last.refresh - first.refresh) * CLOCK / CYCLES;
+        let rate = (of_mode.len() - 1) as f64 / f64::from(end.refresh - first.refresh) * CLOCK / CYCLES;
         // Of the opaque ones: the others take none.
         let pixel = each / WORDS.len() as f64;
         lines.push(format!("{name}: {pixel:.1} cycles a pixel, {rate:.1} pictures a second"));

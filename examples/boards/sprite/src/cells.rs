@@ -126,22 +126,17 @@ pub fn draw<const N: usize>(
     }
     let cells = cells::<N>(sprite.spans);
     let (mut words, mut spans) = (sprite.words, sprite.spans);
-    let (mut here, mut lower) = ([0; CORNERS], [0; CORNERS]);
+    let mut corners = Corners::default();
     for band in 0..SIDE / N {
         let [above, [first, end], below] = [0, 1, 2].map(|i| cells[band + i]);
         if above == NONE && end > 0 {
-            corners::<N>(lights, band, first..end + 1, &mut lower);
+            corners.lower::<N>(lights, band, first..end + 1);
         }
-        (here, lower) = (lower, here);
         if end > 0 {
-            corners::<N>(lights, band + 1, first.min(below[0])..end.max(below[1]) + 1, &mut lower);
-        }
-        let mut steps = [0; CORNERS];
-        for i in first..=end {
-            steps[i % CORNERS] = between::<N>(here[i % CORNERS], lower[i % CORNERS]);
+            corners.lower::<N>(lights, band + 1, first.min(below[0])..end.max(below[1]) + 1);
         }
         for row in N * band..N * (band + 1) {
-            expand::<N>(&mut here, &steps, first..end, &mut columns);
+            expand::<N>(&mut corners.here, first..end, &mut columns);
             while let Some((span, rest)) = spans.split_first()
                 && usize::from(span.y) == row
             {
@@ -177,30 +172,69 @@ fn cells<const N: usize>(spans: &[Span]) -> [[usize; 2]; CORNERS + 1] {
     cells
 }
 
+/// The light at a corner of cells, in a row of pixels, and its step to the next row.
+#[derive(Clone, Copy, Default)]
+struct Corner {
+    light: Both,
+    step: Both,
+}
+
+impl Corner {
+    /// Returns the light, and moves to the next row.
+    #[inline(always)]
+    fn next(&mut self) -> Both {
+        let light = self.light;
+        self.light = light.wrapping_add(self.step);
+        light
+    }
+}
+
+/// A row of corners, where they are in the rows of pixels below it.
+#[derive(Default)]
+struct Corners {
+    here: [Corner; CORNERS],
+    /// The light at the next row of corners.
+    lower: [Both; CORNERS],
+    /// Room for the irradiances of each light.
+    arrived: [[Light16; CORNERS]; 2],
+}
+
+impl Corners {
+    /// Moves some corners to the next row of corners, whose lower neighbours are in `row`.
+    #[inline(never)]
+    fn lower<const N: usize>(&mut self, lights: &Lights, row: usize, range: Range<usize>) {
+        let start = range.start;
+        let (Some(here), Some(lower)) = (self.here.get_mut(range.clone()), self.lower.get_mut(range)) else {
+            return;
+        };
+        for (light, arrived) in lights.0.iter().zip(&mut self.arrived) {
+            fill::<N>(light, [start, row], arrived.get_mut(..lower.len()).unwrap_or_default());
+        }
+        let [first, second] = &self.arrived;
+        for (((here, lower), first), second) in here.iter_mut().zip(lower).zip(first).zip(second) {
+            let below = scaled::<N>(*first) << 16 | scaled::<N>(*second);
+            *here = Corner { light: *lower, step: between::<N>(*lower, below) };
+            *lower = below;
+        }
+    }
+}
+
 /// Sets the light of the columns of some cells between corners, and moves the corners to the next row.
-#[inline(always)]
+// A function of its own, whose numbers fit the registers.
+#[inline(never)]
 fn expand<const N: usize>(
-    here: &mut [Both; CORNERS],
-    steps: &[Both; CORNERS],
+    corners: &mut [Corner; CORNERS],
     cells: Range<usize>,
     columns: &mut [Column; SIDE],
 ) {
-    let (Some(here), Some(steps), (columns, [])) = (
-        here.get_mut(cells.start..=cells.end),
-        steps.get(cells.start..=cells.end),
-        columns.as_chunks_mut::<N>(),
-    ) else {
+    let columns = columns.as_chunks_mut::<N>().0.get_mut(cells.clone()).unwrap_or_default();
+    let Some((first, corners)) = corners.get_mut(cells.start..).and_then(<[_]>::split_first_mut) else {
         return;
     };
-    let columns = columns.get_mut(cells).unwrap_or_default();
-    let mut corners = here.iter_mut().zip(steps);
-    let Some((first, step)) = corners.next() else { return };
-    let mut from = *first;
-    *first = from.wrapping_add(*step);
-    for (columns, (corner, step)) in columns.iter_mut().zip(corners) {
-        let (to, mut light) = (*corner, from);
-        *corner = to.wrapping_add(*step);
-        let step = between::<N>(from, to);
+    let mut from = first.next();
+    for (columns, corner) in columns.iter_mut().zip(corners) {
+        let to = corner.next();
+        let (mut light, step) = (from, between::<N>(from, to));
         for column in columns {
             column.light = light;
             light = light.wrapping_add(step);
@@ -217,20 +251,6 @@ fn between<const N: usize>(from: Both, to: Both) -> Both {
     let lower = (to & 0xffff) as i32 - (from & 0xffff) as i32;
     let upper = difference.wrapping_sub(lower as u32) as i32;
     ((upper >> N.ilog2()) as u32 & 0xffff_0000).wrapping_add((lower >> N.ilog2()) as u32)
-}
-
-/// Sets the light of some corners in a row of corners.
-#[inline(never)]
-fn corners<const N: usize>(lights: &Lights, row: usize, range: Range<usize>, corners: &mut [Both; CORNERS]) {
-    let [mut first, mut second] = [[Light16::ZERO; CORNERS]; 2];
-    let start = range.start;
-    let corners = corners.get_mut(range).unwrap_or_default();
-    for (light, arrived) in lights.0.iter().zip([&mut first, &mut second]) {
-        fill::<N>(light, [start, row], arrived.get_mut(..corners.len()).unwrap_or_default());
-    }
-    for ((corner, first), second) in corners.iter_mut().zip(first).zip(second) {
-        *corner = scaled::<N>(first) << 16 | scaled::<N>(second);
-    }
 }
 
 /// Sets the irradiances of the plane at corners.
