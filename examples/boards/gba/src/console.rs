@@ -3,7 +3,7 @@
 use core::arch::global_asm;
 use core::ptr::{read_volatile, write_volatile};
 
-use luminaire_sprite::{measures::SIDE, shown::LAMPS};
+use luminaire_sprite::{Span, measures::SIDE, shown::LAMPS};
 
 /// The width of the screen in pixels.
 pub(crate) const WIDTH: usize = 240;
@@ -145,20 +145,24 @@ impl Console {
         self.cycles() / 280_896
     }
 
-    /// Waits until the display is between two refreshes, and copies a picture to it. The lamps are at the pixels of the
+    /// Waits until the display is between two refreshes, and copies the opaque pixels of a picture to it. The lamps are at the pixels of the
     /// lights, and the bar below the picture has dots of the size of a pixel or of a cell.
     pub(crate) fn show(
         &mut self,
         picture: &[u16; SIDE * SIDE],
+        spans: &[Span],
         [left, top]: [usize; 2],
         lights: [[i32; 2]; 2],
         [time, mode, cycles]: [u32; 3],
     ) {
         // All of this takes less than twelve lines of the 68 without a picture.
         while !(160..216).contains(&read(REGISTERS + 6)) {}
-        for (y, row) in picture.chunks_exact(SIDE).enumerate() {
-            let to = SCREEN + 2 * (WIDTH * (top + y) + left);
-            copy(row, to);
+        for span in spans {
+            let y = usize::from(span.y);
+            // Pairs of pixels: those beside the opaque ones are black in both.
+            let (start, end) = (usize::from(span.start) & !1, usize::from(span.end).next_multiple_of(2));
+            let to = SCREEN + 2 * (WIDTH * (top + y) + left + start);
+            copy(picture.get(SIDE * y + start..SIDE * y + end).unwrap_or_default(), to);
         }
         for (i, [x, y]) in lights.into_iter().enumerate() {
             // The console takes an object's place modulo 256 rows and 512 columns.
@@ -186,12 +190,12 @@ fn bar([left, top]: [usize; 2], width: usize) {
     }
 }
 
-/// Copies a row of pixels by the DMA, 32 bits at a time; the processor waits.
+/// Copies an even number of neighbouring pixels by the DMA, 32 bits at a time; the processor waits.
 fn copy(row: &[u16], to: usize) {
     let (from, count) = (row.as_ptr() as usize, row.len() / 2);
     for (register, value) in [(0xd4, from), (0xd8, to), (0xdc, 0x8400_0000 | count)] {
-        // SAFETY: the DMA reads the row, which is aligned as `chunks_exact` of an even number leaves it, and writes the
-        // memory of the display.
+        // SAFETY: the DMA reads the pixels, of which the first is at an even place and so aligned, and writes the memory of
+        // the display.
         unsafe { write_volatile((REGISTERS + register) as *mut u32, value as u32) }
     }
 }

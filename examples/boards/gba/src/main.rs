@@ -48,7 +48,7 @@ extern "C" fn main() -> ! {
             cells::draw::<4>(&sprite, &lights, picture, run::run);
         }
         let cycles = console.cycles().wrapping_sub(cycles);
-        console.show(picture, CORNER, lights.pixels(), [time, is_pointwise.into(), cycles]);
+        console.show(picture, sprite.spans, CORNER, lights.pixels(), [time, is_pointwise.into(), cycles]);
     }
 }
 
