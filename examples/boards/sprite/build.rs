@@ -34,7 +34,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let sine = (0..256).map(|i| (f64::from(1 << 14) * (TAU * f64::from(i) / 256.0).sin()).round());
     write("sine.rs", &list(sine.map(|sine| sine as i16)))?;
     let lights: Vec<f32> = (0..LEVELS).map(light_of).collect();
-    write("levels.rs", &list((0..STEPS).map(|step| level((step as f32 + 0.5) / 2_048.0, &lights))))?;
+    let levels = (0..STEPS).map(|step| level((step as f32 + 0.5) / 2_048.0, &lights));
+    write("levels.rs", &list(levels.chain([0; STEPS])))?;
     write("pixels.rs", &list(pixels(&sprite, &lights)))?;
     write("lamps.rs", &list(COLORS.map(|[red, green, blue]| shown(Rgb::new(red, green, blue)))))
 }

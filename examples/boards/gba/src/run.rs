@@ -37,7 +37,7 @@ pub(crate) fn run(run: Run<'_>) {
         table: shown.pixels.as_ptr(),
     };
     // SAFETY: the words, the columns and the pixels are as many, and the mark of the last word ends the loop after it. The
-    // upper 12 bits of a product are an index of the levels; those of a material and two levels have 15.
+    // upper 13 bits of a product are an index of the levels; those of a material and two levels have 15.
     unsafe { draw(&raw const registers) }
 }
 
@@ -62,12 +62,10 @@ unsafe extern "C" fn draw(registers: *const Registers) {
         "mla r9, r4, r11, r9",
         "lsr r10, r8, #16",
         "eor r8, r8, r10, lsl #16",
-        "bic r12, lr, lr, asr #31", // a surface that faces away is dark
-        "bic r11, r9, r9, asr #31",
-        "mul lr, r12, r10",
-        "mul r9, r11, r8",
-        "ldrb r10, [r5, lr, lsr #20]",
-        "ldrb r9, [r5, r9, lsr #20]",
+        "mul r12, lr, r10",
+        "mul r11, r9, r8",
+        "ldrb r10, [r5, r12, lsr #19]", // a surface that faces away is dark by the table's upper half
+        "ldrb r9, [r5, r11, lsr #19]",
         "and r8, r7, #7",
         "and r11, r7, #0xf8",
         "add r10, r10, r8",

@@ -38,7 +38,7 @@ use crate::{
 /// The most corners in a row of cells of at least 4 pixels.
 const CORNERS: usize = SIDE / 4 + 1;
 
-/// The light of both lights at a place, with 15 fraction bits each: the first in the upper half. Every number stays in its
+/// The light of both lights at a place, with 14 fraction bits each: the first in the upper half. Every number stays in its
 /// half, so that one addition is that of both.
 type Both = u32;
 
@@ -52,7 +52,7 @@ const MORE_BITS: u32 = 9;
 #[derive(Clone, Copy, Default, Debug)]
 #[repr(C)]
 pub struct Column {
-    /// The light of both lights on the plane, with 15 fraction bits: that of the first in the upper half.
+    /// The light of both lights on the plane, with 14 fraction bits: that of the first in the upper half.
     pub light: Both,
     /// The tilts `o.x / o.z` of both lights, with 9 fraction bits.
     pub tilt: [i32; 2],
@@ -80,8 +80,9 @@ pub fn run(run: Run<'_>) {
     for ((word, column), to) in words.iter().zip(columns).zip(pixels) {
         let [nx, ny] = word.across();
         let steps = |tilt_x: i32, tilt_y: i32, light: u32| {
+            // A product whose sign is set is dark by the table, which takes no instruction.
             let tilt = word.toward() + nx * tilt_x + ny * tilt_y;
-            (tilt.max(0) as u32).wrapping_mul(light) >> 20
+            tilt.wrapping_mul(light as i32) as u32 >> 19
         };
         let first = steps(column.tilt[0], tilt_y[0], column.light >> 16);
         let second = steps(column.tilt[1], tilt_y[1], column.light & 0xffff);
@@ -127,34 +128,38 @@ pub fn draw<const N: usize>(
     let cells = cells::<N>(sprite.spans);
     let (mut words, mut spans) = (sprite.words, sprite.spans);
     let mut corners = Corners::default();
-    for band in 0..SIDE / N {
-        let [above, [first, end], below] = [0, 1, 2].map(|i| cells[band + i]);
-        if above == NONE && end > 0 {
-            corners.lower::<N>(lights, band, first..end + 1);
-        }
-        if end > 0 {
-            corners.lower::<N>(lights, band + 1, first.min(below[0])..end.max(below[1]) + 1);
-        }
-        for row in N * band..N * (band + 1) {
-            expand::<N>(&mut corners.here, first..end, &mut columns);
-            while let Some((span, rest)) = spans.split_first()
-                && usize::from(span.y) == row
-            {
-                spans = rest;
-                let (start, end) = (usize::from(span.start), usize::from(span.end));
-                let (Some((now, rest)), Some(columns), Some(pixels)) = (
-                    words.split_at_checked(end.saturating_sub(start)),
-                    columns.get(start..end),
-                    pixels.get_mut(SIDE * row + start..SIDE * row + end),
-                ) else {
-                    return;
-                };
-                words = rest;
-                let tilt = y.map(|tilt| tilt >> MORE_BITS);
-                run(Run { words: now, columns, tilt, shown: sprite.shown, pixels });
+    let mut range = 0..0;
+    // Not a loop over the rows of each band, which the compiler would unroll: 2 kB more beside the processor.
+    for row in 0..SIDE {
+        if row % N == 0 {
+            let band = row / N;
+            let [above, [first, end], below] = [0, 1, 2].map(|i| cells[band + i]);
+            if above == NONE && end > 0 {
+                corners.lower::<N>(lights, band, first..end + 1);
             }
-            y = [y[0] - a.step, y[1] - b.step];
+            if end > 0 {
+                corners.lower::<N>(lights, band + 1, first.min(below[0])..end.max(below[1]) + 1);
+            }
+            range = first..end;
         }
+        expand::<N>(&mut corners.here, range.clone(), &mut columns);
+        while let Some((span, rest)) = spans.split_first()
+            && usize::from(span.y) == row
+        {
+            spans = rest;
+            let (start, end) = (usize::from(span.start), usize::from(span.end));
+            let (Some((now, rest)), Some(columns), Some(pixels)) = (
+                words.split_at_checked(end.saturating_sub(start)),
+                columns.get(start..end),
+                pixels.get_mut(SIDE * row + start..SIDE * row + end),
+            ) else {
+                return;
+            };
+            words = rest;
+            let tilt = y.map(|tilt| tilt >> MORE_BITS);
+            run(Run { words: now, columns, tilt, shown: sprite.shown, pixels });
+        }
+        y = [y[0] - a.step, y[1] - b.step];
     }
 }
 
@@ -261,11 +266,11 @@ fn fill<const N: usize>(light: &CompiledPointLight<Fx16>, [first, y]: [usize; 2]
     row.fill(light, first, arrived);
 }
 
-/// Returns light with 15 fraction bits, times 128/127 because of the unit of normals, at most the last below 2.
+/// Returns light with 14 fraction bits, times 128/127 because of the unit of normals, at most the last below 2.
 ///
 /// A step between corners is rounded down, in both directions, by less than 1: `2 N` more keep the light positive.
 #[inline(always)]
 fn scaled<const N: usize>(light: Light16) -> u32 {
     let light = light.to_bits();
-    ((light << 1) + (light >> 6) + 2 * N as u32).min(0xffff)
+    (light + (light >> 7) + 2 * N as u32).min(0x7fff)
 }

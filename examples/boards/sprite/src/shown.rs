@@ -14,7 +14,9 @@ use crate::{
 pub type Pixels = [u16; MATERIALS * LEVELS * LEVELS];
 
 /// The level of a light with three fraction bits, by its steps.
-pub type Steps = [u8; STEPS];
+///
+/// The upper half is for steps that are negative, modulo twice as many: a surface that faces away is dark.
+pub type Steps = [u8; 2 * STEPS];
 
 /// The pixels, with blue in the upper bits, as the console has them.
 #[allow(
@@ -54,13 +56,14 @@ impl Default for Shown<'static> {
 }
 
 impl Shown<'_> {
-    /// Returns the pixel that the steps of two lights have, each below [`STEPS`].
+    /// Returns the pixel that the steps of two lights have: each below [`STEPS`], or from there on to twice as
+    /// many and dark.
     ///
     /// The second light has the complementary threshold: where the first is rounded up, it is rounded down, so that their
     /// sum is rougher by neither.
     #[inline(always)]
     pub fn pixel(&self, word: Word, [first, second]: [u32; 2]) -> u16 {
-        let level = |steps: u32| u32::from(self.levels[steps as usize % STEPS]);
+        let level = |steps: u32| u32::from(self.levels[steps as usize % (2 * STEPS)]);
         let threshold = word.threshold();
         let (first, second) = (level(first) + threshold, level(second) + (threshold ^ 7));
         let index = word.material() << 7 | (first & 0xf8) << 2 | second >> 3 & 0x1f;

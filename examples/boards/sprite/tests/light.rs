@@ -115,8 +115,8 @@ fn cell_errors<const N: usize>() -> [f64; 2] {
             for (i, position) in lights.1.into_iter().enumerate() {
                 let light = [column.light >> 16, column.light & 0xffff][i];
                 let found = (nx * column.tilt[i] + ny * tilt_y[i] + (nz << 9)).max(0);
-                // 9 bits of the tilt, 7 of the normal and 15 of the light.
-                let found = f64::from(found) * f64::from(light) / f64::from(1_u32 << 31);
+                // 9 bits of the tilt, 7 of the normal and 14 of the light.
+                let found = f64::from(found) * f64::from(light) / f64::from(1_u32 << 30);
                 let tilt = tilt(*pixel, word, position);
                 let (exact, between) = (flat(*pixel, position), interpolated::<N>(*pixel, position));
                 let apart = (tilt * (between - exact)).abs();
@@ -125,7 +125,7 @@ fn cell_errors<const N: usize>() -> [f64; 2] {
                 // A tilt errs by half of 2^-9 in x and y, and the sum of 64 steps by 2^-12; light by the kernel's error
                 // and by the 2 N units that are added before the steps lose as many.
                 let ends = (std::f64::consts::SQRT_2 + 0.25) / 1_024.0 * (exact + bound);
-                let light = (kernel() + 2.0 * N as f64 / 32_768.0) * tilt;
+                let light = (kernel() + 2.0 * N as f64 / 16_384.0) * tilt;
                 let (error, rounded) = ((found - tilt * between).abs(), ends + light);
                 assert!(error <= rounded, "{pixel:?}, {position:?}: errs by {error} > {rounded}");
                 worst = [worst[0].max((found - tilt * exact).abs()), worst[1].max(error)];
@@ -184,7 +184,7 @@ fn pixels_of_both_modes_are_those_of_the_exact_light() {
                 let interpolation = bound::<4>(tilt, position);
                 interpolation
                     + 1.7 / 1_024.0 * (flat + interpolation)
-                    + (kernel() + 8.0 / 32_768.0) * tilt
+                    + (kernel() + 8.0 / 16_384.0) * tilt
                     + step
             };
             check(&sprite, *pixel, *word, at(&bound), cellwise);
