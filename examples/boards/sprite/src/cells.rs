@@ -119,8 +119,8 @@ pub fn draw<const N: usize>(
 ) {
     const { assert!(matches!(N, 4 | 8), "N is 4 or 8") };
     let [a, b] = lights.1.map(Tilt::new);
-    let mut columns = [Column::default(); SIDE];
     let (mut x, mut y) = ([a.x, b.x], [a.y, b.y]);
+    let mut columns = [Column::default(); SIDE];
     for column in &mut columns {
         column.tilt = x.map(|tilt| tilt >> MORE_BITS);
         x = [x[0] - a.step, x[1] - b.step];
@@ -170,9 +170,10 @@ const NONE: [usize; 2] = [CORNERS - 1, 0];
 fn cells<const N: usize>(spans: &[Span]) -> [[usize; 2]; CORNERS + 1] {
     let mut cells = [NONE; CORNERS + 1];
     for span in spans {
-        let [first, end] = &mut cells[(usize::from(span.y) / N + 1) % (CORNERS + 1)];
-        *first = (*first).min(usize::from(span.start) / N);
-        *end = (*end).max(usize::from(span.end).div_ceil(N)).min(CORNERS - 1);
+        if let Some([first, end]) = cells.get_mut(usize::from(span.y) / N + 1) {
+            *first = (*first).min(usize::from(span.start) / N);
+            *end = (*end).max(usize::from(span.end).div_ceil(N));
+        }
     }
     cells
 }
@@ -252,10 +253,11 @@ fn expand<const N: usize>(
 #[inline(always)]
 fn between<const N: usize>(from: Both, to: Both) -> Both {
     // In each half the difference has a sign, and that of the lower half borrows from the upper one.
-    let difference = to.wrapping_sub(from);
-    let lower = (to & 0xffff) as i32 - (from & 0xffff) as i32;
-    let upper = difference.wrapping_sub(lower as u32) as i32;
-    ((upper >> N.ilog2()) as u32 & 0xffff_0000).wrapping_add((lower >> N.ilog2()) as u32)
+    let difference = to.wrapping_sub(from) as i32;
+    let lower = difference << 16;
+    let upper = difference.wrapping_sub(lower >> 16);
+    let [upper, lower] = [upper, lower].map(|half| half >> (16 + N.ilog2()));
+    (lower as u32).wrapping_add((upper as u32) << 16)
 }
 
 /// Sets the irradiances of the plane at corners.
