@@ -19,7 +19,7 @@ const PRESS: u32 = 300;
 const CLOCK: f64 = 16_777_216.0;
 const CYCLES: f64 = 280_896.0;
 /// The refresh of a screenshot, in the first mode, and the side of a pixel in it.
-const SHOWN: u32 = 117;
+const SHOWN: u32 = 93;
 const SCALE: usize = 3;
 
 /// The two modes, as the program's mailbox has them.

@@ -13,8 +13,8 @@ pub const MATERIALS: usize = 32;
 pub const STEPS: usize = 4_096;
 /// The linear colours of the two lights.
 pub const COLORS: [[f32; 3]; 2] = [[1.0, 0.62, 0.26], [0.3, 0.6, 1.0]];
-/// The intensity of each light: full scale at a distance of 3.2 units.
-pub const INTENSITY: f32 = 10.0;
+/// The intensity of each light: full scale at a distance of 3.5 units.
+pub const INTENSITY: f32 = 12.0;
 /// The ambient light.
 pub const AMBIENT: [f32; 3] = [0.012, 0.012, 0.02];
 /// The nearest that a light comes to the plane of the sprite, in units.

@@ -15,7 +15,7 @@ type Pixels = [u16; SIDE * SIDE];
 /// What an opaque pixel of 15 bits never has.
 const UNTOUCHED: u16 = 0xbeef;
 
-/// The largest light of a pixel: 10 / 2.75^2.
+/// The largest light of a pixel: 12 / 2.75^2.
 fn most() -> f64 {
     f64::from(INTENSITY) / f64::from(NEAREST).powi(2)
 }
