@@ -20,7 +20,7 @@ use luminaire::{
 };
 
 use convert::{Converted, Picture};
-use measures::{AMBIENT, COLORS, INTENSITY, LEVELS, MATERIALS, SIDE, STEPS};
+use measures::{AMBIENT, COLORS, INTENSITY, LIGHT_LEVELS, MATERIALS, SIDE, STEPS};
 
 fn main() -> Result<(), Box<dyn Error>> {
     for file in ["art", "build.rs", "convert.rs", "src/measures.rs"] {
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     write("light.rs", &as_source(&light.compile::<Fx16>()?).to_string())?;
     let sine = (0..256).map(|i| (f64::from(1 << 14) * (TAU * f64::from(i) / 256.0).sin()).round());
     write("sine.rs", &list(sine.map(|sine| sine as i16)))?;
-    let lights: Vec<f32> = (0..LEVELS).map(light_of).collect();
+    let lights: Vec<f32> = (0..LIGHT_LEVELS).map(light_of).collect();
     let levels = (0..STEPS).map(|step| level((step as f32 + 0.5) / 2_048.0, &lights));
     write("levels.rs", &list(levels.chain([0; STEPS])))?;
     write("pixels.rs", &list(pixels(&sprite, &lights)))?;
@@ -54,17 +54,17 @@ fn level(light: f32, lights: &[f32]) -> u8 {
 
 /// The pixels of all materials under all levels of both lights, with blue in the upper bits.
 fn pixels(sprite: &Converted, lights: &[f32]) -> Vec<u16> {
-    let mut pixels = vec![0; MATERIALS * LEVELS * LEVELS];
+    let mut pixels = vec![0; MATERIALS * LIGHT_LEVELS * LIGHT_LEVELS];
     for ((material, first), second) in (0..sprite.materials.len())
-        .flat_map(|m| (0..LEVELS).map(move |i| (m, i)))
-        .flat_map(|i| (0..LEVELS).map(move |j| (i, j)))
+        .flat_map(|m| (0..LIGHT_LEVELS).map(move |i| (m, i)))
+        .flat_map(|i| (0..LIGHT_LEVELS).map(move |j| (i, j)))
     {
         let [color, glow]: [[f32; 3]; 2] = sprite.materials[material].map(|codes| codes.map(decode_srgb));
         let channel = |c: usize| {
             let arrived = AMBIENT[c] + lights[first] * COLORS[0][c] + lights[second] * COLORS[1][c];
             glow[c] + color[c] * arrived
         };
-        pixels[(material * LEVELS + first) * LEVELS + second] =
+        pixels[(material * LIGHT_LEVELS + first) * LIGHT_LEVELS + second] =
             shown(Rgb::new(channel(0), channel(1), channel(2)));
     }
     pixels

@@ -11,7 +11,7 @@ const END: u32 = 1 << 8;
 /// The sprite's numbers.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Converted {
-    /// The opaque pixels: `sprite::Word` has the layout.
+    /// The opaque pixels: `word::Word` has the layout.
     pub(crate) words: Vec<u32>,
     /// Where they are: row, first column, the column after the last.
     pub(crate) spans: Vec<[usize; 3]>,

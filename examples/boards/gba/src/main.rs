@@ -25,13 +25,13 @@ const CORNER: [usize; 2] = [(console::WIDTH - SIDE) / 2, (console::HEIGHT - SIDE
 #[unsafe(link_section = ".far")]
 static TABLE: Pixels = PIXELS;
 
-static LEVELS: luminaire_sprite::shown::Steps = LEVEL;
+static LEVEL_TABLE: luminaire_sprite::shown::Steps = LEVEL;
 
 /// Draws pictures for ever.
 #[unsafe(no_mangle)]
 extern "C" fn main() -> ! {
     let mut console = Console::take();
-    let sprite = Sprite { words: &WORDS, spans: &SPANS, shown: Shown { pixels: &TABLE, levels: &LEVELS } };
+    let sprite = Sprite { words: &WORDS, spans: &SPANS, shown: Shown { pixels: &TABLE, levels: &LEVEL_TABLE } };
     let picture = console.picture();
     let mut buttons = Buttons::default();
     let mut is_pointwise = false;

@@ -32,7 +32,8 @@ use crate::{
     measures::{PIXEL_BITS, SIDE},
     scene::{Lights, place},
     shown::Shown,
-    sprite::{Span, Sprite, Word},
+    sprite::{Span, Sprite},
+    word::Word,
 };
 
 /// The most corners in a row of cells of at least 4 pixels.

@@ -12,8 +12,10 @@ pub mod points;
 mod scene;
 pub mod shown;
 mod sprite;
+mod word;
 
 pub use self::{
     scene::{Lights, place},
-    sprite::{SPANS, Span, Sprite, WORDS, Word},
+    sprite::{SPANS, Span, Sprite, WORDS},
+    word::Word,
 };

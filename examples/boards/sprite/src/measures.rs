@@ -6,7 +6,7 @@ pub const SIDE: usize = 64;
 /// path, which spans 2 to 256 units.
 pub const PIXEL_BITS: i32 = 1 << (16 - 3);
 /// The levels of a light in the table of pixels.
-pub const LEVELS: usize = 32;
+pub const LIGHT_LEVELS: usize = 32;
 /// The most materials.
 pub const MATERIALS: usize = 32;
 /// The steps of light in the table of levels: 2,048 to full scale.

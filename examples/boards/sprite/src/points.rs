@@ -9,7 +9,8 @@ use luminaire::{
 use crate::{
     measures::{SIDE, STEPS},
     scene::{Lights, place},
-    sprite::{Sprite, Word},
+    sprite::Sprite,
+    word::Word,
 };
 
 /// Draws the sprite: each opaque pixel by the kernel's irradiance of each light at its point. Transparent pixels keep

@@ -6,12 +6,12 @@
 //! material's, and three encodings.
 
 use crate::{
-    measures::{LEVELS, MATERIALS, STEPS},
-    sprite::Word,
+    measures::{LIGHT_LEVELS, MATERIALS, STEPS},
+    word::Word,
 };
 
 /// The pixels of a material by the level of each light, in all materials.
-pub type Pixels = [u16; MATERIALS * LEVELS * LEVELS];
+pub type Pixels = [u16; MATERIALS * LIGHT_LEVELS * LIGHT_LEVELS];
 
 /// The level of a light with three fraction bits, by its steps.
 ///
@@ -67,6 +67,6 @@ impl Shown<'_> {
         let threshold = word.threshold();
         let (first, second) = (level(first) + threshold, level(second) + (threshold ^ 7));
         let index = word.material() << 7 | (first & 0xf8) << 2 | second >> 3 & 0x1f;
-        self.pixels[index as usize % (MATERIALS * LEVELS * LEVELS)]
+        self.pixels[index as usize % (MATERIALS * LIGHT_LEVELS * LIGHT_LEVELS)]
     }
 }
