@@ -31,7 +31,8 @@ static LEVEL_TABLE: luminaire_sprite::shown::Steps = LEVEL;
 #[unsafe(no_mangle)]
 extern "C" fn main() -> ! {
     let mut console = Console::take();
-    let sprite = Sprite { words: &WORDS, spans: &SPANS, shown: Shown { pixels: &TABLE, levels: &LEVEL_TABLE } };
+    let sprite =
+        Sprite { words: &WORDS, spans: &SPANS, shown: Shown { pixels: &TABLE, levels: &LEVEL_TABLE } };
     let picture = console.picture();
     let mut buttons = Buttons::default();
     let mut is_pointwise = false;
