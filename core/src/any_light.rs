@@ -224,6 +224,17 @@ impl<S: Scalar> CompiledAnyLight<S> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), true).diffuse
     }
 
+    /// Returns the irradiance of a surface that faces the light at a point, before the light's colour: what a small
+    /// body without a normal receives, such as an LED. See [`CompiledSpotLight::irradiance_facing`].
+    pub fn irradiance_facing(&self, point: Vec3<S::Length>) -> S::Irradiance {
+        match self {
+            Self::Directional(light) => light.irradiance_facing(),
+            Self::Point(light) => light.irradiance_facing(point),
+            Self::Spot(light) => light.irradiance_facing(point),
+            Self::Measured(light) => light.irradiance_facing(point),
+        }
+    }
+
     /// Evaluates the light at a surface point with the specular lobe `H`, before the light's
     /// colours.
     ///

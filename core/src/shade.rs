@@ -393,6 +393,28 @@ fn evaluate_finely<S: Scalar, B: Angular<S>, A: Attenuation, H: SpecularLobe>(
     }
 }
 
+/// Returns the light that a surface receives which faces the light: the product of intensity, what the light emits in
+/// this direction and attenuation.
+#[inline(always)]
+fn light_facing<S: Scalar, B: Angular<S>, A: Attenuation>(
+    (attenuation, intensity, fine_below): (&A::Constants<S>, S::Gain, u32),
+    angular: B,
+    offset: &S::Offset,
+) -> S::Irradiance {
+    if offset.is_near(fine_below) {
+        // The coarse early-out of the range has fewer bits than the fine evaluation.
+        let ray = S::fine_ray(offset);
+        let share = angular.along(&ray).unwrap_or_else(|| ray.whole());
+        return A::light(attenuation, offset, &ray, share, intensity);
+    }
+    if A::is_beyond::<S, _>(attenuation, offset) {
+        return S::Irradiance::default();
+    }
+    let ray = offset.ray();
+    let share = angular.along(&ray).unwrap_or_else(|| ray.whole());
+    A::light(attenuation, offset, &ray, share, intensity)
+}
+
 /// Returns the light along a ray: as shares of the intensity, and as irradiances.
 #[inline(always)] // `lit-table` on Cortex-M0: +29 instructions without.
 fn along_ray<S: Scalar, B: Angular<S>, A: Attenuation, H: SpecularLobe, R: Directed<S>>(

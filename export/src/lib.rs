@@ -43,6 +43,9 @@
 //! | [`Language::CFixed`] | `room_light(&scene, point, normal)` | `room_row_add(lights, row, &scene, count)` | the members of a `room_scene`, such as `scene.key`; `room_start` has them as described |
 //! | Rust | `scene.light(point, normal)` | `scene.row(&row, pixels, show)` | the fields of a `room::Scene`, such as `scene.key`; `room::SCENE` has them as described |
 //!
+//! In [`Language::CFixed`] `room_light_facing(&scene, point)`, and in Rust `scene.light_facing(point)`, is the light of a small
+//! body without a normal, such as an LED: that of a surface that faces each light.
+//!
 //! A light that cannot reach a point is skipped before its root, and one that cannot reach a part of a row is skipped
 //! there, which changes no bit. In `Fx16` all spotlights of a polynomial with the inverse square have one type, that of
 //! a [`Cubic`](luminaire::falloff::Cubic): so C and Rust have the same bits, and one copy of its code; the light of

@@ -117,7 +117,7 @@ pub(crate) fn structure<S: Scalar>(
     sum: &str,
 ) -> String {
     let (format, ambient) = (name::<S>(), &together.ambient_name);
-    let (mut fields, mut values, mut points, mut rows) = Default::default();
+    let (mut fields, mut values, mut points, mut bodies, mut rows) = Default::default();
     let add = |text: &mut String, line: String| *text += &line;
     for (Item { name, light, .. }, type_name, value) in members {
         let place = if matches!(light, AnyLight::Directional(_)) { "normal" } else { "point, normal" };
@@ -126,6 +126,13 @@ pub(crate) fn structure<S: Scalar>(
         add(
             &mut points,
             format!("        sum += Rgb::lit(self.{name}.irradiance({place}), self.{name}.color());\n"),
+        );
+        let place = if matches!(light, AnyLight::Directional(_)) { "" } else { "point" };
+        add(
+            &mut bodies,
+            format!(
+                "        sum += Rgb::lit(self.{name}.irradiance_facing({place}), self.{name}.color());\n"
+            ),
         );
         add(&mut rows, format!("                block.add(&self.{name});\n"));
     }
@@ -159,6 +166,13 @@ impl Scene {{
     ) -> Rgb<<{format} as Scalar>::Irradiance> {{
         let {mutable}sum = self.{ambient};
 {points}        sum
+    }}
+
+    /// Returns the light at a point of a surface that faces each light: what a small body without a normal receives,
+    /// such as an LED.
+    pub fn light_facing(&self, {point}: Vec3<<{format} as Scalar>::Length>) -> Rgb<<{format} as Scalar>::Irradiance> {{
+        let {mutable}sum = self.{ambient};
+{bodies}        sum
     }}
 
     /// Calls `show` for each pixel of a row that receives light, with the pixel, its index and the sum of the lights.

@@ -44,7 +44,7 @@ int nothing(void) {
     luminaire_rgb lit = luminaire_directional_light(0, normal);
     luminaire_directional_tint(0, normal);
     luminaire_directional_dim(0, 1);
-    return luminaire_directional_irradiance(0, normal) || lit.red || luminaire_directional_aim_along(0, way)
+    return luminaire_directional_irradiance_facing(0) || luminaire_directional_irradiance(0, normal) || lit.red || luminaire_directional_aim_along(0, way)
         || luminaire_directional_set_up(0, way, 1) != LUMINAIRE_NULL
         || luminaire_directional_set_up(&light, 0, 1) != LUMINAIRE_NULL
         || luminaire_directional_irradiance(&light, normal) || luminaire_directional_irradiance(&light, 0)

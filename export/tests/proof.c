@@ -56,8 +56,10 @@ static void light(void) {
     luminaire_spot_irradiance(any_spot(), OR_NULL(point), OR_NULL(normal));
     luminaire_spot_light(any_spot(), OR_NULL(point), OR_NULL(normal));
     luminaire_spot_falloff(any_spot(), OR_NULL(point));
+    luminaire_spot_irradiance_facing(any_spot(), OR_NULL(point));
     luminaire_spot_can_reach(any_spot(), OR_NULL(point), number);
     luminaire_directional_irradiance(OR_NULL(&sun), OR_NULL(normal));
+    luminaire_directional_irradiance_facing(OR_NULL(&sun));
     luminaire_directional_light(OR_NULL(&sun), OR_NULL(normal));
     luminaire_ambient(OR_NULL(normal), number);
 }

@@ -75,18 +75,23 @@ impl Room {
         (0..count).map(place).collect()
     }
 
-    /// What the lights give one by one, and whether each has the falloff by which the scene evaluates it.
-    fn alone(&self, place: &Place) -> [u32; 3] {
+    /// What the lights give one by one, at a surface and at one that faces each of them.
+    fn alone(&self, place: &Place) -> [u32; 6] {
         let [x, y, z, a, b, c] = *place;
         let point = Vec3::new(x, y, z).map(Length::from_bits);
         let normal = Vec3::new(a, b, c).map(|c| Fx16::from_bits(c as i16));
-        let lit = |light: &AnyLight| {
-            let light = light.compile::<Fx16>().expect("a light");
-            Rgb::lit(light.irradiance(point, normal), light.color())
+        let lit = |is_facing: bool| {
+            let lit = |light: &AnyLight| {
+                let light = light.compile::<Fx16>().expect("a light");
+                let facing = || light.irradiance_facing(point);
+                Rgb::lit(if is_facing { facing() } else { light.irradiance(point, normal) }, light.color())
+            };
+            let ambient = self.ambient.iter().map(AmbientLight::compile::<Fx16>);
+            let all = ambient.chain(self.lights.iter().map(lit));
+            <[Light16; 3]>::from(all.fold(Rgb::default(), |sum, light| sum + light)).map(Light16::to_bits)
         };
-        let ambient = self.ambient.iter().map(AmbientLight::compile::<Fx16>);
-        let all = ambient.chain(self.lights.iter().map(lit));
-        <[Light16; 3]>::from(all.fold(Rgb::default(), |sum, light| sum + light)).map(Light16::to_bits)
+        let ([a, b, c], [d, e, f]) = (lit(false), lit(true));
+        [a, b, c, d, e, f]
     }
 }
 
@@ -124,8 +129,8 @@ int main(void) {{
     uint32_t place, i;
     for (place = 0; fread(w, 4, 6, stdin) == 6; ++place) {{
         int16_t n[3] = {{ (int16_t)w[3], (int16_t)w[4], (int16_t)w[5] }};
-        luminaire_rgb light = room_light(&scene, w, n);
-        if (fwrite(&light, 4, 3, stdout) != 3) {{ return 1; }}
+        luminaire_rgb light = room_light(&scene, w, n), facing = room_light_facing(&scene, w);
+        if (fwrite(&light, 4, 3, stdout) != 3 || fwrite(&facing, 4, 3, stdout) != 3) {{ return 1; }}
         if (place % 4 == 0) {{
             luminaire_row row = {{ {{ w[0], w[1], w[2] }}, {{ w[3], w[4] / 4, w[5] }}, {{ n[1], n[0], n[2] }} }};
             luminaire_rgb lights[{PIXELS}];
@@ -135,7 +140,7 @@ int main(void) {{
         }}
         if (place % 64 == 63) {{ {moves} }}
     }}
-    return room_light(0, w, 0).red != 0;
+    return room_light(0, w, 0).red != 0 || room_light_facing(0, w).red != 0 || room_light_facing(&scene, 0).red != 0;
 }}
 "#
     )
@@ -178,6 +183,7 @@ fn main() {{
         let point = Vec3::new(w[0], w[1], w[2]).map(Length::from_bits);
         let normal = Vec3::new(w[3], w[4], w[5]).map(|c| Fx16::from_bits(c as i16));
         put(&mut output, scene.light(point, normal));
+        put(&mut output, scene.light_facing(point));
         if place % 4 == 0 {{
             let step = [w[3], w[4] / 4, w[5]];
             let at = |i: usize| {{
@@ -279,9 +285,9 @@ fn a_scene_has_the_same_bits_in_c_and_in_rust() -> Result<(), Failure> {
         let cubics: Vec<_> = room.lights.iter().filter(|light| is_cubic(light)).collect();
         let mut rest = &expected[..];
         for (index, place) in places[..64].iter().enumerate() {
-            let (found, alone) = (&rest[..3], room.alone(place));
-            rest = &rest[if index % 4 == 0 { 3 + 3 * PIXELS.div_ceil(7) } else { 3 }..];
-            let off = (0..3).map(|i| found[i].abs_diff(alone[i])).max().unwrap_or_default();
+            let (found, alone) = (&rest[..6], room.alone(place));
+            rest = &rest[if index % 4 == 0 { 6 + 3 * PIXELS.div_ceil(7) } else { 6 }..];
+            let off = (0..6).map(|i| found[i].abs_diff(alone[i])).max().unwrap_or_default();
             if cubics.iter().all(|light| distance(light, place) > 0.5) {
                 assert!(off as usize <= cubics.len(), "{found:?}, expected {alone:?} at {place:?}");
                 (compared, most) = (compared + 1, most.max(off));

@@ -134,6 +134,7 @@ int nothing(void) {
     luminaire_normals_from_opengl(0, 0, 1);
     luminaire_normals_from_directx(normals, 0, 1);
     return luminaire_spot_irradiance(0, point, normal) || light.red || light.green || light.blue
+        || luminaire_spot_irradiance_facing(0, point) || luminaire_spot_irradiance_facing(&dark, 0)
         || luminaire_spot_falloff(0, point) || luminaire_spot_can_reach(0, point, 1)
         || luminaire_spot_aim(0, point) || luminaire_spot_aim_along(0, point);
 }

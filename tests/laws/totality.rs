@@ -51,6 +51,7 @@ fn distance<S: Format>(words: &mut Words<'_>) -> Option<()> {
     let surface = words.surface::<S>(place);
     if let Ok(light) = point.with_attenuation(model).compile::<S>() {
         assert_reflects(matte, &light, &surface);
+        assert_sound::<S>(light.irradiance_facing(surface.point));
     }
     if let Ok(light) = spot?.with_attenuation(model).compile::<S>() {
         assert_reflects(matte, &light, &surface);

@@ -260,6 +260,8 @@ pub trait Directed<S: Types>: Ray<S> {
     /// for the components of the direction, three for the interpolation, and in fixed point six for the reciprocal
     /// `1 / s` and the places: a quadratic, and one step of Newton's iteration.
     fn distributed(&self, frame: &[Vec3<S::Direction>; 3], distribution: Distribution<'_>) -> Self::Share;
+    /// Returns the intensity of a light that emits the same in all directions: 1, and zero without a direction.
+    fn whole(&self) -> Self::Share;
 }
 
 /// A number in `[0, 1]`: the argument of a falloff, or the cosine of an angle of incidence.

@@ -190,6 +190,12 @@ impl Directed<f32> for FloatRay {
         // Neither a NaN nor a direction of length 0 has a reciprocal.
         if reciprocal < 2.0 { value } else { 0.0 }
     }
+
+    #[inline]
+    fn whole(&self) -> f32 {
+        // The reciprocal of a distance of NaN is not over 0.
+        if self.reciprocal > 0.0 { 1.0 } else { 0.0 }
+    }
 }
 
 /// A ramp, the map from versines to the falloff's argument `t`.

@@ -355,6 +355,11 @@ impl Directed<Fx16> for Ray16 {
         let [near, far] = samples.map(|[from, to]| between(from.into(), to.into(), u));
         Fraction16::of_sixteen_bits(between(near, far, v))
     }
+
+    #[inline]
+    fn whole(&self) -> Fx16 {
+        if self.reciprocal > 0 { Fx16::ONE } else { Fx16::ZERO }
+    }
 }
 
 // ---- Falloff ----
@@ -772,6 +777,11 @@ impl Directed<Fx16> for FineRay {
     #[inline]
     fn distributed(&self, frame: &[Vec3<Fx32>; 3], distribution: Distribution<'_>) -> Fine {
         self.distributed(frame, distribution)
+    }
+
+    #[inline]
+    fn whole(&self) -> Fine {
+        self.whole()
     }
 }
 

@@ -289,11 +289,22 @@ impl Directed<Fx32> for FineRay {
     fn distributed(&self, frame: &[Vec3<Fx32>; 3], distribution: Distribution<'_>) -> Fine {
         self.distributed(frame, distribution)
     }
+
+    #[inline]
+    fn whole(&self) -> Fine {
+        self.whole()
+    }
 }
 
 // ---- Distribution ----
 
 impl FineRay {
+    /// Returns 1, and zero without a direction.
+    #[inline]
+    pub(super) fn whole(&self) -> Fine {
+        if self.estimate > 0 { Fine::ONE } else { Fine(0) }
+    }
+
     /// Returns the intensity of a distribution in the direction of the ray. For vectors that are not of unit length the
     /// result is that of some direction.
     pub(super) fn distributed(&self, frame: &[Vec3<Fx32>; 3], distribution: Distribution<'_>) -> Fine {

@@ -206,6 +206,14 @@ impl<S: Scalar, A: Attenuation> CompiledMeasuredLight<'_, S, A> {
         self.framed(axis, side)
     }
 
+    /// Returns the same light with its axis along a vector of any length, which has the type of a point, and its side
+    /// nearest to another. `None` if a vector is zero or both have one direction.
+    #[must_use]
+    pub fn framed_along(self, axis: Vec3<S::Length>, side: Vec3<S::Length>) -> Option<Self> {
+        let along = |way| unit::<S>(S::Offset::between(Vec3::default(), way));
+        self.framed(along(axis)?, along(side)?)
+    }
+
     fn framed(self, axis: Vec3<S::Unit>, side: Vec3<S::Unit>) -> Option<Self> {
         let [side, front] = across::<S>(axis, side)?;
         Some(Self { frame: [side, front, axis], ..self })

@@ -29,6 +29,12 @@ impl<S: Scalar> CompiledDirectionalLight<S> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(Vec3::default(), normal), &(), false).diffuse
     }
 
+    /// Returns the irradiance of a surface that faces the light, not yet multiplied by the colours: the intensity.
+    #[inline]
+    pub fn irradiance_facing(&self) -> S::Irradiance {
+        S::ONE.light(self.intensity)
+    }
+
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.
     ///
     /// The two colours are first the diffuse and then the specular colour.

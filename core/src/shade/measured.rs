@@ -1,6 +1,6 @@
 //! Measured lights, compiled.
 
-use super::{Incident, LightModel, lobe, reaches, sealed::Sealed};
+use super::{Incident, LightModel, light_facing, lobe, reaches, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -46,6 +46,18 @@ impl<'a, S: Scalar, A: Attenuation> CompiledMeasuredLight<'a, S, A> {
     #[inline]
     pub fn irradiance_unskipped(&self, point: Vec3<S::Length>, normal: Vec3<S>) -> S::Irradiance {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
+    }
+
+    /// Returns the irradiance of a surface that faces the light at a point, not yet multiplied by the colours: see
+    /// [`CompiledSpotLight::irradiance_facing`](crate::light::CompiledSpotLight::irradiance_facing).
+    #[inline]
+    pub fn irradiance_facing(&self, point: Vec3<S::Length>) -> S::Irradiance {
+        let offset = S::Offset::between(self.position, point);
+        if offset.is_outside(self.frame[2], self.outside) {
+            return S::Irradiance::default();
+        }
+        let light = (&self.attenuation, self.intensity, self.fine_below);
+        light_facing::<S, _, A>(light, (&self.frame, self.distribution), &offset)
     }
 
     /// Returns `false` only if no point within `radius` of `center` receives light: see

@@ -1,6 +1,6 @@
 //! Point lights, compiled.
 
-use super::{Incident, LightModel, lobe, sealed::Sealed};
+use super::{Incident, LightModel, light_facing, lobe, sealed::Sealed};
 use crate::{
     attenuation::{Attenuation, InverseSquare},
     color::Rgb,
@@ -41,11 +41,24 @@ impl<S: Scalar, A: Attenuation> CompiledPointLight<S, A> {
         self.evaluate::<NoSpecular>(&SurfacePoint::matte(point, normal), &(), false).diffuse
     }
 
+    /// Returns the irradiance of a surface that faces the light at a point, not yet multiplied by the colours: see
+    /// [`CompiledSpotLight::irradiance_facing`](crate::light::CompiledSpotLight::irradiance_facing). At the light itself it is zero.
+    #[inline]
+    pub fn irradiance_facing(&self, point: Vec3<S::Length>) -> S::Irradiance {
+        let offset = S::Offset::between(self.position, point);
+        light_facing::<S, (), A>((&self.attenuation, self.intensity, self.fine_below), (), &offset)
+    }
+
     /// Returns whether the evaluation at a point is fine: see
     /// [`CompiledSpotLight::is_fine`](crate::light::CompiledSpotLight::is_fine).
     #[cfg(feature = "arithmetic")]
     pub fn is_fine(&self, point: Vec3<S::Length>) -> bool {
         S::Offset::between(self.position, point).is_near(self.fine_below)
+    }
+
+    /// Returns the position of the light.
+    pub fn position(&self) -> Vec3<S::Length> {
+        self.position
     }
 
     /// Creates a light from its fields, as [`codegen`](crate::codegen) writes them.

@@ -1,8 +1,8 @@
 //! Spotlights, compiled.
 
 use super::{
-    Incident, LightModel, fill_each, fill_in_vectors, has_vectors, lobe, reaches, sealed::Sealed,
-    spot_in_vectors,
+    Incident, LightModel, fill_each, fill_in_vectors, has_vectors, light_facing, lobe, reaches,
+    sealed::Sealed, spot_in_vectors,
 };
 use crate::{
     attenuation::{Attenuation, InverseSquare},
@@ -87,20 +87,11 @@ impl<S: Scalar, P: Falloff, A: Attenuation> CompiledSpotLight<S, P, A> {
     #[inline]
     pub fn irradiance_facing(&self, point: Vec3<S::Length>) -> S::Irradiance {
         let offset = S::Offset::between(self.position, point);
-        let Self { axis, outside, ref attenuation, intensity, .. } = *self;
-        if offset.is_outside(axis, outside) {
+        if offset.is_outside(self.axis, self.outside) {
             return S::Irradiance::default();
         }
-        if offset.is_near(self.fine_below) {
-            // The coarse early-out of the range has fewer bits than the fine evaluation.
-            let ray = S::fine_ray(&offset);
-            return A::light(attenuation, &offset, &ray, self.cone.at_ray(&ray, axis), intensity);
-        }
-        if A::is_beyond::<S, _>(attenuation, &offset) {
-            return S::Irradiance::default();
-        }
-        let ray = offset.ray();
-        A::light(attenuation, &offset, &ray, self.cone.at_ray(&ray, axis), intensity)
+        let light = (&self.attenuation, self.intensity, self.fine_below);
+        light_facing::<S, _, A>(light, (&self.cone, self.axis), &offset)
     }
 
     /// Returns the falloff of the cone alone at a point, in `[0, 1]`.

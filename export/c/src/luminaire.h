@@ -719,6 +719,22 @@ LUMINAIRE_HOT uint32_t luminaire_spot_irradiance(
     return luminaire_spot_fine_irradiance(spot, point, normal);
 }
 
+/* Returns the irradiance of a surface that faces the light at a point, before the colour: what a small body without a
+ * normal receives, such as an LED. */
+static inline uint32_t luminaire_spot_irradiance_facing(const luminaire_spot *spot, const int32_t point[3]) {
+    if (!spot || !point) { return 0; }
+    luminaire_way way = luminaire_way_between(spot->position, point);
+    uint32_t squared = luminaire_squared(&way);
+    if (luminaire_is_outside(&way, squared, spot->axis, spot->outside)) { return 0; }
+    if (luminaire_is_near(&way, squared, spot->fine_below)) {
+        luminaire_offset offset = luminaire_offset_between(spot->position, point);
+        luminaire_fine_ray fine = luminaire_fine_ray_of(&offset);
+        return luminaire_fine_inverse_square(&fine, luminaire_spot_fine_share(spot, &fine), spot->intensity);
+    }
+    luminaire_coarse_ray ray = luminaire_coarse_ray_of(&way, squared);
+    return luminaire_coarse_inverse_square(&ray, luminaire_spot_coarse_share(spot, &ray), spot->intensity);
+}
+
 /* Returns the light at a point with a unit normal: the irradiance times the colour. */
 static inline luminaire_rgb luminaire_spot_light(
     const luminaire_spot *spot, const int32_t point[3], const int16_t normal[3]
@@ -748,6 +764,21 @@ static inline int16_t luminaire_spot_falloff(const luminaire_spot *spot, const i
 }
 
 /* ---- changes of a light ---- */
+
+/* A quarter of a sine, in steps of 2^-14. */
+static const uint16_t luminaire_quarter[18] LUMINAIRE_TABLE = {
+    0, 1606, 3196, 4756, 6270, 7723, 9102, 10394, 11585, 12665, 13623, 14449, 15137, 15679, 16069, 16305, 16384, 16384
+};
+
+/* Returns the sine of a turn, of which 65536 is a whole one, within 21 steps of 2^-14: lines between 16 places of a
+ * quarter. */
+static inline int16_t luminaire_sine(uint32_t turn) {
+    uint32_t part = turn & 16383, at = turn & 16384 ? 16384 - part : part;
+    uint32_t before = LUMINAIRE_READ_16(&luminaire_quarter[at >> 10]);
+    uint32_t after = LUMINAIRE_READ_16(&luminaire_quarter[(at >> 10) + 1]);
+    int32_t value = (int32_t)(before + (((after - before) * (at & 1023)) >> 10));
+    return (int16_t)(turn & 32768 ? -value : value);
+}
 static const int32_t luminaire_origin[3] = { 0, 0, 0 };
 
 /* Sets the unit vector from a point to another one. Returns 0, and sets nothing, if they are the same. */
@@ -1326,6 +1357,13 @@ static inline uint32_t luminaire_directional_irradiance(const luminaire_directio
     cosine >>= 14;
     if (cosine <= 0) { return 0; }
     uint32_t product = luminaire_min((uint32_t)cosine, LUMINAIRE_FULL_SCALE) * (light->intensity.mantissa >> 16);
+    return luminaire_light_of(product, luminaire_minus(light->intensity.shift, 16));
+}
+
+/* Returns the irradiance of a surface that faces the light, before the colour. */
+static inline uint32_t luminaire_directional_irradiance_facing(const luminaire_directional *light) {
+    if (!light) { return 0; }
+    uint32_t product = LUMINAIRE_FULL_SCALE * (light->intensity.mantissa >> 16);
     return luminaire_light_of(product, luminaire_minus(light->intensity.shift, 16));
 }
 

@@ -15,6 +15,8 @@ pub(crate) fn scene(together: &Together<'_>) -> Result<String, ExportError> {
     let (mut fields, mut values, mut spots) = (String::new(), String::new(), Vec::new());
     // The statements of a point and of a row; what is the same at all points of a row comes first.
     let (mut points, mut flat, mut rows) = (String::new(), String::new(), String::new());
+    // Those of a point without a normal.
+    let mut bodies = String::new();
     for item in *items {
         let own = item.name;
         let (structure, initialiser) = match Compiled::new(&item.light)? {
@@ -24,6 +26,8 @@ pub(crate) fn scene(together: &Together<'_>) -> Result<String, ExportError> {
                     let irradiance = format!("luminaire_directional_irradiance(&scene->{own}, {normal})");
                     let _ = writeln!(text, "    luminaire_add(&{sum}, {irradiance}, scene->{own}.color);");
                 }
+                let irradiance = format!("luminaire_directional_irradiance_facing(&scene->{own})");
+                let _ = writeln!(bodies, "    luminaire_add(&sum, {irradiance}, scene->{own}.color);");
                 ("luminaire_directional", initialiser)
             }
             Compiled::Placed(placed) => {
@@ -34,6 +38,8 @@ pub(crate) fn scene(together: &Together<'_>) -> Result<String, ExportError> {
                     let spot = format!("scene->{own}{}", placed.member());
                     let irradiance = format!("{by}(&{spot}, point, normal)");
                     let _ = writeln!(points, "    luminaire_add(&sum, {irradiance}, {spot}.color);");
+                    let irradiance = format!("{by}Facing(&{spot}, point)");
+                    let _ = writeln!(bodies, "    luminaire_add(&sum, {irradiance}, {spot}.color);");
                     let _ = writeln!(rows, "    luminaire_row_add_by(lights, row, &{spot}, {by}, count);");
                 }
                 (placed.structure(), placed.initialiser(item.light.color()))
@@ -54,6 +60,8 @@ pub(crate) fn scene(together: &Together<'_>) -> Result<String, ExportError> {
         points += &each(
             "luminaire_add(&sum, luminaire_spot_irradiance(spots[k], point, normal), spots[k]->color);",
         );
+        bodies +=
+            &each("luminaire_add(&sum, luminaire_spot_irradiance_facing(spots[k], point), spots[k]->color);");
         rows += &each("luminaire_row_add(lights, row, spots[k], count);");
     }
     let ambient =
@@ -82,6 +90,15 @@ static inline luminaire_rgb {name}_light(const {name}_scene *scene, const int32_
     if (!scene || !point || !normal) {{ return sum; }}
     sum = scene->{ambient_name};
 {points}    return sum;
+}}
+
+/* Returns the light at a point of a surface that faces each light: what a small body without a normal receives, such as
+ * an LED. */
+static inline luminaire_rgb {name}_light_facing(const {name}_scene *scene, const int32_t point[3]) {{
+    luminaire_rgb sum = {{ 0, 0, 0 }};
+    if (!scene || !point) {{ return sum; }}
+    sum = scene->{ambient_name};
+{bodies}    return sum;
 }}
 
 /* Adds the light of all lights to each pixel of a row. The part of the row that a light cannot reach costs little. */

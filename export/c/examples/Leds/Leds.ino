@@ -9,9 +9,6 @@ const int LEDS = 256, LAMPS = 4;
 const int32_t METRE = 65536;   // coordinates have steps of 1/65536
 const uint32_t DEGREE = 65536; // and so have degrees
 
-// A quarter of a sine, in steps of 1/16384. It stays in flash.
-const int16_t SINE[18] LUMINAIRE_TABLE = { 0, 1606, 3196, 4756, 6270, 7723, 9102, 10394, 11585,
-    12665, 13623, 14449, 15137, 15679, 16069, 16305, 16384, 16384 };
 const int16_t COLORS[LAMPS][3] = { { 16384, 4000, 0 }, { 0, 16384, 3000 }, { 2000, 0, 16384 },
     { 16384, 0, 9000 } }; // linear red, green and blue: 16384 is 1
 // The supply gives 2 A. A channel of an LED takes 12 mA when fully on, and a dark LED 1 mA. No light is
@@ -21,14 +18,8 @@ const luminaire_strip STRIP = { 2000, 12, 1, LUMINAIRE_LED_GRB, 0 };
 luminaire_spot spots[LAMPS];
 luminaire_frame frame; // what the light of the last frame needed
 
-// The sine of 256 places on the ring.
-int16_t sine(int place) {
-    const int falling = place & 64, rest = place & 63, at = falling ? 64 - rest : rest;
-    const int16_t before = (int16_t)LUMINAIRE_READ_16(&SINE[at >> 2]);
-    const int16_t after = (int16_t)LUMINAIRE_READ_16(&SINE[(at >> 2) + 1]);
-    const int16_t value = before + (after - before) * (at & 3) / 4;
-    return place & 128 ? -value : value;
-}
+// The sine of 256 places on the ring, in steps of 1/16384.
+int16_t sine(int place) { return luminaire_sine((uint32_t)place * 256); }
 
 void setup() {
     Serial.begin(115200);

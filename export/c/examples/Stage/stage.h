@@ -3,7 +3,7 @@
  * Lengths have the unit of the scene; light is linear, and 1 is full scale.
  * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14. */
 #ifndef KEY_LIGHT_H
-#define KEY_LIGHT_H 0x171b91e2 /* a checksum of this text */
+#define KEY_LIGHT_H 0x61cf0136 /* a checksum of this text */
 
 #include "luminaire_constant.h"
 
@@ -30,16 +30,24 @@ static inline int luminaire_key_IsOutside(const luminaire_spot *spot, const lumi
     return luminaire_is_outside(way, squared, spot->axis, spot->outside);
 }
 
+static inline uint32_t luminaire_key_CoarseEmitted(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
+    return luminaire_key_CoarseCurve(luminaire_coarse_rise(ray, spot->axis, &spot->ramp));
+}
+
+static inline uint32_t luminaire_key_FineEmitted(const luminaire_spot *spot, const luminaire_fine_ray *ray) {
+    return luminaire_key_FineCurve(luminaire_fine_rise(ray, spot->axis, &spot->ramp));
+}
+
 static inline uint32_t luminaire_key_CoarseShare(
     const luminaire_spot *spot, const luminaire_coarse_ray *ray, uint32_t cosine
 ) {
-    return luminaire_coarse_of(cosine, luminaire_key_CoarseCurve(luminaire_coarse_rise(ray, spot->axis, &spot->ramp)));
+    return luminaire_coarse_of(cosine, luminaire_key_CoarseEmitted(spot, ray));
 }
 
 static inline uint32_t luminaire_key_FineShare(
     const luminaire_spot *spot, const luminaire_fine_ray *ray, uint32_t cosine
 ) {
-    return luminaire_fine_of(cosine, luminaire_key_FineCurve(luminaire_fine_rise(ray, spot->axis, &spot->ramp)));
+    return luminaire_fine_of(cosine, luminaire_key_FineEmitted(spot, ray));
 }
 
 /* Returns the falloff at a point, from 0 to 2^14. */
@@ -50,12 +58,10 @@ static inline int16_t key_falloff(const int32_t point[3]) {
     if (luminaire_is_near(&way, squared, spot->fine_below)) {
         luminaire_offset offset = luminaire_offset_between(spot->position, point);
         luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
-        uint32_t rise = luminaire_fine_rise(&ray, spot->axis, &spot->ramp);
-        return (int16_t)luminaire_rounded(luminaire_key_FineCurve(rise));
+        return (int16_t)luminaire_rounded(luminaire_key_FineEmitted(spot, &ray));
     } else {
         luminaire_coarse_ray ray = luminaire_coarse_ray_of(&way, squared);
-        uint32_t rise = luminaire_coarse_rise(&ray, spot->axis, &spot->ramp);
-        return (int16_t)luminaire_key_CoarseCurve(rise);
+        return (int16_t)luminaire_key_CoarseEmitted(spot, &ray);
     }
 }
 
@@ -105,6 +111,21 @@ static inline uint32_t luminaire_key_Irradiance(
     return luminaire_key_FineIrradiance(spot, point, normal);
 }
 
+/* Returns the irradiance of a surface that faces the light as it is, moved or not. */
+static inline uint32_t luminaire_key_IrradianceFacing(const luminaire_spot *spot, const int32_t point[3]) {
+    luminaire_way way = luminaire_way_between(spot->position, point);
+    uint32_t squared = luminaire_squared(&way);
+    luminaire_coarse_ray coarse;
+    if (luminaire_key_IsOutside(spot, &way, squared)) { return 0; }
+    if (luminaire_is_near(&way, squared, spot->fine_below)) {
+        luminaire_offset offset = luminaire_offset_between(spot->position, point);
+        luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
+        return luminaire_key_FineAttenuated(spot, &ray, luminaire_key_FineEmitted(spot, &ray));
+    }
+    coarse = luminaire_coarse_ray_of(&way, squared);
+    return luminaire_key_CoarseAttenuated(spot, &coarse, luminaire_key_CoarseEmitted(spot, &coarse));
+}
+
 /* Returns the irradiance at a point with a unit normal, before the colour, in steps of 2^-14. */
 static inline uint32_t key_irradiance(const int32_t point[3], const int16_t normal[3]) {
     return luminaire_key_Irradiance(&luminaire_key_Light, point, normal);
@@ -115,7 +136,7 @@ static inline luminaire_spot key_spot(void) {
     return luminaire_key_Light;
 }
 
-#elif KEY_LIGHT_H != 0x171b91e2
+#elif KEY_LIGHT_H != 0x61cf0136
 #error "two lights have the name key: export one of them by another name"
 #endif
 
@@ -124,7 +145,7 @@ static inline luminaire_spot key_spot(void) {
  * Lengths have the unit of the scene; light is linear, and 1 is full scale.
  * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14. */
 #ifndef BACK_LIGHT_H
-#define BACK_LIGHT_H 0xbd0d29b5 /* a checksum of this text */
+#define BACK_LIGHT_H 0xc7356cbf /* a checksum of this text */
 
 #include "luminaire_constant.h"
 
@@ -151,16 +172,24 @@ static inline int luminaire_back_IsOutside(const luminaire_spot *spot, const lum
     return luminaire_is_outside(way, squared, spot->axis, spot->outside);
 }
 
+static inline uint32_t luminaire_back_CoarseEmitted(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
+    return luminaire_back_CoarseCurve(luminaire_coarse_rise(ray, spot->axis, &spot->ramp));
+}
+
+static inline uint32_t luminaire_back_FineEmitted(const luminaire_spot *spot, const luminaire_fine_ray *ray) {
+    return luminaire_back_FineCurve(luminaire_fine_rise(ray, spot->axis, &spot->ramp));
+}
+
 static inline uint32_t luminaire_back_CoarseShare(
     const luminaire_spot *spot, const luminaire_coarse_ray *ray, uint32_t cosine
 ) {
-    return luminaire_coarse_of(cosine, luminaire_back_CoarseCurve(luminaire_coarse_rise(ray, spot->axis, &spot->ramp)));
+    return luminaire_coarse_of(cosine, luminaire_back_CoarseEmitted(spot, ray));
 }
 
 static inline uint32_t luminaire_back_FineShare(
     const luminaire_spot *spot, const luminaire_fine_ray *ray, uint32_t cosine
 ) {
-    return luminaire_fine_of(cosine, luminaire_back_FineCurve(luminaire_fine_rise(ray, spot->axis, &spot->ramp)));
+    return luminaire_fine_of(cosine, luminaire_back_FineEmitted(spot, ray));
 }
 
 /* Returns the falloff at a point, from 0 to 2^14. */
@@ -171,12 +200,10 @@ static inline int16_t back_falloff(const int32_t point[3]) {
     if (luminaire_is_near(&way, squared, spot->fine_below)) {
         luminaire_offset offset = luminaire_offset_between(spot->position, point);
         luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
-        uint32_t rise = luminaire_fine_rise(&ray, spot->axis, &spot->ramp);
-        return (int16_t)luminaire_rounded(luminaire_back_FineCurve(rise));
+        return (int16_t)luminaire_rounded(luminaire_back_FineEmitted(spot, &ray));
     } else {
         luminaire_coarse_ray ray = luminaire_coarse_ray_of(&way, squared);
-        uint32_t rise = luminaire_coarse_rise(&ray, spot->axis, &spot->ramp);
-        return (int16_t)luminaire_back_CoarseCurve(rise);
+        return (int16_t)luminaire_back_CoarseEmitted(spot, &ray);
     }
 }
 
@@ -226,6 +253,21 @@ static inline uint32_t luminaire_back_Irradiance(
     return luminaire_back_FineIrradiance(spot, point, normal);
 }
 
+/* Returns the irradiance of a surface that faces the light as it is, moved or not. */
+static inline uint32_t luminaire_back_IrradianceFacing(const luminaire_spot *spot, const int32_t point[3]) {
+    luminaire_way way = luminaire_way_between(spot->position, point);
+    uint32_t squared = luminaire_squared(&way);
+    luminaire_coarse_ray coarse;
+    if (luminaire_back_IsOutside(spot, &way, squared)) { return 0; }
+    if (luminaire_is_near(&way, squared, spot->fine_below)) {
+        luminaire_offset offset = luminaire_offset_between(spot->position, point);
+        luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
+        return luminaire_back_FineAttenuated(spot, &ray, luminaire_back_FineEmitted(spot, &ray));
+    }
+    coarse = luminaire_coarse_ray_of(&way, squared);
+    return luminaire_back_CoarseAttenuated(spot, &coarse, luminaire_back_CoarseEmitted(spot, &coarse));
+}
+
 /* Returns the irradiance at a point with a unit normal, before the colour, in steps of 2^-14. */
 static inline uint32_t back_irradiance(const int32_t point[3], const int16_t normal[3]) {
     return luminaire_back_Irradiance(&luminaire_back_Light, point, normal);
@@ -236,7 +278,7 @@ static inline luminaire_spot back_spot(void) {
     return luminaire_back_Light;
 }
 
-#elif BACK_LIGHT_H != 0xbd0d29b5
+#elif BACK_LIGHT_H != 0xc7356cbf
 #error "two lights have the name back: export one of them by another name"
 #endif
 
@@ -244,7 +286,7 @@ static inline luminaire_spot back_spot(void) {
  * Lengths have the unit of the scene; light is linear, and 1 is full scale.
  * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14. */
 #ifndef LANTERN_LIGHT_H
-#define LANTERN_LIGHT_H 0x222634d3 /* a checksum of this text */
+#define LANTERN_LIGHT_H 0x10d9028a /* a checksum of this text */
 
 #include "luminaire_constant.h"
 
@@ -264,6 +306,17 @@ static inline int luminaire_lantern_IsOutside(const luminaire_spot *spot, const 
     (void)way;
     (void)squared;
     return 0;
+}
+
+/* A point at the light itself has no direction, and no light. */
+static inline uint32_t luminaire_lantern_CoarseEmitted(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
+    (void)spot;
+    return ray->reciprocal ? LUMINAIRE_FULL_SCALE : 0;
+}
+
+static inline uint32_t luminaire_lantern_FineEmitted(const luminaire_spot *spot, const luminaire_fine_ray *ray) {
+    (void)spot;
+    return ray->estimate ? LUMINAIRE_FINE_ONE : 0;
 }
 
 static inline uint32_t luminaire_lantern_CoarseShare(
@@ -328,18 +381,33 @@ static inline uint32_t luminaire_lantern_Irradiance(
     return luminaire_lantern_FineIrradiance(spot, point, normal);
 }
 
+/* Returns the irradiance of a surface that faces the light as it is, moved or not. */
+static inline uint32_t luminaire_lantern_IrradianceFacing(const luminaire_spot *spot, const int32_t point[3]) {
+    luminaire_way way = luminaire_way_between(spot->position, point);
+    uint32_t squared = luminaire_squared(&way);
+    luminaire_coarse_ray coarse;
+    if (luminaire_lantern_IsOutside(spot, &way, squared)) { return 0; }
+    if (luminaire_is_near(&way, squared, spot->fine_below)) {
+        luminaire_offset offset = luminaire_offset_between(spot->position, point);
+        luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
+        return luminaire_lantern_FineAttenuated(spot, &ray, luminaire_lantern_FineEmitted(spot, &ray));
+    }
+    coarse = luminaire_coarse_ray_of(&way, squared);
+    return luminaire_lantern_CoarseAttenuated(spot, &coarse, luminaire_lantern_CoarseEmitted(spot, &coarse));
+}
+
 /* Returns the irradiance at a point with a unit normal, before the colour, in steps of 2^-14. */
 static inline uint32_t lantern_irradiance(const int32_t point[3], const int16_t normal[3]) {
     return luminaire_lantern_Irradiance(&luminaire_lantern_Light, point, normal);
 }
 
-#elif LANTERN_LIGHT_H != 0x222634d3
+#elif LANTERN_LIGHT_H != 0x10d9028a
 #error "two lights have the name lantern: export one of them by another name"
 #endif
 
 /* The lights of the scene stage together. */
 #ifndef STAGE_SCENE_H
-#define STAGE_SCENE_H 0xba88aac7 /* a checksum of this text */
+#define STAGE_SCENE_H 0xbe3e2a98 /* a checksum of this text */
 
 #include "luminaire_constant.h"
 
@@ -388,6 +456,20 @@ static inline luminaire_rgb stage_light(const stage_scene *scene, const int32_t 
     return sum;
 }
 
+/* Returns the light at a point of a surface that faces each light: what a small body without a normal receives, such as
+ * an LED. */
+static inline luminaire_rgb stage_light_facing(const stage_scene *scene, const int32_t point[3]) {
+    luminaire_rgb sum = { 0, 0, 0 };
+    if (!scene || !point) { return sum; }
+    sum = scene->ambient;
+    luminaire_add(&sum, luminaire_lantern_IrradianceFacing(&scene->lantern, point), scene->lantern.color);
+    const luminaire_spot *const spots[2] = { &scene->key, &scene->back };
+    for (int k = 0; k < 2; ++k) {
+        luminaire_add(&sum, luminaire_spot_irradiance_facing(spots[k], point), spots[k]->color);
+    }
+    return sum;
+}
+
 /* Adds the light of all lights to each pixel of a row. The part of the row that a light cannot reach costs little. */
 static inline void stage_row_add(
     luminaire_rgb *lights, const luminaire_row *row, const stage_scene *scene, uint32_t count
@@ -402,6 +484,6 @@ static inline void stage_row_add(
     }
 }
 
-#elif STAGE_SCENE_H != 0xba88aac7
+#elif STAGE_SCENE_H != 0xbe3e2a98
 #error "two scenes have the name stage: export one of them by another name"
 #endif

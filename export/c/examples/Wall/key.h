@@ -3,7 +3,7 @@
  * Lengths have the unit of the scene; light is linear, and 1 is full scale.
  * A point has steps of 2^-16; a normal, the falloff and the irradiance have steps of 2^-14. */
 #ifndef KEY_LIGHT_H
-#define KEY_LIGHT_H 0xd16dc337 /* a checksum of this text */
+#define KEY_LIGHT_H 0x2842e283 /* a checksum of this text */
 
 #include "luminaire_constant.h"
 
@@ -30,16 +30,24 @@ static inline int luminaire_key_IsOutside(const luminaire_spot *spot, const lumi
     return luminaire_is_outside(way, squared, spot->axis, spot->outside);
 }
 
+static inline uint32_t luminaire_key_CoarseEmitted(const luminaire_spot *spot, const luminaire_coarse_ray *ray) {
+    return luminaire_key_CoarseCurve(luminaire_coarse_rise(ray, spot->axis, &spot->ramp));
+}
+
+static inline uint32_t luminaire_key_FineEmitted(const luminaire_spot *spot, const luminaire_fine_ray *ray) {
+    return luminaire_key_FineCurve(luminaire_fine_rise(ray, spot->axis, &spot->ramp));
+}
+
 static inline uint32_t luminaire_key_CoarseShare(
     const luminaire_spot *spot, const luminaire_coarse_ray *ray, uint32_t cosine
 ) {
-    return luminaire_coarse_of(cosine, luminaire_key_CoarseCurve(luminaire_coarse_rise(ray, spot->axis, &spot->ramp)));
+    return luminaire_coarse_of(cosine, luminaire_key_CoarseEmitted(spot, ray));
 }
 
 static inline uint32_t luminaire_key_FineShare(
     const luminaire_spot *spot, const luminaire_fine_ray *ray, uint32_t cosine
 ) {
-    return luminaire_fine_of(cosine, luminaire_key_FineCurve(luminaire_fine_rise(ray, spot->axis, &spot->ramp)));
+    return luminaire_fine_of(cosine, luminaire_key_FineEmitted(spot, ray));
 }
 
 /* Returns the falloff at a point, from 0 to 2^14. */
@@ -50,12 +58,10 @@ static inline int16_t key_falloff(const int32_t point[3]) {
     if (luminaire_is_near(&way, squared, spot->fine_below)) {
         luminaire_offset offset = luminaire_offset_between(spot->position, point);
         luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
-        uint32_t rise = luminaire_fine_rise(&ray, spot->axis, &spot->ramp);
-        return (int16_t)luminaire_rounded(luminaire_key_FineCurve(rise));
+        return (int16_t)luminaire_rounded(luminaire_key_FineEmitted(spot, &ray));
     } else {
         luminaire_coarse_ray ray = luminaire_coarse_ray_of(&way, squared);
-        uint32_t rise = luminaire_coarse_rise(&ray, spot->axis, &spot->ramp);
-        return (int16_t)luminaire_key_CoarseCurve(rise);
+        return (int16_t)luminaire_key_CoarseEmitted(spot, &ray);
     }
 }
 
@@ -105,6 +111,21 @@ static inline uint32_t luminaire_key_Irradiance(
     return luminaire_key_FineIrradiance(spot, point, normal);
 }
 
+/* Returns the irradiance of a surface that faces the light as it is, moved or not. */
+static inline uint32_t luminaire_key_IrradianceFacing(const luminaire_spot *spot, const int32_t point[3]) {
+    luminaire_way way = luminaire_way_between(spot->position, point);
+    uint32_t squared = luminaire_squared(&way);
+    luminaire_coarse_ray coarse;
+    if (luminaire_key_IsOutside(spot, &way, squared)) { return 0; }
+    if (luminaire_is_near(&way, squared, spot->fine_below)) {
+        luminaire_offset offset = luminaire_offset_between(spot->position, point);
+        luminaire_fine_ray ray = luminaire_fine_ray_of(&offset);
+        return luminaire_key_FineAttenuated(spot, &ray, luminaire_key_FineEmitted(spot, &ray));
+    }
+    coarse = luminaire_coarse_ray_of(&way, squared);
+    return luminaire_key_CoarseAttenuated(spot, &coarse, luminaire_key_CoarseEmitted(spot, &coarse));
+}
+
 /* Returns the irradiance at a point with a unit normal, before the colour, in steps of 2^-14. */
 static inline uint32_t key_irradiance(const int32_t point[3], const int16_t normal[3]) {
     return luminaire_key_Irradiance(&luminaire_key_Light, point, normal);
@@ -115,6 +136,6 @@ static inline luminaire_spot key_spot(void) {
     return luminaire_key_Light;
 }
 
-#elif KEY_LIGHT_H != 0xd16dc337
+#elif KEY_LIGHT_H != 0x2842e283
 #error "two lights have the name key: export one of them by another name"
 #endif
