@@ -1,4 +1,4 @@
-//! The sketch of `luminaire leds` sends what the library in Rust writes for the same lights and places.
+//! The programs of `luminaire leds` send what the library in Rust writes for the same lights and places.
 
 use std::fmt::Write;
 use std::fs;
@@ -60,6 +60,123 @@ extern SPIClass SPI;
 #endif
 "#;
 
+/// What a project uses of ESP-IDF 5 and of espressif/led_strip 3.0, as their headers declare it: the bytes go to the
+/// standard output. The program ends behind the last frame.
+const IDF: &str = r#"#ifndef IDF_H
+#define IDF_H
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+static const uint32_t moments[] = { MOMENTS };
+static unsigned frames;
+typedef int esp_err_t;
+#define ESP_OK 0
+#define ESP_ERROR_CHECK(x) do { esp_err_t code = (x); if (code != ESP_OK) { exit(1); } } while (0)
+#define DMA_ATTR __attribute__((aligned(4)))
+static inline int64_t esp_timer_get_time(void) { return INT64_C(1000) * moments[frames]; }
+typedef uint32_t TickType_t;
+static inline void vTaskDelay(const TickType_t ticks) {
+    if (ticks == 0 || ++frames == sizeof moments / sizeof *moments) { exit(0); }
+}
+
+typedef union {
+    struct format_layout {
+        uint32_t r_pos : 2, g_pos : 2, b_pos : 2, w_pos : 2, reserved : 21, num_components : 3;
+    } format;
+    uint32_t format_id;
+} led_color_component_format_t;
+#define LED_STRIP_COLOR_COMPONENT_FMT_RGB \
+    (led_color_component_format_t){ .format = { .r_pos = 0, .g_pos = 1, .b_pos = 2, .w_pos = 3, .num_components = 3 } }
+#define LED_STRIP_COLOR_COMPONENT_FMT_RGBW \
+    (led_color_component_format_t){ .format = { .r_pos = 0, .g_pos = 1, .b_pos = 2, .w_pos = 3, .num_components = 4 } }
+typedef enum { LED_MODEL_WS2812, LED_MODEL_SK6812, LED_MODEL_WS2811, LED_MODEL_INVALID } led_model_t;
+typedef struct {
+    int strip_gpio_num;
+    uint32_t max_leds;
+    led_model_t led_model;
+    led_color_component_format_t color_component_format;
+    struct led_strip_extra_flags { uint32_t invert_out : 1; } flags;
+} led_strip_config_t;
+typedef int rmt_clock_source_t;
+typedef struct {
+    rmt_clock_source_t clk_src;
+    uint32_t resolution_hz;
+    size_t mem_block_symbols;
+    struct { uint32_t with_dma : 1; } flags;
+} led_strip_rmt_config_t;
+typedef struct led_strip_t *led_strip_handle_t;
+struct led_strip_t {
+    led_strip_config_t config;
+    uint8_t bytes[20000];
+};
+static inline esp_err_t led_strip_new_rmt_device(
+    const led_strip_config_t *led_config, const led_strip_rmt_config_t *rmt_config, led_strip_handle_t *ret_strip
+) {
+    static struct led_strip_t strip;
+    const int is_white = led_config->color_component_format.format.num_components == 4;
+    strip.config = *led_config;
+    *ret_strip = &strip;
+    return led_config->led_model != (is_white ? LED_MODEL_SK6812 : LED_MODEL_WS2812)
+        || rmt_config->resolution_hz != 10000000;
+}
+static inline esp_err_t led_strip_set_pixel_rgbw(
+    led_strip_handle_t strip, uint32_t index, uint32_t red, uint32_t green, uint32_t blue, uint32_t white
+) {
+    const struct format_layout format = strip->config.color_component_format.format;
+    uint8_t *at = strip->bytes + index * format.num_components;
+    at[format.r_pos] = (uint8_t)red;
+    at[format.g_pos] = (uint8_t)green;
+    at[format.b_pos] = (uint8_t)blue;
+    if (format.num_components == 4) { at[format.w_pos] = (uint8_t)white; }
+    return index >= strip->config.max_leds;
+}
+static inline esp_err_t led_strip_set_pixel(
+    led_strip_handle_t strip, uint32_t index, uint32_t red, uint32_t green, uint32_t blue
+) {
+    return led_strip_set_pixel_rgbw(strip, index, red, green, blue, 0);
+}
+static inline esp_err_t led_strip_refresh(led_strip_handle_t strip) {
+    const uint32_t count = strip->config.max_leds * strip->config.color_component_format.format.num_components;
+    return fwrite(strip->bytes, 1, count, stdout) != count;
+}
+
+typedef enum { SPI1_HOST, SPI2_HOST, SPI3_HOST } spi_host_device_t;
+typedef enum { SPI_DMA_DISABLED = 0, SPI_DMA_CH_AUTO = 3 } spi_dma_chan_t;
+typedef struct {
+    int mosi_io_num, miso_io_num, sclk_io_num, quadwp_io_num, quadhd_io_num, max_transfer_sz;
+} spi_bus_config_t;
+typedef struct {
+    uint8_t mode;
+    int clock_speed_hz, spics_io_num, queue_size;
+} spi_device_interface_config_t;
+typedef struct {
+    uint32_t flags;
+    size_t length, rxlength;
+    const void *tx_buffer;
+    void *rx_buffer;
+} spi_transaction_t;
+typedef struct spi_device_t *spi_device_handle_t;
+static int most;
+static inline esp_err_t spi_bus_initialize(
+    spi_host_device_t host_id, const spi_bus_config_t *bus_config, spi_dma_chan_t dma_chan
+) {
+    most = bus_config->max_transfer_sz;
+    return host_id == SPI1_HOST || dma_chan == SPI_DMA_DISABLED;
+}
+static inline esp_err_t spi_bus_add_device(
+    spi_host_device_t host_id, const spi_device_interface_config_t *dev_config, spi_device_handle_t *handle
+) {
+    *handle = NULL;
+    return host_id == SPI1_HOST || dev_config->mode != MODE || dev_config->queue_size < 1;
+}
+static inline esp_err_t spi_device_transmit(spi_device_handle_t handle, spi_transaction_t *trans_desc) {
+    const size_t count = trans_desc->length / 8;
+    return handle != NULL || count > (size_t)most || fwrite(trans_desc->tx_buffer, 1, count, stdout) != count;
+}
+#endif
+"#;
+
 /// The moments of the frames: at the start, a little later, and after a quarter of a turn of 16 seconds.
 const MOMENTS: [u32; 4] = [0, 0, 0, 4_000];
 
@@ -83,9 +200,21 @@ fn tree() -> Vec<[f64; 3]> {
     spiral.chain([[0.0, 0.0, 2.0]]).collect()
 }
 
-/// Compiles the sketch of a folder and returns the bytes that it sends in each frame.
+/// Compiles a file of a folder with these flags and returns what the program writes.
+fn run(folder: &Path, compiler: &str, flags: &[&str], file: &str) -> Vec<u8> {
+    const CHECKS: [&str; 5] = ["-O1", "-Wall", "-Wextra", "-Werror", "-fsanitize=undefined"];
+    let program = folder.join("program");
+    let mut command = Command::new(compiler);
+    command.args(CHECKS).arg("-fno-sanitize-recover=all").args(flags).arg("-o").arg(&program).arg(file);
+    let output = command.current_dir(folder).output().expect("a compiler");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let output = Command::new(&program).output().expect("the program runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    output.stdout
+}
+
+/// Compiles the sketch of a folder and returns the bytes that it sends in all frames.
 fn sent(folder: &Path, sketch: &str) -> Vec<u8> {
-    let main = folder.join("main.cpp");
     let frames: String = MOMENTS.iter().fold(String::new(), |mut text, moment| {
         let _ = write!(text, " now = {moment}; loop();");
         text
@@ -93,28 +222,124 @@ fn sent(folder: &Path, sketch: &str) -> Vec<u8> {
     let text = format!(
         "#include \"Arduino.h\"\nSPIClass SPI;\n#include \"{sketch}\"\nint main() {{ setup();{frames} }}\n"
     );
-    fs::write(&main, text).expect("a file");
+    fs::write(folder.join("main.cpp"), text).expect("a file");
     for header in ["Arduino.h", "SPI.h", "Adafruit_NeoPixel.h"] {
         fs::write(folder.join(header), ARDUINO).expect("a file");
     }
-    let program = folder.join("program");
-    let flags = [
-        "-std=c++11",
-        "-O1",
-        "-Wall",
-        "-Wextra",
-        "-Werror",
-        "-fsanitize=undefined",
-        "-fno-sanitize-recover=all",
-    ];
-    let library = format!("-I{LIBRARY}");
-    let mut compiler = Command::new("c++");
-    compiler.args(flags).args([&library, "-I."]).arg("-o").arg(&program).arg(&main);
-    let output = compiler.current_dir(folder).output().expect("a compiler of C++");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let output = Command::new(&program).output().expect("the program runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    output.stdout
+    run(folder, "c++", &["-std=c++11", &format!("-I{LIBRARY}"), "-I."], "main.cpp")
+}
+
+/// Compiles the project of a folder, which has all headers but those of ESP-IDF, and returns the bytes that it sends in
+/// all frames.
+fn sent_by_idf(folder: &Path, mode: u8) -> Vec<u8> {
+    let include = folder.join("include");
+    for header in ["driver/spi_master.h", "freertos/FreeRTOS.h", "freertos/task.h"] {
+        let header = include.join(header);
+        fs::create_dir_all(header.parent().expect("a folder")).expect("a folder");
+        fs::write(header, "#include \"../led_strip.h\"\n").expect("a file");
+    }
+    let text = IDF.replace("MOMENTS", &MOMENTS.map(|moment| moment.to_string()).join(", "));
+    for header in ["led_strip.h", "esp_err.h", "esp_attr.h", "esp_timer.h"] {
+        fs::write(include.join(header), text.replace("!= MODE", &format!("!= {mode}"))).expect("a file");
+    }
+    fs::write(folder.join("host.c"), "#include \"main/main.c\"\nint main(void) { app_main(); }\n")
+        .expect("a file");
+    run(folder, "cc", &["-std=c11", "-pedantic", "-Imain", "-Iinclude"], "host.c")
+}
+
+/// The newest library of a name beside this program, which Cargo built for it.
+fn libraries(name: &str) -> Vec<PathBuf> {
+    let program = std::env::current_exe().expect("a program");
+    let folder = fs::read_dir(program.parent().expect("a folder")).expect("a folder");
+    let mut found: Vec<_> = folder
+        .map(|entry| entry.expect("a file"))
+        .filter(|entry| {
+            let own = entry.file_name().to_string_lossy().into_owned();
+            own.starts_with(&format!("lib{name}-")) && own.ends_with(".rlib")
+        })
+        .map(|entry| (entry.metadata().and_then(|own| own.modified()).expect("a time"), entry.path()))
+        .collect();
+    found.sort();
+    found.into_iter().rev().map(|(_, path)| path).collect()
+}
+
+/// A driver of strips that keeps what it sends, and a program that sends all frames of each crate: as bytes, and to the
+/// driver, which gets the same with the channels in the order red, green and blue.
+const DRIVER: &str = r#"use smart_leds_trait::*;
+struct Strip<T>(Vec<T>);
+impl<T> SmartLedsWrite for Strip<T> {
+    type Error = ();
+    type Color = T;
+    fn write<I: IntoIterator<Item = J>, J: Into<T>>(&mut self, all: I) -> Result<(), ()> {
+        self.0 = all.into_iter().map(Into::into).collect();
+        Ok(())
+    }
+}
+fn main() {
+    use std::io::Write;
+    let mut output = std::io::stdout();
+    const MOMENTS: [u32; 4] = [0, 0, 0, 4_000];
+    macro_rules! frames {
+        ($of:ident, |$strip:ident, $leds:ident, $now:ident| $send:expr, $bytes:expr) => {
+            let (mut leds, mut $leds, mut $strip) = ($of::Leds::new(), $of::Leds::new(), Strip(Vec::new()));
+            for $now in MOMENTS {
+                let mut bytes = [[0; $of::BYTES]; $of::COUNT];
+                leds.bytes($now, &mut bytes);
+                $send.expect("a frame");
+                let sent: Vec<[u8; $of::BYTES]> = $strip.0.iter().map($bytes).collect();
+                assert_eq!(sent, bytes, stringify!($of));
+                output.write_all(bytes.as_flattened()).expect("bytes");
+            }
+        };
+    }
+    frames!(ws2812, |strip, leds, now| leds.write(now, &mut strip), |own: &RGB8| [own.g, own.r, own.b]);
+    frames!(sk6812_rgbw, |strip, leds, now| leds.write(now, &mut strip), |own: &RGBW<u8>| [own.g, own.r, own.b, own.a.0]);
+    frames!(apa102, |strip, leds, now| leds.write(now, &mut strip, |current, color| (current, color)),
+        |(current, own): &(u8, RGB8)| [0xe0 | current, own.b, own.g, own.r]);
+    frames!(hd108, |strip, leds, now| leds.write(now, &mut strip), |own: &RGB16| {
+        let [[a, b], [c, d], [e, f]] = [own.g, own.r, own.b].map(u16::to_be_bytes);
+        [0xff, 0xff, a, b, c, d, e, f]
+    });
+}
+"#;
+
+/// Compiles the crates of a folder and returns the bytes of all frames of each, one crate after the other.
+fn sent_by_rust(folder: &Path, crates: &[(&str, PathBuf)]) -> Vec<u8> {
+    let program = std::env::current_exe().expect("a program");
+    let dependencies = program.parent().expect("a folder").display().to_string();
+    let driver = libraries("smart_leds_trait").remove(0);
+    fs::write(folder.join("main.rs"), DRIVER).expect("a file");
+    let mut told = None;
+    // The newest is usually that of this program; any will do that this compiler has built.
+    'libraries: for library in libraries("luminaire") {
+        let compile = |name: &str, kind: &str, file: &Path, lints: &[&str], own: &[String]| {
+            let mut compiler = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into()));
+            compiler.args(["--edition=2024", "--crate-name", name, "--crate-type", kind]).args(lints);
+            compiler.arg("-L").arg(format!("dependency={dependencies}")).arg("-L").arg(folder);
+            compiler.arg("--extern").arg(format!("luminaire={}", library.display()));
+            compiler.arg("--extern").arg(format!("smart_leds_trait={}", driver.display()));
+            for own in own {
+                compiler.arg("--extern").arg(format!("{own}={}/lib{own}.rlib", folder.display()));
+            }
+            let output =
+                compiler.arg("--out-dir").arg(folder).arg(file).output().expect("a compiler of Rust");
+            (!output.status.success()).then(|| String::from_utf8_lossy(&output.stderr).into_owned())
+        };
+        let mut names = Vec::new();
+        for (name, path) in crates {
+            if let Some(error) = compile(name, "lib", &path.join("src/lib.rs"), &["-Dwarnings"], &[]) {
+                told = told.or(Some(error));
+                continue 'libraries;
+            }
+            names.push((*name).to_owned());
+        }
+        let error = compile("frames", "bin", &folder.join("main.rs"), &[], &names);
+        assert_eq!(error, None);
+        let output = Command::new(folder.join("frames")).output().expect("the program runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        return output.stdout;
+    }
+    panic!("{}", told.as_deref().unwrap_or("no library is built"));
 }
 
 /// Where an LED is, and the way it faces.
@@ -181,7 +406,7 @@ fn lights(middle: [f64; 2]) -> [(Vec<CompiledAnyLight<Fx16>>, Rgb<luminaire::num
 }
 
 /// What a strip in Rust writes for the frames.
-fn expected<C: LedChip>(chip: C, keeps: bool) -> Vec<Vec<u8>> {
+fn expected<C: LedChip>(chip: C, keeps: bool, from_all_sides: bool) -> Vec<Vec<u8>> {
     let strip = LedStrip::new(chip).with_limit(1_500, 12, 1).with_brightness(0.5_f32);
     let (leds, middle) = placed();
     let [still, turned] = lights(middle);
@@ -192,7 +417,11 @@ fn expected<C: LedChip>(chip: C, keeps: bool) -> Vec<Vec<u8>> {
         let mut frame = strip.frame(leds.len(), &mut load);
         let mut bytes = vec![0; leds.len() * C::BYTES];
         for ((led, (place, facing)), bytes) in leds.iter().enumerate().zip(bytes.chunks_exact_mut(C::BYTES)) {
-            let lit = lights.iter().map(|light| Rgb::lit(light.irradiance(*place, *facing), light.color()));
+            let irradiance = |light: &CompiledAnyLight<Fx16>| match from_all_sides {
+                true => light.irradiance_facing(*place),
+                false => light.irradiance(*place, *facing),
+            };
+            let lit = lights.iter().map(|light| Rgb::lit(irradiance(light), light.color()));
             if !keeps {
                 dithers[led] = C::dither((led + number) as u16);
             }
@@ -207,9 +436,9 @@ fn expected<C: LedChip>(chip: C, keeps: bool) -> Vec<Vec<u8>> {
     (0..MOMENTS.len()).map(frame).collect()
 }
 
-/// Each family, from a table of places to the bytes on the wire. The limit of the current counts in each.
+/// Each family, from a table of places to the bytes on the wire, by each target. The limit of the current counts in each.
 #[test]
-fn a_sketch_sends_the_bytes_of_the_library() {
+fn each_target_sends_the_bytes_of_the_library() {
     let folder = folder("leds");
     let (map, scene) = (folder.join("tree.csv"), folder.join("scene.json"));
     let lines: String = tree().iter().map(|[x, y, z]| format!("{x},{y},{z}\n")).collect();
@@ -218,26 +447,49 @@ fn a_sketch_sends_the_bytes_of_the_library() {
     let count = tree().len();
     let ends: &dyn Fn(usize, u8, usize) -> [Vec<u8>; 2] =
         &|begin, last, end| [vec![0; begin], vec![last; end]];
-    for (chip, frames, [begin, end]) in [
-        ("ws2812", expected(LedOrder::Grb, false), ends(0, 0, 0)),
-        ("sk6812-rgbw", expected(Rgbw(LedOrder::Grb), false), ends(0, 0, 0)),
-        ("apa102", expected(Apa102(LedOrder::Bgr), true), ends(4, 0, 4 + count.div_ceil(16))),
-        ("hd108", expected(Hd108(LedOrder::Grb), false), ends(16, 0xff, count.div_ceil(8))),
+    let (mut crates, mut of_crates) = (Vec::new(), Vec::new());
+    for (chip, name, is_all, mode, frames, [begin, end]) in [
+        ("ws2812", "ws2812", false, 0, expected(LedOrder::Grb, false, false), ends(0, 0, 0)),
+        ("sk6812-rgbw", "sk6812_rgbw", true, 0, expected(Rgbw(LedOrder::Grb), false, true), ends(0, 0, 0)),
+        (
+            "apa102",
+            "apa102",
+            true,
+            0,
+            expected(Apa102(LedOrder::Bgr), true, true),
+            ends(4, 0, 4 + count.div_ceil(16)),
+        ),
+        (
+            "hd108",
+            "hd108",
+            false,
+            3,
+            expected(Hd108(LedOrder::Grb), false, false),
+            ends(16, 0xff, count.div_ceil(8)),
+        ),
     ] {
-        let own = folder.join(chip);
-        let [map, scene, own_path] = [&map, &scene, &own].map(|path| path.display());
-        let output = luminaire(&format!(
-            "leds --map {map} {scene} --output {own_path} --chip {chip} --limit 1500 --channel 12 --brightness 0.5 --turn 16"
-        ));
-        let told = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success() && told.contains("lights reach 101 at first"), "{told}");
-        let found = sent(&own, &format!("{chip}.ino"));
+        let own = |target: &str| {
+            let own = folder.join(target).join(chip);
+            let [map, scene, path] = [&map, &scene, &own].map(|path| path.display());
+            let facing = if is_all { " --facing all" } else { "" };
+            let output = luminaire(&format!(
+                "leds --map {map} {scene} --output {path} --to {target} --chip {chip} --limit 1500 --channel 12 \
+                 --brightness 0.5 --turn 16{facing}"
+            ));
+            let told = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success() && told.contains("lights reach 101 at first"), "{told}");
+            own
+        };
+        let found = sent(&own("arduino"), &format!("{chip}.ino"));
+        assert!(sent_by_idf(&own("esp-idf"), mode) == found, "{chip}: ESP-IDF sends what Arduino does");
+        crates.push((name, own("rust")));
         let length = begin.len() + frames[0].len() + end.len();
         assert_eq!(found.len(), MOMENTS.len() * length, "{chip}");
         for (number, (found, expected)) in found.chunks_exact(length).zip(&frames).enumerate() {
             let (found_begin, rest) = found.split_at(begin.len());
             let (found, found_end) = rest.split_at(expected.len());
             assert_eq!((found_begin, found_end), (&begin[..], &end[..]), "{chip}");
+            of_crates.extend_from_slice(found);
             if number < 3 {
                 assert_eq!(found, expected, "{chip}, frame {number}");
             } else if chip == "ws2812" {
@@ -250,6 +502,64 @@ fn a_sketch_sends_the_bytes_of_the_library() {
         }
         assert!(frames[0].iter().filter(|byte| **byte > 8).count() > count, "{chip}: too few are lit");
     }
+    let found = sent_by_rust(&folder, &crates);
+    assert_eq!(found.len(), of_crates.len());
+    let differs = found.iter().zip(&of_crates).position(|(found, expected)| found != expected);
+    assert_eq!(differs, None, "Rust writes what Arduino sends");
+}
+
+/// A light at the largest distance that is accepted turns without an overflow, and one beyond it is refused unless it
+/// stands still.
+#[test]
+fn a_turning_light_stays_within_the_coordinates() {
+    let folder = folder("far");
+    let file = |name: &str, text: String| {
+        let path = folder.join(name);
+        fs::write(&path, text).expect("a file");
+        path.display().to_string()
+    };
+    let map = file("map.csv", "100,0,0\n300,0,2\n".to_owned());
+    let output = folder.join("tree");
+    let write = |name: &str, position: &str, rest: &str| {
+        let scene = SCENE.replace("[0, 2.25, 0]", position).replace("\"Star\"", &format!("\"{name}\""));
+        let scene = file("scene.json", scene);
+        let told = luminaire(&format!("leds --map {map} {scene} --output {}{rest}", output.display()));
+        (told.status.success(), String::from_utf8_lossy(&told.stderr).into_owned())
+    };
+    let (is_written, told) = write("Star", "[-15983, 1, 1]", "");
+    assert!(!is_written && !output.exists(), "{told}");
+    let refusal = "Star: distance from the middle of the LEDs = 16183.00003";
+    assert!(told.contains(refusal) && told.contains("at most 16183 for a light that turns"), "{told}");
+    assert!(told.contains("--turn 0 lets it stand still"), "{told}");
+    assert!(write("Star", "[-15983, 1, 1]", " --turn 0").0, "a light that stands still");
+    fs::remove_dir_all(&output).expect("a folder");
+    // A light of the name of the folder: the scene gets another.
+    let (is_written, told) = write("Tree", "[-15983, 1, 0]", "");
+    assert!(is_written && told.contains("2 LEDs take"), "{told}");
+    let main = "#include <stdio.h>\n#include \"leds.h\"\nint main(void) {
+        tree_2_scene scene = tree_2_start;
+        for (uint32_t turn = 0; turn < 65536; turn += 64) {
+            tree_2_turn(&scene, turn);
+            printf(\"%ld %ld\\n\", (long)scene.tree.position[0], (long)scene.tree.position[2]);
+        }
+    }";
+    fs::write(output.join("main.c"), main).expect("a file");
+    let found = run(&output, "cc", &["-std=c11", &format!("-I{LIBRARY}"), "-I."], "main.c");
+    let found = String::from_utf8(found).expect("a text");
+    let [radius, middle] = [16_183.0, 200.0];
+    for (line, number) in found.lines().zip(0_i32..) {
+        let [x, z]: [f64; 2] = line
+            .split(' ')
+            .map(|word| word.parse::<f64>().expect("a number") / 65_536.0)
+            .collect::<Vec<_>>()
+            .try_into()
+            .expect("two numbers");
+        let turn = f64::from(number) / 1_024.0 * std::f64::consts::TAU;
+        let off = (x - middle + radius * turn.cos()).hypot(z + radius * turn.sin());
+        // 21 steps of the sine.
+        assert!(off < radius * 30.0 / 16_384.0, "{number}: {x} {z}");
+    }
+    assert_eq!(found.lines().count(), 1_024);
 }
 
 /// What cannot be lit is refused before anything is written.

@@ -1,4 +1,5 @@
 /* {COUNT} LEDs ({CHIP}) at their places, lit by {WHAT}.
+ * {TAKES}
  * They are on the pins of SPI, clock and data. The light comes from the library luminaire. */
 #include <SPI.h>
 

@@ -1,4 +1,5 @@
 /* {COUNT} LEDs ({CHIP}) at their places, lit by {WHAT}.
+ * {TAKES}
  * The light comes from the library luminaire, and goes to the strip by the library Adafruit NeoPixel. */
 #include <Adafruit_NeoPixel.h>
 
