@@ -36,7 +36,7 @@ pub(crate) enum Command {
     Pick(Box<Pick>),
     /// Write lights as source of another language, or as the parameters of another tool
     Export(Box<Export>),
-    /// Write a program for Arduino that lights LEDs at the places of a map
+    /// Write a program that lights LEDs at the places of a map, for Arduino, ESP-IDF or Rust
     Leds(Box<Leds>),
 }
 

@@ -1,6 +1,6 @@
 //! `luminaire pick`: the cheapest evaluation of a light whose error is small enough for a
 //! display. `luminaire export`: lights as source of another language, or as the parameters of another
-//! tool. `luminaire import`: the lights of files. `luminaire still`: a wall lit by a light. `luminaire leds`: a sketch
+//! tool. `luminaire import`: the lights of files. `luminaire still`: a wall lit by a light. `luminaire leds`: a program
 //! that lights a strip of LEDs at their places.
 #![forbid(unsafe_code)]
 

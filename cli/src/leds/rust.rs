@@ -3,152 +3,161 @@
 use std::path::Path;
 
 use luminaire::dynamic::AnyLight;
-use luminaire_export::Language;
+use luminaire_export::{Language, identifier};
 
-use super::program::{Program, Words, lines, steps};
-use super::{Family, Order};
+use super::options::{Family, Order};
+use super::program::{File, Program, Words, lines, replaced, steps};
 
 /// The texts of a crate: words in braces are replaced.
-pub(super) const MANIFEST: &str = include_str!("rust/Cargo.toml.txt");
-pub(super) const LIBRARY: &str = include_str!("rust/lib.txt");
-pub(super) const PLACES: &str = include_str!("rust/places.txt");
+const MANIFEST: &str = include_str!("rust/Cargo.toml.txt");
+const LIBRARY: &str = include_str!("rust/lib.txt");
+const PLACES: &str = include_str!("rust/places.txt");
 const TURNING: &str = include_str!("rust/turning.txt");
 const TURNED: &str = include_str!("rust/turned.txt");
 
 /// The folder of the kernel that this command was built with.
-const KERNEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../core");
+const CORE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../core");
 
-impl Program<'_> {
-    /// What is put in place of each word of the texts of a crate.
-    pub(super) fn words_of_rust(&self) -> Words {
-        let Self { options, name, placed, .. } = self;
-        let chip = Chip::of(options.chip);
-        let (begin, end, last) = options.chip.frame(placed.places.len());
-        let framing = if options.chip.has_clock() {
-            format!(":\n    /// {begin} bytes of 0 go before them, and {end} of {last} behind them")
-        } else {
-            String::new()
-        };
-        let limit = options.limit.map_or_else(String::new, |limit| {
-            format!("        let strip = strip.with_limit({limit}, {}, 1);\n", options.channel)
-        });
-        let share = steps(options.brightness, 16);
-        let brightness = if share < 65_536 {
-            format!("        let strip = strip.with_brightness(Fx32::from_bits({share} << 14));\n")
-        } else {
-            String::new()
-        };
-        let (turns, has_axes) =
-            (self.turns(), self.turns() && self.lights.iter().any(|(_, own)| has_axis(own)));
-        let types: String =
-            [(placed.facing.is_some(), "Fx16, "), (has_axes || !brightness.is_empty(), "Fx32, ")]
-                .into_iter()
-                .filter_map(|(is_used, name)| is_used.then_some(name))
-                .collect();
-        let (tables, place, facing, way, lit) = match &placed.facing {
-            Some(facing) => (
-                "FACING, PLACES",
-                ", and the ways that they face",
-                format!(
-                    "\n/// In steps of 2^-14.\npub(crate) const FACING: [[i16; 3]; COUNT] = [\n{}];\n",
-                    lines(facing, 14, ["[", "]"])
-                ),
-                "            let facing = Vec3::from(FACING[led]).map(Fx16::from_bits);\n",
-                "scene.light(place, facing)",
+/// Returns the files of a crate with the text of the lights.
+pub(super) fn files(program: &Program<'_>, lights: &str) -> Vec<File> {
+    let words = [own_words(program), program.words()].concat();
+    let [manifest, library, places] = [MANIFEST, LIBRARY, PLACES].map(|text| replaced(text, &words));
+    vec![
+        File::own("Cargo.toml", manifest),
+        File::data("src/lib.rs", library),
+        File::data("src/places.rs", places),
+        File::data("src/lights.rs", lights.to_owned()),
+    ]
+}
+
+/// What is put in place of each word of the texts of a crate.
+fn own_words(program: &Program<'_>) -> Words {
+    let Program { options, name, placed, .. } = program;
+    let chip = Chip::of(options.chip);
+    let (begin, end, last) = options.chip.frame(placed.places.len());
+    let framing = if options.chip.has_clock() {
+        format!(":\n    /// {begin} bytes of 0 go before them, and {end} of {last} behind them")
+    } else {
+        String::new()
+    };
+    let limit = options.limit.map_or_else(String::new, |limit| {
+        format!("        let strip = strip.with_limit({limit}, {}, 1);\n", options.channel)
+    });
+    let share = steps(options.brightness, 16);
+    let brightness = if share < 65_536 {
+        format!("        let strip = strip.with_brightness(Fx32::from_bits({share} << 14));\n")
+    } else {
+        String::new()
+    };
+    let (turns, has_axes) =
+        (program.turns(), program.turns() && program.lights.iter().any(|(_, own)| has_axis(own)));
+    let types: String = [(placed.facing.is_some(), "Fx16, "), (has_axes || !brightness.is_empty(), "Fx32, ")]
+        .into_iter()
+        .filter_map(|(is_used, name)| is_used.then_some(name))
+        .collect();
+    let (tables, place, facing, way, lit) = match &placed.facing {
+        Some(facing) => (
+            "FACING, PLACES",
+            ", and the ways that they face",
+            format!(
+                "\n/// In steps of 2^-14.\npub(crate) const FACING: [[i16; 3]; COUNT] = [\n{}];\n",
+                lines(facing, 14, ["[", "]"])
             ),
-            None => ("PLACES", "", String::new(), "", "scene.light_facing(place)"),
-        };
-        // A dither by the number of the frame needs no memory; that of an APA102 goes on where its current changes.
-        let dither =
-            format!("            let mut dither = {}::dither(led.wrapping_add(number) as u16);\n", chip.name);
-        let [state, start, counted, each, item, step, dither] = if options.chip == Family::Apa102 {
-            [
-                "    dithers: [CurrentDither; COUNT],\n",
-                "            dithers: core::array::from_fn(|led| Apa102::dither(led as u16)),\n",
-                "",
-                "self.dithers.iter_mut().enumerate()",
-                "(led, dither)",
-                "",
-                "dither",
-            ]
-        } else {
-            [
-                "    number: usize,\n",
-                "            number: 0,\n",
-                "        let number = self.number;\n        self.number = number.wrapping_add(1);\n",
-                "0..COUNT",
-                "led",
-                &dither,
-                "&mut dither",
-            ]
-        };
-        let order = match self.order() {
-            Order::Grb => "Grb",
-            Order::Rgb => "Rgb",
-            Order::Bgr => "Bgr",
-        };
-        let own = |text: &str, is_used: bool| if is_used { text.to_owned() } else { String::new() };
-        vec![
-            ("TURN_FUNCTION", own(TURNING, turns)),
-            ("TURNED", own(TURNED, turns)),
-            ("TURNS", self.each_placed(turned)),
-            ("QUARTER", quarter()),
-            ("MIDDLE", self.middle()),
-            (
-                "PERIOD",
-                own(
-                    &format!(
-                        "\n/// Milliseconds of a turn of the lights.\nconst TURN: u32 = {}_000;\n",
-                        options.turn
-                    ),
-                    turns,
-                ),
-            ),
-            (
-                "MOVE",
-                own(
-                    "        self.turn((u64::from(milliseconds % TURN) * 65_536 / u64::from(TURN)) as u32);\n",
-                    turns,
-                ),
-            ),
-            ("MILLISECONDS", if turns { "milliseconds" } else { "_milliseconds" }.to_owned()),
-            ("PLACES", lines(&placed.places, 16, ["[", "]"])),
-            ("WHERE", place.to_owned()),
-            ("FACING", facing),
-            ("TABLES", tables.to_owned()),
-            ("WAY", way.to_owned()),
-            ("LIT", lit.to_owned()),
-            ("STATE", state.to_owned()),
-            ("START", start.to_owned()),
-            ("EACH", each.to_owned()),
-            ("ITEM", item.to_owned()),
-            ("STEP", step.to_owned()),
-            ("DITHER", dither.to_owned()),
-            ("COUNTED", counted.to_owned()),
-            ("ORDER", order.to_owned()),
-            ("CHIPS", chip.imports.to_owned()),
-            ("CHIP_TYPE", chip.value.to_owned()),
-            ("COLORS", chip.colors.to_owned()),
-            ("PIXEL_DOC", chip.pixel_doc.to_owned()),
-            ("PIXEL", chip.pixel.to_owned()),
-            (
-                "BOUND",
-                chip.bound.map_or_else(
-                    || " ".to_owned(),
-                    |bound| format!("\n    where\n        {bound}: Into<W::Color>,\n    "),
-                ),
-            ),
-            ("MAP", chip.map.to_owned()),
-            ("CALL", chip.call.to_owned()),
-            ("FRAMING", framing),
-            ("LIMIT", limit),
-            ("BRIGHTNESS", brightness),
-            ("TYPES", types),
-            ("SCENE_NAME", (*name).to_owned()),
-            ("VERSION", env!("CARGO_PKG_VERSION").to_owned()),
-            ("PATCH", patch()),
+            "            let facing = Vec3::from(FACING[led]).map(Fx16::from_bits);\n",
+            "scene.light(place, facing)",
+        ),
+        None => ("PLACES", "", String::new(), "", "scene.light_facing(place)"),
+    };
+    // A dither by the number of the frame needs no memory; that of an APA102 goes on where its current changes.
+    let dither =
+        format!("            let mut dither = {}::dither(led.wrapping_add(number) as u16);\n", chip.name);
+    let [state, start, counted, each, item, step, dither] = if options.chip == Family::Apa102 {
+        [
+            "    dithers: [CurrentDither; COUNT],\n",
+            "            dithers: core::array::from_fn(|led| Apa102::dither(led as u16)),\n",
+            "",
+            "self.dithers.iter_mut().enumerate()",
+            "(led, dither)",
+            "",
+            "dither",
         ]
-    }
+    } else {
+        [
+            "    number: usize,\n",
+            "            number: 0,\n",
+            "        let number = self.number;\n        self.number = number.wrapping_add(1);\n",
+            "0..COUNT",
+            "led",
+            &dither,
+            "&mut dither",
+        ]
+    };
+    let order = match program.order() {
+        Order::Grb => "Grb",
+        Order::Rgb => "Rgb",
+        Order::Bgr => "Bgr",
+    };
+    let own = |text: &str, is_used: bool| if is_used { text.to_owned() } else { String::new() };
+    vec![
+        ("TURN_FUNCTION", own(TURNING, turns)),
+        ("TURNED", own(TURNED, turns)),
+        ("TURNS", program.each_placed(turned)),
+        ("QUARTER", quarter()),
+        ("MIDDLE", program.middle()),
+        (
+            "PERIOD",
+            own(
+                &format!(
+                    "\n/// Milliseconds of a turn of the lights.\nconst TURN: u32 = {}_000;\n",
+                    options.turn
+                ),
+                turns,
+            ),
+        ),
+        (
+            "MOVE",
+            own(
+                "        self.turn((u64::from(milliseconds % TURN) * 65_536 / u64::from(TURN)) as u32);\n",
+                turns,
+            ),
+        ),
+        ("MILLISECONDS", if turns { "milliseconds" } else { "_milliseconds" }.to_owned()),
+        ("PLACES", lines(&placed.places, 16, ["[", "]"])),
+        ("WHERE", place.to_owned()),
+        ("FACING", facing),
+        ("TABLES", tables.to_owned()),
+        ("WAY", way.to_owned()),
+        ("LIT", lit.to_owned()),
+        ("STATE", state.to_owned()),
+        ("START", start.to_owned()),
+        ("EACH", each.to_owned()),
+        ("ITEM", item.to_owned()),
+        ("STEP", step.to_owned()),
+        ("DITHER", dither.to_owned()),
+        ("COUNTED", counted.to_owned()),
+        ("ORDER", order.to_owned()),
+        ("CHIPS", chip.imports.to_owned()),
+        ("CHIP_TYPE", chip.value.to_owned()),
+        ("COLORS", chip.colors.to_owned()),
+        ("PIXEL_DOC", chip.pixel_doc.to_owned()),
+        ("PIXEL", chip.pixel.to_owned()),
+        (
+            "BOUND",
+            chip.bound.map_or_else(
+                || " ".to_owned(),
+                |bound| format!("\n    where\n        {bound}: Into<W::Color>,\n    "),
+            ),
+        ),
+        ("MAP", chip.map.to_owned()),
+        ("CALL", chip.call.to_owned()),
+        ("FRAMING", framing),
+        ("LIMIT", limit),
+        ("BRIGHTNESS", brightness),
+        ("TYPES", types),
+        ("SCENE_NAME", (*name).to_owned()),
+        ("VERSION", env!("CARGO_PKG_VERSION").to_owned()),
+        ("PATCH", patch()),
+    ]
 }
 
 fn has_axis(light: &AnyLight) -> bool {
@@ -191,7 +200,7 @@ fn quarter() -> String {
 
 /// Returns where Cargo finds the kernel: the folder that this command was built from, if it is still there.
 fn patch() -> String {
-    match Path::new(KERNEL).canonicalize() {
+    match Path::new(CORE).canonicalize() {
         // A text of TOML between apostrophes has no escapes.
         Ok(folder) if folder.to_str().is_some_and(|folder| !folder.contains('\'')) => format!(
             "\n# Until luminaire is published, its folder.\n[patch.crates-io]\nluminaire = {{ path = '{}' }}\n",
@@ -267,11 +276,8 @@ impl Chip {
     }
 }
 
-/// Names that a crate of this program cannot have, because it uses others of these names.
-const TAKEN: [&str; 5] = ["alloc", "core", "rgb", "std", "test"];
-
-/// Returns the name of a crate: an identifier, and no name of a crate that it uses.
+/// Returns the name of a crate: an identifier, and none of a crate that it uses.
 pub(super) fn crate_name(stem: &str) -> String {
-    let name = luminaire_export::identifier(stem, Language::RustFixed16);
-    if TAKEN.contains(&&*name) { format!("{name}_leds") } else { name }
+    let name = identifier(stem, Language::RustFixed16);
+    if name == "smart_leds_trait" { format!("{name}_light") } else { name }
 }
