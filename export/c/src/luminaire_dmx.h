@@ -72,7 +72,7 @@ static inline int32_t luminaire_channel_value(const luminaire_channel *channel, 
 }
 
 /* Returns the sine of an angle in steps of 2^-24 turns, with 30 fraction bits, within 2 steps. */
-static inline int32_t luminaire_sine(int32_t turn) {
+static inline int32_t luminaire_fine_sine(int32_t turn) {
     static const uint32_t parts[5] = {
         UINT32_C(14739), UINT32_C(688288), UINT32_C(20107567), UINT32_C(342277127), UINT32_C(2774394665)
     };
@@ -108,10 +108,10 @@ LUMINAIRE_RARE void luminaire_patch_axis(
     if (!axis || !patch) { return; }
     pan = luminaire_channel_value(&patch->pan, universe, count);
     tilt = luminaire_channel_value(&patch->tilt, universe, count);
-    across = luminaire_sine(tilt);
-    own[0] = -luminaire_unit_product(across, luminaire_sine(pan));
-    own[1] = -luminaire_sine(luminaire_plus(tilt, LUMINAIRE_TURN / 4));
-    own[2] = -luminaire_unit_product(across, luminaire_sine(luminaire_plus(pan, LUMINAIRE_TURN / 4)));
+    across = luminaire_fine_sine(tilt);
+    own[0] = -luminaire_unit_product(across, luminaire_fine_sine(pan));
+    own[1] = -luminaire_fine_sine(luminaire_plus(tilt, LUMINAIRE_TURN / 4));
+    own[2] = -luminaire_unit_product(across, luminaire_fine_sine(luminaire_plus(pan, LUMINAIRE_TURN / 4)));
     for (i = 0; i < 3; ++i) {
         int64_t sum = INT64_C(1) << 29;
         for (k = 0; k < 3; ++k) { sum += (int64_t)patch->mount[i][k] * own[k]; }
