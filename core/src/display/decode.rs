@@ -23,7 +23,7 @@ const DECODE: [f32; 8] = [
 /// Returns the linear value of an sRGB code, in `[0, 1]`: of a colour, or of a texture's channel.
 ///
 /// It is within 2e-6 in `f32`, which evaluates a polynomial. Fixed point reads the table of the dither: the value is
-/// the nearest one of `Fx16`, and within 2^-25 in `Fx32` (exhaustive). [`encode_srgb`] of the result returns the code.
+/// the nearest one of `Fx16`, and within 2^-25 in `Fx32` (exhaustive). [`encode_srgb`](super::encode_srgb) of the result returns the code.
 ///
 /// A surface with a texture reflects the light that arrives times the linear values of its texel, as
 /// [`filtered`](crate::Rgb::filtered) has it:
