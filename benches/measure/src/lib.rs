@@ -69,6 +69,7 @@ pub fn run(options: &MeasureOptions) -> Result<()> {
         }
         now.0.extend(on(target, options.check, &progress)?.0);
     }
+    now.keep_most(&Record::load()?);
     if options.check {
         documents::check(&now)?.iter().for_each(|remark| println!("{remark}"));
         println!("errors and counts are those on record");

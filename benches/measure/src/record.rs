@@ -149,6 +149,22 @@ impl Record {
         self.0.get(name).cloned().unwrap_or_default()
     }
 
+    /// Replaces the most instructions of a call by those on record, if these are more and the code is as it was: its counts and
+    /// bytes are equal. A search finds a part of the worst inputs, and another part each time that its order changes.
+    pub(crate) fn keep_most(&mut self, record: &Self) {
+        for (group, now) in &mut self.0 {
+            let Some(before) = record.0.get(group).filter(|before| before.about == now.about) else { continue };
+            for (name, units) in &mut now.figures {
+                let Some(old) = before.figures.get(name) else { continue };
+                let is_same = ["instructions", "bytes"].iter().all(|unit| old.get(*unit) == units.get(*unit));
+                let most = |units: &IndexMap<String, Value>| units.get(MOST).and_then(Value::as_f64);
+                if is_same && most(old) > most(units) && units.contains_key(MOST) {
+                    units.insert(MOST.to_owned(), old[MOST].clone());
+                }
+            }
+        }
+    }
+
     /// The text of the file, with one line for each name, so that a `diff` shows which figures changed.
     pub(crate) fn text(&self) -> Result<String> {
         let groups = self.0.iter().map(|(name, Group { about, figures })| {
@@ -236,5 +252,19 @@ mod tests {
         assert_eq!(group.number("soft.fx16", "codes"), Some(0.021));
         assert_eq!(group.text("soft.fx16", "kind"), Some("exhaustive"));
         assert!(group.add_lines("soft.fx16 0.021").unwrap_err().to_string().contains("soft.fx16"));
+    }
+
+    #[test]
+    fn most_that_was_found_is_kept_while_the_code_is_the_same() {
+        let record = |bytes: u64, most: u64| {
+            let mut record = group("rustc 1", "bytes", bytes as f64);
+            record.0["cortex-m0"].add("soft.fx16", MOST, most);
+            record
+        };
+        for (now, kept) in [(record(10, 80), 90.0), (record(10, 95), 95.0), (record(12, 80), 80.0)] {
+            let mut now = now;
+            now.keep_most(&record(10, 90));
+            assert_eq!(now.group("cortex-m0").number("soft.fx16", MOST), Some(kept));
+        }
     }
 }
