@@ -2,6 +2,7 @@
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use luminaire::attenuation::{AnyAttenuation, Attenuation};
+use luminaire::dmx::Patch;
 use luminaire::dynamic::AnyLight;
 use luminaire::{DirectionalLight, MeasuredLight, PointLight, Rgb, SpotLight, Vec3};
 use luminaire_export::json::NamedAmbient;
@@ -37,9 +38,22 @@ pub struct Lamp {
     pub fits: Vec<Fit>,
     /// The light of the widest zoom, of a fixture with one. `light` is that of the narrowest.
     pub widest: Option<AnyLight>,
+    /// The channels by which a console controls the light, of a fixture of GDTF.
+    pub patch: Option<Patched>,
     /// The nearest and the farthest surface, where the source says so.
     pub surfaces: Option<[f32; 2]>,
     /// What was assumed or left out, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// The channels of a DMX mode that control a light.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Patched {
+    /// The channels, at address 1.
+    pub patch: Patch,
+    /// The name of the mode.
+    pub mode: String,
+    /// What was left out, a sentence each.
     pub notes: Vec<String>,
 }
 
@@ -56,6 +70,7 @@ impl Lamp {
             measured: None,
             fits: Vec::new(),
             widest: None,
+            patch: None,
             surfaces: None,
             notes: Vec::new(),
         }

@@ -32,7 +32,7 @@ pub use crate::curve::{Curve, Definition};
 pub use crate::difference::Difference;
 pub use crate::fit::{Fit, fits, share};
 pub use crate::input::{largest, numbers, read, read_beside};
-pub use crate::lamp::{Lamp, Lamps, Place, Use, placed};
+pub use crate::lamp::{Lamp, Lamps, Patched, Place, Use, placed};
 pub use crate::parameters::{Parameters, parameters};
 pub use crate::profile::Beside;
 pub use crate::reading::Reading;

@@ -1,6 +1,7 @@
 //! GDTF files (DIN SPEC 15800): zips with a `description.xml`, whose `Beam` geometries are lights.
 
 mod geometry;
+mod patch;
 
 use roxmltree::Node;
 
@@ -77,16 +78,19 @@ pub(super) fn beams(text: &str, rig: Option<&str>) -> Result<Lamps, Refusal> {
         let first = modes.first().map_or_else(|| "none".to_owned(), |mode| short(*mode, "Name"));
         lamps.notes.push(format!("there is no mode `{name:.80}`: the one that is read is {first}"));
     }
-    let mut found = geometries.beams(modes.get(own.unwrap_or(0)).copied())?;
+    let mut mode = modes.get(own.unwrap_or(0)).copied();
+    let mut found = geometries.beams(mode)?;
     if rig.is_none() {
-        for mode in modes.iter().skip(1) {
+        for other in modes.iter().skip(1) {
             if !found.placed.is_empty() {
                 break;
             }
-            found = geometries.beams(Some(*mode))?;
+            mode = Some(*other);
+            found = geometries.beams(mode)?;
         }
     }
     for Placed { beam, name, world } in found.placed {
+        let is_own = name == short(beam, "Name");
         let name = if rig.is_some() { name } else { format!("{}: {name}", short(fixture, "Name")) };
         if let Some(kind @ ("None" | "Glow")) = beam.attribute("BeamType") {
             lamps.notes.push(format!("{name} is left out: a beam of the type {kind} lights nothing"));
@@ -94,7 +98,12 @@ pub(super) fn beams(text: &str, rig: Option<&str>) -> Result<Lamps, Refusal> {
         }
         let lamp = lamp(beam, name, zoom, rig.is_some()).and_then(|lamp| lamp.moved(upright(world)));
         match lamp {
-            Ok(lamp) => lamps.lamps.push(lamp),
+            Ok(lamp) => {
+                // The pixels that references place have slots of their own, which are not read.
+                let patch =
+                    mode.filter(|_| rig.is_none() && is_own).and_then(|mode| patch::patch(mode, beam, zoom));
+                lamps.lamps.push(Lamp { patch, ..lamp });
+            }
             Err(refusal) => lamps.refused.push(refusal.at(path(beam))),
         }
     }

@@ -1,0 +1,144 @@
+//! The channels of a DMX mode that control a beam.
+
+use luminaire::Rgb;
+use luminaire::dmx::{Channel, Patch};
+use roxmltree::Node;
+
+use super::geometry::short;
+use super::{number, path};
+use crate::lamp::Patched;
+use crate::refusal::Refusal;
+
+/// The quantities of a light that a channel controls, in the order in which they are applied.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Quantity {
+    Pan,
+    Tilt,
+    Zoom,
+    Dimmer,
+    /// A primary colour by its index, and whether the channel filters it.
+    Color(usize, bool),
+    White,
+}
+
+impl Quantity {
+    /// Returns the quantity of an attribute of the standard.
+    fn of(attribute: &str) -> Option<Self> {
+        Some(match attribute {
+            "Pan" => Self::Pan,
+            "Tilt" => Self::Tilt,
+            "Zoom" => Self::Zoom,
+            "Dimmer" => Self::Dimmer,
+            "ColorAdd_R" | "ColorRGB_Red" => Self::Color(0, false),
+            "ColorAdd_G" | "ColorRGB_Green" => Self::Color(1, false),
+            "ColorAdd_B" | "ColorRGB_Blue" => Self::Color(2, false),
+            "ColorSub_C" | "ColorRGB_Cyan" => Self::Color(0, true),
+            "ColorSub_M" | "ColorRGB_Magenta" => Self::Color(1, true),
+            "ColorSub_Y" | "ColorRGB_Yellow" => Self::Color(2, true),
+            "ColorAdd_W" => Self::White,
+            _ => return None,
+        })
+    }
+
+    /// Returns the channel between two physical values, those of the standard where the file has none: degrees of an angle, and
+    /// shares from 0 to 1 of all else.
+    fn channel(self, [from, to]: [f64; 2], zoom: Option<(f64, f64)>) -> Result<Channel, Refusal> {
+        let share = |from: f64, to: f64| {
+            let [from, to] = [from, to].map(|share| share.clamp(0.0, 1.0) as f32);
+            Channel::share(from, to)
+        };
+        let channel = match (self, zoom) {
+            (Self::Pan | Self::Tilt, _) => Channel::degrees(from as f32, to as f32),
+            (Self::Zoom, Some((least, most))) if least < most => {
+                let [from, to] = [from, to].map(|angle| (angle - least) / (most - least));
+                share(from, to)
+            }
+            (Self::Color(_, true), _) => share(1.0 - from, 1.0 - to),
+            _ => share(from, to),
+        };
+        Ok(channel?)
+    }
+}
+
+/// Returns the channels of a mode for a beam, at address 1; `None` without any.
+///
+/// The channels are those of the beam's geometry and of the geometries that it is in. `zoom` has the narrowest and the widest
+/// angle of the fixture.
+pub(super) fn patch(mode: Node, beam: Node, zoom: Option<(f64, f64)>) -> Option<Patched> {
+    let above: Vec<_> = beam.ancestors().filter_map(|node| node.attribute("Name")).collect();
+    let (mut found, mut notes, mut others) = (Vec::new(), Vec::new(), Vec::new());
+    for node in mode.descendants().filter(|node| node.has_tag_name("DMXChannel")) {
+        let functions: Vec<_> =
+            node.descendants().filter(|node| node.has_tag_name("ChannelFunction")).collect();
+        let Some(attribute) = functions.first().and_then(|function| function.attribute("Attribute")) else {
+            continue;
+        };
+        if !node.attribute("Geometry").is_none_or(|name| above.contains(&name)) {
+            continue;
+        }
+        let Some(slots) = slots(node) else { continue }; // a virtual channel
+        let Some(quantity) = Quantity::of(attribute) else {
+            others.push(format!("{attribute:.80}"));
+            continue;
+        };
+        let mut leave =
+            |reason: &str| notes.push(format!("`{attribute}` at slot {} is left out: {reason}", slots[0]));
+        if node.attribute("DMXBreak").is_some_and(|number| number.trim() != "1") {
+            leave("it is in another address range");
+        } else if found.iter().any(|(own, _)| *own == quantity) {
+            leave("another channel controls the same");
+        } else if functions.len() > 1 {
+            leave("a part of its numbers has another function");
+        } else {
+            match channel(functions[0], quantity, slots, zoom) {
+                Ok(channel) => found.push((quantity, channel)),
+                Err(refusal) => leave(&refusal.at(path(functions[0])).to_string()),
+            }
+        }
+    }
+    if found.is_empty() {
+        return None;
+    }
+    if !others.is_empty() {
+        others.dedup();
+        let (count, names) = (others.len(), others[..others.len().min(20)].join(", "));
+        notes.push(format!("{count} channels control what the light has not: {names}"));
+    }
+    let mut colors = [None; 3];
+    let mut patch = Patch::new();
+    for (quantity, channel) in found {
+        patch = match quantity {
+            Quantity::Pan => patch.with_pan(channel),
+            Quantity::Tilt => patch.with_tilt(channel),
+            Quantity::Zoom => patch.with_zoom(channel),
+            Quantity::Dimmer => patch.with_dimmer(channel),
+            Quantity::White => patch.with_white(channel),
+            Quantity::Color(index, _) => {
+                colors[index] = Some(channel);
+                patch
+            }
+        };
+    }
+    let [_, _, _, _, own @ .., _] = patch.channels();
+    let [red, green, blue] = [0, 1, 2].map(|index| colors[index].unwrap_or(own[index]));
+    let patch = patch.with_color(Rgb::new(red, green, blue));
+    Some(Patched { patch, mode: short(mode, "Name"), notes })
+}
+
+fn channel(
+    function: Node,
+    quantity: Quantity,
+    slots: [u16; 2],
+    zoom: Option<(f64, f64)>,
+) -> Result<Channel, Refusal> {
+    let ends = [number(function, "PhysicalFrom", 0.0)?, number(function, "PhysicalTo", 1.0)?];
+    let channel = quantity.channel(ends, zoom)?;
+    let [coarse, fine] = slots;
+    Ok(if fine == 0 { channel.at(coarse) } else { channel.at_fine(coarse, fine) }?)
+}
+
+/// Returns the coarse and the fine slot of a channel, 0 for none; a third one is less than a step of 16 bits.
+fn slots(channel: Node) -> Option<[u16; 2]> {
+    let mut slots = channel.attribute("Offset")?.split(',').map(|slot| slot.trim().parse().ok());
+    Some([slots.next()??, slots.next().map_or(Some(0), |slot| slot)?])
+}
