@@ -133,6 +133,10 @@ pub(crate) struct Export {
     /// given [default: the name of the file]
     #[arg(long, value_name = "NAME")]
     pub(crate) scene: Option<String>,
+    /// The DMX address of a GDTF fixture, from 1 to 512: c-fx16, rust-f32, rust-fx32 and rust-fx16 also have the channels by
+    /// which a console controls it
+    #[arg(long, value_name = "SLOT")]
+    pub(crate) address: Option<u16>,
     #[command(flatten)]
     pub(crate) spot: Spot,
     #[command(flatten)]

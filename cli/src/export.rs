@@ -4,9 +4,10 @@ use std::path::Path;
 
 use luminaire::Rgb;
 use luminaire::attenuation::AnyAttenuation;
-use luminaire_exchange::{Lamp, Parameters, Refusal, Residual, System, Use, parameters, write};
+use luminaire::dynamic::AnyLight;
+use luminaire_exchange::{Lamp, Parameters, Patched, Refusal, Residual, System, Use, parameters, write};
 use luminaire_export::json::{self, Lights};
-use luminaire_export::{Language, export_all, export_scene, identifier, names, printable};
+use luminaire_export::{Language, export_all, export_patch, export_scene, identifier, names, printable};
 
 use crate::arguments::Export;
 use crate::model;
@@ -25,6 +26,15 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
         }
     };
     let Found { mut lamps, ambient, is_scene, mut is_whole } = found;
+    if let (Some(address), Target::Tool(_) | Target::Ies | Target::Language(Language::Json)) =
+        (options.address, options.to)
+    {
+        return Err(Refusal::new(
+            "address",
+            address,
+            format_args!("none in {}: c-fx16 and Rust have channels", options.to),
+        ));
+    }
     let is_one = lamps.len() + ambient.len() == 1;
     for (number, (lamp, _)) in (1..).zip(&mut lamps) {
         match &options.name {
@@ -87,6 +97,11 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
                     None => export_all(named, language),
                 };
                 text = written;
+                if let Some(address) = options.address {
+                    let kept = |number: usize| refused.iter().all(|(other, _)| *other != number);
+                    let lamps: Vec<_> = lights.iter().map(|(lamp, _)| *lamp).collect();
+                    text += &patches(&lamps, &names, kept, address, language)?;
+                }
                 for (number, error) in refused {
                     refuse(&lights[number].0.name, error.into());
                 }
@@ -229,4 +244,42 @@ fn told(lamp: &Lamp, found: &Parameters, usage: Use) -> Vec<String> {
     let notes = found.notes.iter().copied().chain(lamp.notes.iter().map(String::as_str));
     lines.extend(notes.map(|note| format!("note: {}", printable(note))));
     lines
+}
+
+/// Returns the channels of the fixtures at an address, each of the lights of a zoom once.
+fn patches(
+    lamps: &[&Lamp],
+    names: &[String],
+    kept: impl Fn(usize) -> bool,
+    address: u16,
+    language: Language,
+) -> Result<String, Refusal> {
+    let mut text = String::new();
+    for (number, lamp) in lamps.iter().enumerate().filter(|(number, _)| kept(*number)) {
+        let Some(Patched { patch, mode, notes }) = &lamp.patch else { continue };
+        let patch = patch.at_address(address).map_err(|error| {
+            let refusal = Refusal::from(error);
+            refusal.at(&format!("{} at address {address}", lamp.name))
+        })?;
+        // Behind the narrowest zoom is the widest, if it was chosen and taken.
+        let cone = |light: AnyLight| if let AnyLight::Spot(spot) = light { Some(spot.cone()) } else { None };
+        let is_widest = |next: &&Lamp| lamp.widest.is_some_and(|widest| cone(widest) == cone(next.light));
+        let next = lamps.get(number + 1).copied().filter(|next| is_widest(next) && kept(number + 1));
+        let widest = next.map(|_| &names[number + 1]);
+        let narrow = &names[number];
+        let about = format!("{}, mode `{mode}` at address {address}", printable(&lamp.name));
+        let ends = [narrow.as_str(), widest.map_or(narrow, |name| name)];
+        let Some(own) = export_patch(ends, &patch, &about.replace('`', ""), language) else {
+            let expected = format_args!("none in {}: c-fx16 and Rust have channels", language.name());
+            return Err(Refusal::new("address", address, expected));
+        };
+        notes.iter().for_each(|note| say("note", format_args!("{}: {note}", lamp.name)));
+        text += "\n";
+        text += &own;
+    }
+    if text.is_empty() {
+        let expected = "a GDTF fixture whose mode has channels for pan, tilt, zoom, dimmer or a colour";
+        return Err(Refusal::new("address", address, expected));
+    }
+    Ok(text)
 }

@@ -20,7 +20,7 @@ pub(crate) fn head(light: &AnyLight, name: &str) -> Vec<String> {
 
 /// Returns a header of C whose text counts once. Another text by the same name is an error of the
 /// compiler: with an empty guard, the second of two lights of one name would be left out in
-/// silence. `kind` is light or scene.
+/// silence. `kind` is light, scene or fixture.
 pub(crate) fn guarded(name: &str, kind: &str, head: &str, body: &str) -> String {
     // FNV-1a of 32 bits.
     let mixed = |sum: u32, byte: u8| (sum ^ u32::from(byte)).wrapping_mul(0x0100_0193);

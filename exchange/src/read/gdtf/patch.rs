@@ -142,3 +142,75 @@ fn slots(channel: Node) -> Option<[u16; 2]> {
     let mut slots = channel.attribute("Offset")?.split(',').map(|slot| slot.trim().parse().ok());
     Some([slots.next()??, slots.next().map_or(Some(0), |slot| slot)?])
 }
+
+#[cfg(test)]
+mod tests {
+    use luminaire::dmx::{Channel, Patch};
+    use luminaire::{Error, Rgb};
+
+    use super::super::beams;
+
+    const FIXTURE: &str = r#"<GDTF DataVersion="1.2"><FixtureType Name="Head"><Geometries><Geometry Name="Base"><Axis Name="Yoke">
+<Axis Name="Tilt axis"><Beam Name="Lens" BeamAngle="8" FieldAngle="12"/></Axis></Axis>
+<Beam Name="Halo" BeamAngle="20" FieldAngle="30"/></Geometry></Geometries><DMXModes><DMXMode Name="Extended"><DMXChannels>
+<DMXChannel Geometry="Yoke" Offset="1,2"><LogicalChannel><ChannelFunction Attribute="Pan" PhysicalFrom="270" PhysicalTo="-270"/>
+</LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Tilt axis" Offset="3, 4,5"><LogicalChannel><ChannelFunction Attribute="Tilt" PhysicalFrom="-135" PhysicalTo="135"/>
+</LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Lens" Offset="6"><LogicalChannel><ChannelFunction Attribute="Dimmer"/></LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Lens" Offset="7"><LogicalChannel><ChannelFunction Attribute="Zoom" PhysicalFrom="40" PhysicalTo="8"/>
+</LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Lens" Offset="8"><LogicalChannel><ChannelFunction Attribute="ColorSub_C"/></LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Lens" Offset="9"><LogicalChannel><ChannelFunction Attribute="ColorSub_Y"/></LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Lens" Offset="10"><LogicalChannel><ChannelFunction Attribute="ColorSub_M"/>
+<ChannelFunction Attribute="ColorMacro1" DMXFrom="200/1"/></LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Lens" Offset="11"><LogicalChannel><ChannelFunction Attribute="Gobo1"/></LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Lens" Offset="None"><LogicalChannel><ChannelFunction Attribute="ColorAdd_W"/></LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Halo" Offset="12"><LogicalChannel><ChannelFunction Attribute="Dimmer" PhysicalTo="0.5"/></LogicalChannel></DMXChannel>
+<DMXChannel Geometry="Base" Offset="13" DMXBreak="2"><LogicalChannel><ChannelFunction Attribute="ColorAdd_W"/></LogicalChannel></DMXChannel>
+</DMXChannels></DMXMode></DMXModes></FixtureType></GDTF>"#;
+
+    #[test]
+    fn channels_are_those_of_the_beam_and_of_what_holds_it() -> Result<(), Error> {
+        let lamps = beams(FIXTURE, None).expect("a fixture");
+        let [lens, halo] = &lamps.lamps[..] else { panic!("expected two lights, found {lamps:?}") };
+        let share = |from, to| Channel::share(from, to);
+        let own = Patch::new().channels()[4];
+        let expected = Patch::new()
+            .with_pan(Channel::degrees(270.0, -270.0)?.at_fine(1, 2)?)
+            .with_tilt(Channel::degrees(-135.0, 135.0)?.at_fine(3, 4)?)
+            .with_dimmer(share(0.0, 1.0)?.at(6)?)
+            .with_zoom(share(1.0, 0.0)?.at(7)?)
+            .with_color(Rgb::new(share(1.0, 0.0)?.at(8)?, own, share(1.0, 0.0)?.at(9)?));
+        let found = lens.patch.as_ref().expect("channels");
+        assert_eq!((found.patch, found.mode.as_str()), (expected, "Extended"));
+        assert_eq!(
+            found.notes,
+            [
+                "`ColorSub_M` at slot 10 is left out: a part of its numbers has another function",
+                "`ColorAdd_W` at slot 13 is left out: it is in another address range",
+                "1 channels control what the light has not: Gobo1",
+            ]
+        );
+        let halo = halo.patch.as_ref().expect("channels");
+        assert_eq!(halo.patch, Patch::new().with_dimmer(share(0.0, 0.5)?.at(12)?));
+        Ok(())
+    }
+
+    #[test]
+    fn numbers_that_no_channel_has_are_left_out() {
+        for (from, to, reason) in [
+            ("\"270\"", "\"many\"", "PhysicalFrom = many: expected a finite number"),
+            ("\"270\"", "\"99999\"", "value of the channel = 99999"),
+            ("\"1,2\"", "\"1,600\"", "slot = 600: expected a whole number from 1 to 512"),
+        ] {
+            let lamps = beams(&FIXTURE.replace(from, to), None).expect("a fixture");
+            let found = lamps.lamps[0].patch.as_ref().expect("channels");
+            assert!(
+                found.notes[0].starts_with("`Pan` at slot 1 is left out") && found.notes[0].contains(reason),
+                "{found:?}"
+            );
+            assert_eq!(found.patch.channels()[0], Patch::new().channels()[0]);
+        }
+    }
+}
