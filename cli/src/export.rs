@@ -259,7 +259,7 @@ fn patches(
         let Some(Patched { patch, mode, notes }) = &lamp.patch else { continue };
         let patch = patch.at_address(address).map_err(|error| {
             let refusal = Refusal::from(error);
-            refusal.at(&format!("{} at address {address}", lamp.name))
+            refusal.at(format!("{} at address {address}", lamp.name))
         })?;
         // Behind the narrowest zoom is the widest, if it was chosen and taken.
         let cone = |light: AnyLight| if let AnyLight::Spot(spot) = light { Some(spot.cone()) } else { None };

@@ -275,6 +275,9 @@ impl Source {
             let intensity = spot.intensity.map(|intensity| intensity * usage.full_scale as f32);
             let place = Place { position: spot.position, axis: spot.axis, intensity };
             lamp.light = placed(lamp.light, place)?;
+            if let (Some(patched), Some(axis)) = (&mut lamp.patch, spot.axis) {
+                patched.mount_along(axis)?;
+            }
         }
         Ok(Loaded { lamps, usage })
     }

@@ -131,6 +131,14 @@ fn the_source_of_a_fixture_moves_its_light() {
     fs::remove_dir_all(folder).expect("removed");
 }
 
+/// The axis is that of the fixture at rest: one that stands has another mount.
+#[test]
+fn a_fixture_that_stands_has_another_mount() {
+    let told = luminaire(&["export", FIXTURE, "--to", "c-fx16", "--address", "1", "--axis", "0,1,0"]);
+    let text = String::from_utf8_lossy(&told.stdout);
+    assert!(text.contains("{ INT32_C(0), INT32_C(-1073741824), INT32_C(0) }"), "{text}");
+}
+
 #[test]
 fn addresses_are_refused_with_what_is_expected() {
     for (words, error) in [

@@ -57,6 +57,25 @@ pub struct Patched {
     pub notes: Vec<String>,
 }
 
+impl Patched {
+    /// Mounts the fixture so that its light at rest, which points down where it hangs, is along an axis: by the shortest turn, or for
+    /// an axis that points up by half a turn about x, as of a fixture that stands.
+    ///
+    /// # Errors
+    /// An axis without a direction.
+    pub fn mount_along(&mut self, axis: [f32; 3]) -> Result<(), Refusal> {
+        let toward = double(DirectionalLight::new(axis)?.direction());
+        let turn = if toward.y > 1.0 - 1e-9 {
+            DQuat::from_rotation_x(std::f64::consts::PI)
+        } else {
+            DQuat::from_rotation_arc(DVec3::NEG_Y, toward.normalize())
+        };
+        let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|own| Vec3::from((turn * own).as_vec3().to_array()));
+        self.patch = self.patch.with_mount(axes)?;
+        Ok(())
+    }
+}
+
 impl Lamp {
     /// Creates an exact light without further knowledge of it.
     pub fn new(name: impl Into<String>, light: impl Into<AnyLight>) -> Self {

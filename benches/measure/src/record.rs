@@ -153,7 +153,9 @@ impl Record {
     /// bytes are equal. A search finds a part of the worst inputs, and another part each time that its order changes.
     pub(crate) fn keep_most(&mut self, record: &Self) {
         for (group, now) in &mut self.0 {
-            let Some(before) = record.0.get(group).filter(|before| before.about == now.about) else { continue };
+            let Some(before) = record.0.get(group).filter(|before| before.about == now.about) else {
+                continue;
+            };
             for (name, units) in &mut now.figures {
                 let Some(old) = before.figures.get(name) else { continue };
                 let is_same = ["instructions", "bytes"].iter().all(|unit| old.get(*unit) == units.get(*unit));

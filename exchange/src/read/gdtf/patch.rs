@@ -146,7 +146,7 @@ fn slots(channel: Node) -> Option<[u16; 2]> {
 #[cfg(test)]
 mod tests {
     use luminaire::dmx::{Channel, Patch};
-    use luminaire::{Error, Rgb};
+    use luminaire::{Angle, Cone, Error, Rgb, SpotLight};
 
     use super::super::beams;
 
@@ -194,6 +194,35 @@ mod tests {
         );
         let halo = halo.patch.as_ref().expect("channels");
         assert_eq!(halo.patch, Patch::new().with_dimmer(share(0.0, 0.5)?.at(12)?));
+        Ok(())
+    }
+
+    /// At rest the beam is along the axis, and a pan turns it about the fixture's own vertical.
+    #[test]
+    fn fixtures_are_mounted_along_an_axis() -> Result<(), Error> {
+        let lamps = beams(FIXTURE, None).expect("a fixture");
+        let lens = lamps.lamps[0].patch.as_ref().expect("channels");
+        let cone = Cone::soft(Angle::degrees(20.0))?;
+        let ends = [SpotLight::new([0.0; 3], [0.0, -1.0, 0.0], cone)?.compile::<f32>()?; 2];
+        // Pan and tilt in their middles, and a tilt by 90 degrees.
+        let [rest, tilted] = [[128, 0, 128, 0], [128, 0, 213, 85]];
+        for (axis, aside) in [
+            ([0.0, -2.0, 0.0], [0.0, 0.0, -1.0]),
+            ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]),
+            ([3.0, 0.0, 0.0], [0.0, 0.0, -1.0]),
+            ([0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
+        ] {
+            let mut patched = lens.clone();
+            patched.mount_along(axis).expect("an axis");
+            let length = axis.iter().map(|c| c * c).sum::<f32>().sqrt();
+            for (slots, expected) in [(rest, axis.map(|c| c / length)), (tilted, aside)] {
+                let found = <[f32; 3]>::from(patched.patch.state(&slots).light(&ends).axis());
+                let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+                // Half a step of the tilt is 1.0e-3 and of the pan 2.1e-3 radians from the middle.
+                assert!(apart < 2.5e-3, "{axis:?} {slots:?}: {found:?}");
+            }
+        }
+        assert!(lens.clone().mount_along([0.0; 3]).is_err());
         Ok(())
     }
 
