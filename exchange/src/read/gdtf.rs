@@ -5,7 +5,7 @@ mod patch;
 
 use roxmltree::Node;
 
-use self::geometry::{Geometries, Placed, path, short};
+use self::geometry::{Geometries, Placed, number, path, short};
 pub(super) use self::geometry::{rows, upright};
 use super::scene::among;
 use super::xml;
@@ -163,13 +163,6 @@ fn lamp(node: Node, name: String, zoom: Option<(f64, f64)>, is_rig: bool) -> Res
         Some(format!("the field angle, {} degrees, is left out: no cone has it beside this beam", angles[1]))
     };
     zoomed(field.zip(beam).map(|(field, beam)| field / beam), None).or_else(|_| zoomed(None, note()))
-}
-
-/// Returns a number of an attribute, or that of the standard.
-fn number(node: Node, key: &str, standard: f64) -> Result<f64, Refusal> {
-    let Some(text) = node.attribute(key) else { return Ok(standard) };
-    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
-    number.ok_or_else(|| Refusal::new(key, text, "a finite number"))
 }
 
 #[cfg(test)]

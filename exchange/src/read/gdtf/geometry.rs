@@ -183,3 +183,10 @@ pub(crate) fn path(node: Node) -> String {
 pub(crate) fn short(node: Node, key: &str) -> String {
     format!("{:.80}", node.attribute(key).unwrap_or("unnamed"))
 }
+
+/// Returns a number of an attribute, or that of the standard.
+pub(super) fn number(node: Node, key: &str, standard: f64) -> Result<f64, Refusal> {
+    let Some(text) = node.attribute(key) else { return Ok(standard) };
+    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| Refusal::new(key, text, "a finite number"))
+}

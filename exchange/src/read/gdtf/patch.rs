@@ -4,8 +4,7 @@ use luminaire::Rgb;
 use luminaire::dmx::{Channel, Patch};
 use roxmltree::Node;
 
-use super::geometry::short;
-use super::{number, path};
+use super::geometry::{number, path, short};
 use crate::lamp::Patched;
 use crate::refusal::Refusal;
 
