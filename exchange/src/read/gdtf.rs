@@ -7,6 +7,7 @@ use roxmltree::Node;
 
 use self::geometry::{Geometries, Placed, number, path, short};
 pub(super) use self::geometry::{rows, upright};
+use self::patch::Channels;
 use super::scene::among;
 use super::xml;
 use super::zip::Zip;
@@ -89,6 +90,7 @@ pub(super) fn beams(text: &str, rig: Option<&str>) -> Result<Lamps, Refusal> {
             found = geometries.beams(mode)?;
         }
     }
+    let channels = mode.filter(|_| rig.is_none()).map(Channels::of);
     for Placed { beam, name, world } in found.placed {
         let is_own = name == short(beam, "Name");
         let name = if rig.is_some() { name } else { format!("{}: {name}", short(fixture, "Name")) };
@@ -100,8 +102,7 @@ pub(super) fn beams(text: &str, rig: Option<&str>) -> Result<Lamps, Refusal> {
         match lamp {
             Ok(lamp) => {
                 // The pixels that references place have slots of their own, which are not read.
-                let patch =
-                    mode.filter(|_| rig.is_none() && is_own).and_then(|mode| patch::patch(mode, beam, zoom));
+                let patch = channels.as_ref().filter(|_| is_own).and_then(|own| own.patch(beam, zoom));
                 lamps.lamps.push(Lamp { patch, ..lamp });
             }
             Err(refusal) => lamps.refused.push(refusal.at(path(beam))),

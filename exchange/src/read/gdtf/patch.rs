@@ -1,5 +1,7 @@
 //! The channels of a DMX mode that control a beam.
 
+use std::collections::HashSet;
+
 use luminaire::Rgb;
 use luminaire::dmx::{Channel, Patch};
 use roxmltree::Node;
@@ -8,138 +10,172 @@ use super::geometry::{number, path, short};
 use crate::lamp::Patched;
 use crate::refusal::Refusal;
 
-/// The quantities of a light that a channel controls, in the order in which they are applied.
+/// The most channels of a mode that are read, and the most sentences of what is left out.
+const CHANNELS: usize = 4_096;
+const NOTES: usize = 20;
+
+/// The quantities of a light that a channel controls.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Quantity {
     Pan,
     Tilt,
     Zoom,
     Dimmer,
-    /// A primary colour by its index, and whether the channel filters it.
-    Color(usize, bool),
+    Red,
+    Green,
+    Blue,
     White,
 }
 
 impl Quantity {
-    /// Returns the quantity of an attribute of the standard.
-    fn of(attribute: &str) -> Option<Self> {
+    /// Returns the quantity of an attribute of the standard, and whether the attribute takes a colour away.
+    fn of(attribute: &str) -> Option<(Self, bool)> {
         Some(match attribute {
-            "Pan" => Self::Pan,
-            "Tilt" => Self::Tilt,
-            "Zoom" => Self::Zoom,
-            "Dimmer" => Self::Dimmer,
-            "ColorAdd_R" | "ColorRGB_Red" => Self::Color(0, false),
-            "ColorAdd_G" | "ColorRGB_Green" => Self::Color(1, false),
-            "ColorAdd_B" | "ColorRGB_Blue" => Self::Color(2, false),
-            "ColorSub_C" | "ColorRGB_Cyan" => Self::Color(0, true),
-            "ColorSub_M" | "ColorRGB_Magenta" => Self::Color(1, true),
-            "ColorSub_Y" | "ColorRGB_Yellow" => Self::Color(2, true),
-            "ColorAdd_W" => Self::White,
+            "Pan" => (Self::Pan, false),
+            "Tilt" => (Self::Tilt, false),
+            "Zoom" => (Self::Zoom, false),
+            "Dimmer" => (Self::Dimmer, false),
+            "ColorAdd_R" | "ColorRGB_Red" => (Self::Red, false),
+            "ColorAdd_G" | "ColorRGB_Green" => (Self::Green, false),
+            "ColorAdd_B" | "ColorRGB_Blue" => (Self::Blue, false),
+            "ColorSub_C" | "ColorRGB_Cyan" => (Self::Red, true),
+            "ColorSub_M" | "ColorRGB_Magenta" => (Self::Green, true),
+            "ColorSub_Y" | "ColorRGB_Yellow" => (Self::Blue, true),
+            "ColorAdd_W" => (Self::White, false),
             _ => return None,
         })
     }
+}
 
-    /// Returns the channel between two physical values, those of the standard where the file has none: degrees of an angle, and
-    /// shares from 0 to 1 of all else.
-    fn channel(self, [from, to]: [f64; 2], zoom: Option<(f64, f64)>) -> Result<Channel, Refusal> {
-        let share = |from: f64, to: f64| {
-            let [from, to] = [from, to].map(|share| share.clamp(0.0, 1.0) as f32);
+/// A channel of a mode.
+struct Control<'a, 'i> {
+    geometry: Option<&'a str>,
+    /// The coarse and the fine one, 0 for none.
+    slots: [u16; 2],
+    attribute: &'a str,
+    /// The first function, which begins at 0.
+    function: Node<'a, 'i>,
+    /// Why no light has the channel, if so.
+    refused: Option<&'static str>,
+}
+
+impl<'a, 'i> Control<'a, 'i> {
+    /// Reads a channel; `None` for a virtual one.
+    fn of(node: Node<'a, 'i>) -> Option<Self> {
+        let mut functions = node.descendants().filter(|node| node.has_tag_name("ChannelFunction"));
+        let function = functions.next()?;
+        let refused = if node.attribute("DMXBreak").is_some_and(|number| number.trim() != "1") {
+            Some("it is in another address range")
+        } else {
+            functions.next().map(|_| "a part of its numbers has another function")
+        };
+        let attribute = function.attribute("Attribute")?;
+        Some(Self { geometry: node.attribute("Geometry"), slots: slots(node)?, attribute, function, refused })
+    }
+
+    /// Returns the channel of a quantity between its physical values, those of the standard where the file has none: degrees of
+    /// an angle, and shares from 0 to 1 of all else.
+    fn channel(
+        &self,
+        quantity: Quantity,
+        filters: bool,
+        zoom: Option<(f64, f64)>,
+    ) -> Result<Channel, Refusal> {
+        let [from, to] =
+            [number(self.function, "PhysicalFrom", 0.0)?, number(self.function, "PhysicalTo", 1.0)?];
+        let share = |ends: [f64; 2]| {
+            let [from, to] = ends.map(|share| share.clamp(0.0, 1.0) as f32);
             Channel::share(from, to)
         };
-        let channel = match (self, zoom) {
-            (Self::Pan | Self::Tilt, _) => Channel::degrees(from as f32, to as f32),
-            (Self::Zoom, Some((least, most))) if least < most => {
-                let [from, to] = [from, to].map(|angle| (angle - least) / (most - least));
-                share(from, to)
+        let channel = match (quantity, zoom) {
+            (Quantity::Pan | Quantity::Tilt, _) => Channel::degrees(from as f32, to as f32),
+            (Quantity::Zoom, Some((least, most))) if least < most => {
+                share([from, to].map(|angle| (angle - least) / (most - least)))
             }
-            (Self::Color(_, true), _) => share(1.0 - from, 1.0 - to),
-            _ => share(from, to),
-        };
-        Ok(channel?)
+            _ if filters => share([1.0 - from, 1.0 - to]),
+            _ => share([from, to]),
+        }?;
+        let [coarse, fine] = self.slots;
+        Ok(if fine == 0 { channel.at(coarse) } else { channel.at_fine(coarse, fine) }?)
     }
-}
-
-/// Returns the channels of a mode for a beam, at address 1; `None` without any.
-///
-/// The channels are those of the beam's geometry and of the geometries that it is in. `zoom` has the narrowest and the widest
-/// angle of the fixture.
-pub(super) fn patch(mode: Node, beam: Node, zoom: Option<(f64, f64)>) -> Option<Patched> {
-    let above: Vec<_> = beam.ancestors().filter_map(|node| node.attribute("Name")).collect();
-    let (mut found, mut notes, mut others) = (Vec::new(), Vec::new(), Vec::new());
-    for node in mode.descendants().filter(|node| node.has_tag_name("DMXChannel")) {
-        let functions: Vec<_> =
-            node.descendants().filter(|node| node.has_tag_name("ChannelFunction")).collect();
-        let Some(attribute) = functions.first().and_then(|function| function.attribute("Attribute")) else {
-            continue;
-        };
-        if !node.attribute("Geometry").is_none_or(|name| above.contains(&name)) {
-            continue;
-        }
-        let Some(slots) = slots(node) else { continue }; // a virtual channel
-        let Some(quantity) = Quantity::of(attribute) else {
-            others.push(format!("{attribute:.80}"));
-            continue;
-        };
-        let mut leave =
-            |reason: &str| notes.push(format!("`{attribute}` at slot {} is left out: {reason}", slots[0]));
-        if node.attribute("DMXBreak").is_some_and(|number| number.trim() != "1") {
-            leave("it is in another address range");
-        } else if found.iter().any(|(own, _)| *own == quantity) {
-            leave("another channel controls the same");
-        } else if functions.len() > 1 {
-            leave("a part of its numbers has another function");
-        } else {
-            match channel(functions[0], quantity, slots, zoom) {
-                Ok(channel) => found.push((quantity, channel)),
-                Err(refusal) => leave(&refusal.at(path(functions[0])).to_string()),
-            }
-        }
-    }
-    if found.is_empty() {
-        return None;
-    }
-    if !others.is_empty() {
-        others.dedup();
-        let (count, names) = (others.len(), others[..others.len().min(20)].join(", "));
-        notes.push(format!("{count} channels control what the light has not: {names}"));
-    }
-    let mut colors = [None; 3];
-    let mut patch = Patch::new();
-    for (quantity, channel) in found {
-        patch = match quantity {
-            Quantity::Pan => patch.with_pan(channel),
-            Quantity::Tilt => patch.with_tilt(channel),
-            Quantity::Zoom => patch.with_zoom(channel),
-            Quantity::Dimmer => patch.with_dimmer(channel),
-            Quantity::White => patch.with_white(channel),
-            Quantity::Color(index, _) => {
-                colors[index] = Some(channel);
-                patch
-            }
-        };
-    }
-    let [_, _, _, _, own @ .., _] = patch.channels();
-    let [red, green, blue] = [0, 1, 2].map(|index| colors[index].unwrap_or(own[index]));
-    let patch = patch.with_color(Rgb::new(red, green, blue));
-    Some(Patched { patch, mode: short(mode, "Name"), notes })
-}
-
-fn channel(
-    function: Node,
-    quantity: Quantity,
-    slots: [u16; 2],
-    zoom: Option<(f64, f64)>,
-) -> Result<Channel, Refusal> {
-    let ends = [number(function, "PhysicalFrom", 0.0)?, number(function, "PhysicalTo", 1.0)?];
-    let channel = quantity.channel(ends, zoom)?;
-    let [coarse, fine] = slots;
-    Ok(if fine == 0 { channel.at(coarse) } else { channel.at_fine(coarse, fine) }?)
 }
 
 /// Returns the coarse and the fine slot of a channel, 0 for none; a third one is less than a step of 16 bits.
 fn slots(channel: Node) -> Option<[u16; 2]> {
     let mut slots = channel.attribute("Offset")?.split(',').map(|slot| slot.trim().parse().ok());
     Some([slots.next()??, slots.next().map_or(Some(0), |slot| slot)?])
+}
+
+/// The channels of a mode.
+pub(super) struct Channels<'a, 'i> {
+    mode: String,
+    all: Vec<Control<'a, 'i>>,
+}
+
+impl<'a, 'i> Channels<'a, 'i> {
+    pub(super) fn of(mode: Node<'a, 'i>) -> Self {
+        let nodes = mode.descendants().filter(|node| node.has_tag_name("DMXChannel"));
+        Self { mode: short(mode, "Name"), all: nodes.filter_map(Control::of).take(CHANNELS).collect() }
+    }
+
+    /// Returns the channels for a beam, at address 1; `None` without any.
+    ///
+    /// The channels are those of the beam's geometry and of the geometries that it is in. `zoom` has the narrowest and the
+    /// widest angle of the fixture.
+    pub(super) fn patch(&self, beam: Node, zoom: Option<(f64, f64)>) -> Option<Patched> {
+        let above: HashSet<_> = beam.ancestors().filter_map(|node| node.attribute("Name")).collect();
+        let own = |control: &&Control| control.geometry.is_none_or(|name| above.contains(name));
+        let (mut found, mut notes, mut others) = (Vec::new(), Vec::new(), Vec::new());
+        for control in self.all.iter().filter(own) {
+            let Control { attribute, slots: [slot, _], .. } = *control;
+            let Some((quantity, filters)) = Quantity::of(attribute) else {
+                if others.len() < NOTES && !others.contains(&attribute) {
+                    others.push(attribute);
+                }
+                continue;
+            };
+            let is_taken = found.iter().any(|(own, _)| *own == quantity);
+            let refused = control.refused.or(is_taken.then_some("another channel controls the same"));
+            let reason = match refused.map(str::to_owned) {
+                Some(reason) => reason,
+                None => match control.channel(quantity, filters, zoom) {
+                    Ok(channel) => {
+                        found.push((quantity, channel));
+                        continue;
+                    }
+                    Err(refusal) => refusal.at(path(control.function)).to_string(),
+                },
+            };
+            notes.push(format!("`{attribute}` at slot {slot} is left out: {reason}"));
+        }
+        if found.is_empty() {
+            return None;
+        }
+        notes.truncate(NOTES);
+        if !others.is_empty() {
+            let names: Vec<_> = others.iter().map(|name| format!("{name:.80}")).collect();
+            notes.push(format!(
+                "a light has nothing that these attributes of the mode control: {}",
+                names.join(", ")
+            ));
+        }
+        let mut patch = Patch::new();
+        let [_, _, _, _, red, green, blue, _] = patch.channels();
+        let mut color = Rgb::new(red, green, blue);
+        for (quantity, channel) in found {
+            match quantity {
+                Quantity::Pan => patch = patch.with_pan(channel),
+                Quantity::Tilt => patch = patch.with_tilt(channel),
+                Quantity::Zoom => patch = patch.with_zoom(channel),
+                Quantity::Dimmer => patch = patch.with_dimmer(channel),
+                Quantity::White => patch = patch.with_white(channel),
+                Quantity::Red => color.red = channel,
+                Quantity::Green => color.green = channel,
+                Quantity::Blue => color.blue = channel,
+            }
+        }
+        Some(Patched { patch: patch.with_color(color), mode: self.mode.clone(), notes })
+    }
 }
 
 #[cfg(test)]
@@ -188,7 +224,7 @@ mod tests {
             [
                 "`ColorSub_M` at slot 10 is left out: a part of its numbers has another function",
                 "`ColorAdd_W` at slot 13 is left out: it is in another address range",
-                "1 channels control what the light has not: Gobo1",
+                "a light has nothing that these attributes of the mode control: Gobo1",
             ]
         );
         let halo = halo.patch.as_ref().expect("channels");
@@ -223,6 +259,17 @@ mod tests {
         }
         assert!(lens.clone().mount_along([0.0; 3]).is_err());
         Ok(())
+    }
+
+    /// A filter and a primary colour of one channel of light: the second is told, and does not take the place of the first.
+    #[test]
+    fn second_channel_of_a_quantity_is_told() {
+        let lamps = beams(&FIXTURE.replace("Gobo1", "ColorRGB_Red"), None).expect("a fixture");
+        let [before, found] = [beams(FIXTURE, None).expect("a fixture"), lamps]
+            .map(|lamps| lamps.lamps[0].patch.clone().expect("channels"));
+        assert_eq!(found.patch, before.patch);
+        let told = "`ColorRGB_Red` at slot 11 is left out: another channel controls the same";
+        assert!(found.notes.iter().any(|note| note == told), "{found:?}");
     }
 
     #[test]
