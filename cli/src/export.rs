@@ -17,6 +17,12 @@ use crate::words::Target;
 
 /// Returns the text of the lights, and whether none was refused. Those are said.
 pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
+    let has_channels = matches!(options.to, Target::Language(language) if language.has_channels());
+    if let Some(address) = options.address.filter(|_| !has_channels) {
+        let expected =
+            format_args!("none in {}: c-fx16, rust-f32, rust-fx32 and rust-fx16 have channels", options.to);
+        return Err(Refusal::new("address", address, expected));
+    }
     let has_throw = matches!(options.to, Target::Tool(_));
     let found = match options.source.load(&options.spot, has_throw)? {
         Some(found) => found,
@@ -26,15 +32,6 @@ pub(crate) fn export(options: &Export) -> Result<(String, bool), Refusal> {
         }
     };
     let Found { mut lamps, ambient, is_scene, mut is_whole } = found;
-    if let (Some(address), Target::Tool(_) | Target::Ies | Target::Language(Language::Json)) =
-        (options.address, options.to)
-    {
-        return Err(Refusal::new(
-            "address",
-            address,
-            format_args!("none in {}: c-fx16 and Rust have channels", options.to),
-        ));
-    }
     let is_one = lamps.len() + ambient.len() == 1;
     for (number, (lamp, _)) in (1..).zip(&mut lamps) {
         match &options.name {
@@ -265,17 +262,12 @@ fn patches(
         let cone = |light: AnyLight| if let AnyLight::Spot(spot) = light { Some(spot.cone()) } else { None };
         let is_widest = |next: &&Lamp| lamp.widest.is_some_and(|widest| cone(widest) == cone(next.light));
         let next = lamps.get(number + 1).copied().filter(|next| is_widest(next) && kept(number + 1));
-        let widest = next.map(|_| &names[number + 1]);
-        let narrow = &names[number];
-        let about = format!("{}, mode `{mode}` at address {address}", printable(&lamp.name));
-        let ends = [narrow.as_str(), widest.map_or(narrow, |name| name)];
-        let Some(own) = export_patch(ends, &patch, &about.replace('`', ""), language) else {
-            let expected = format_args!("none in {}: c-fx16 and Rust have channels", language.name());
-            return Err(Refusal::new("address", address, expected));
-        };
+        let narrow = names[number].as_str();
+        let wide = next.map_or(narrow, |_| &names[number + 1]);
+        say("note", format_args!("{}: the channels are those of its mode {mode}", lamp.name));
         notes.iter().for_each(|note| say("note", format_args!("{}: {note}", lamp.name)));
         text += "\n";
-        text += &own;
+        text += &export_patch([narrow, wide], &patch, language)?;
     }
     if text.is_empty() {
         let expected = "a GDTF fixture whose mode has channels for pan, tilt, zoom, dimmer or a colour";

@@ -137,6 +137,9 @@ fn a_fixture_that_stands_has_another_mount() {
     let told = luminaire(&["export", FIXTURE, "--to", "c-fx16", "--address", "1", "--axis", "0,1,0"]);
     let text = String::from_utf8_lossy(&told.stdout);
     assert!(text.contains("{ INT32_C(0), INT32_C(-1073741824), INT32_C(0) }"), "{text}");
+    // No text of the file is in the source: it could end a comment.
+    let notes = String::from_utf8_lossy(&told.stderr);
+    assert!(!text.contains("Extended") && notes.contains("its mode Extended"), "{text}{notes}");
 }
 
 #[test]

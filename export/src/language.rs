@@ -66,6 +66,11 @@ impl Language {
         }
     }
 
+    /// Returns whether the language has the channels by which a console controls a fixture.
+    pub fn has_channels(self) -> bool {
+        matches!(self, Self::CFixed | Self::RustFloat | Self::RustFixed32 | Self::RustFixed16)
+    }
+
     /// Returns the languages that may take a light which this one refuses, the nearest first.
     pub(crate) fn wider(self) -> &'static [Self] {
         match self {

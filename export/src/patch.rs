@@ -4,31 +4,31 @@ use std::fmt::Write;
 
 use luminaire::dmx::Patch;
 
+use crate::error::ExportError;
 use crate::head::guarded;
 use crate::language::Language;
-use crate::name::global;
+use crate::name::{check_identifier, global};
 
 /// The channels of a fixture, in words of the standard.
 const NAMES: [&str; 8] = ["pan", "tilt", "zoom", "dimmer", "red", "green", "blue", "white"];
 
 /// Returns the channels of a fixture as source beside its lights: in C with a function that makes the light of a universe, from
-/// those of the narrowest and of the widest zoom, which have these names; in Rust as a constant. `None` in other languages.
+/// those of the narrowest and of the widest zoom, which have these names; in Rust as a constant.
 ///
-/// `about` says in a line of text what the fixture is.
-pub fn export_patch(
-    [narrow, wide]: [&str; 2],
-    patch: &Patch,
-    about: &str,
-    language: Language,
-) -> Option<String> {
-    let about = format!("{about}: {}", told(patch));
-    match language {
-        Language::CFixed => Some(in_c([narrow, wide], patch, &about)),
-        Language::RustFloat | Language::RustFixed32 | Language::RustFixed16 => {
-            Some(in_rust(narrow, patch, &about))
-        }
-        _ => None,
+/// # Errors
+/// A name that is not its own [`identifier`](crate::identifier) in the language, or a language without channels:
+/// [`Language::has_channels`].
+pub fn export_patch(ends: [&str; 2], patch: &Patch, language: Language) -> Result<String, ExportError> {
+    if !language.has_channels() {
+        return Err(ExportError::new(
+            "language",
+            language.name(),
+            "c-fx16, rust-f32, rust-fx32 or rust-fx16",
+        ));
     }
+    ends.into_iter().try_for_each(|name| check_identifier(name, language))?;
+    let about = format!("The channels of the fixture {}: {}", ends[0], told(patch));
+    Ok(if language == Language::CFixed { in_c(ends, patch, &about) } else { in_rust(ends[0], patch, &about) })
 }
 
 /// Returns which slots have which channel.
