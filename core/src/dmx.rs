@@ -171,15 +171,8 @@ impl Patch {
     pub fn new() -> Self {
         let [zero, one] = [0, 1 << BITS].map(|end| Channel { slots: [0; 2], ends: [end; 2] });
         let unit = 1 << UNIT_BITS;
-        Self {
-            pan: zero,
-            tilt: zero,
-            zoom: zero,
-            dimmer: one,
-            color: Rgb::new(one, one, one),
-            white: zero,
-            mount: [[unit, 0, 0], [0, unit, 0], [0, 0, unit]],
-        }
+        let mount = [[unit, 0, 0], [0, unit, 0], [0, 0, unit]];
+        Self::from_parts([zero, zero, zero, one, one, one, one, zero], mount)
     }
 
     /// Returns the patch with a channel that turns about the vertical.

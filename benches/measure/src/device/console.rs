@@ -63,14 +63,23 @@ impl Picture {
 
     /// The number of pixels that differ from the host's.
     fn differ(&self) -> usize {
-        let mut expected = [0; SIDE * SIDE];
-        let (sprite, lights) = (Sprite::new(), Lights::at(self.time));
-        match self.mode {
-            0 => cells::draw::<4>(&sprite, &lights, &mut expected, cells::run),
-            _ => points::draw(&sprite, &lights, &mut expected),
-        }
-        self.pixels.iter().zip(expected).filter(|(pixel, expected)| *pixel != expected).count()
+        self.pixels
+            .iter()
+            .zip(drawn(self.time, self.mode))
+            .filter(|(pixel, expected)| *pixel != expected)
+            .count()
     }
+}
+
+/// The host's picture at a time, in a mode.
+fn drawn(time: u32, mode: usize) -> [u16; SIDE * SIDE] {
+    let mut pixels = [0; SIDE * SIDE];
+    let (sprite, lights) = (Sprite::new(), Lights::at(time));
+    match mode {
+        0 => cells::draw::<4>(&sprite, &lights, &mut pixels, cells::run),
+        _ => points::draw(&sprite, &lights, &mut pixels),
+    }
+    pixels
 }
 
 /// Runs a cartridge in mGBA for ten seconds, in the middle of which A is pressed. Returns a line for each mode, and one
@@ -154,16 +163,13 @@ mod tests {
 
     /// The host's pictures as the runner prints them, with modes and refreshes.
     fn pictures() -> Vec<Picture> {
-        let picture = |(number, mode): (u32, usize)| {
-            let empty =
-                Picture { refresh: 2 * number, number, time: number, mode, cycles: 263_100, pixels: vec![] };
-            let mut pixels = [0; SIDE * SIDE];
-            let (sprite, lights) = (Sprite::new(), Lights::at(number));
-            match mode {
-                0 => cells::draw::<4>(&sprite, &lights, &mut pixels, cells::run),
-                _ => points::draw(&sprite, &lights, &mut pixels),
-            }
-            Picture { pixels: pixels.to_vec(), ..empty }
+        let picture = |(number, mode): (u32, usize)| Picture {
+            refresh: 2 * number,
+            number,
+            time: number,
+            mode,
+            cycles: 263_100,
+            pixels: drawn(number, mode).to_vec(),
         };
         [(1, 0), (2, 0), (3, 1), (4, 1)].map(picture).to_vec()
     }
