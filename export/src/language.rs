@@ -68,7 +68,11 @@ impl Language {
 
     /// Returns whether the language has the channels by which a console controls a fixture.
     pub fn has_channels(self) -> bool {
-        matches!(self, Self::CFixed | Self::RustFloat | Self::RustFixed32 | Self::RustFixed16)
+        match self {
+            Self::CFixed | Self::RustFloat | Self::RustFixed32 | Self::RustFixed16 => true,
+            Self::Json | Self::Glsl | Self::GlslUniforms | Self::Wgsl => false,
+            Self::CFloat | Self::RustBuild | Self::RustProgram => false,
+        }
     }
 
     /// Returns the languages that may take a light which this one refuses, the nearest first.
