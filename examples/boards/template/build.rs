@@ -8,6 +8,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cool = cool.with_color(Rgb::new(0.3, 0.5, 1.0))?.compile::<Fx16>()?;
     let text = format!("[{}, {}]", as_source(&warm), as_source(&cool));
     std::fs::write(std::path::Path::new(&std::env::var("OUT_DIR")?).join("lights.rs"), text)?;
-    println!("cargo::rustc-link-arg-bins=-Tlink.x"); // of cortex-m-rt, which includes memory.x
+    // The link.x of cortex-m-rt includes memory.x itself.
+    if std::env::var("CARGO_CFG_TARGET_ARCH")? == "riscv32" {
+        println!("cargo::rustc-link-arg-bins=-Tmemory-riscv.x");
+    }
+    println!("cargo::rustc-link-arg-bins=-Tlink.x");
     Ok(())
 }
