@@ -1,25 +1,24 @@
 //! `luminaire leds`: a program that lights a strip of LEDs at the places of a map.
 
 mod c;
-mod map;
 mod options;
-mod placed;
 mod program;
+mod reached;
 mod rust;
 
 use std::fs;
 
 use luminaire_exchange::Refusal;
+use luminaire_exchange::leds::{Facing, LedMap, PlacedLeds};
 use luminaire_export::{Scene, export_scene, identifier, names};
 
 use crate::model;
 use crate::source::{Found, save, shown};
 use crate::text::say;
-use map::Map;
 pub(crate) use options::Leds;
-use options::{Facing, Target};
-use placed::Placed;
+use options::Target;
 use program::{File, Program};
+use reached::{check_turn, lit};
 
 /// Writes the program. Returns whether no light was refused.
 pub(crate) fn leds(options: &Leds) -> Result<bool, Refusal> {
@@ -46,15 +45,16 @@ pub(crate) fn leds(options: &Leds) -> Result<bool, Refusal> {
     let text = fs::read_to_string(&options.map).map_err(|error| {
         Refusal::new("map", &file, format_args!("a file of text that can be read: {error}"))
     })?;
-    let map = Map::read(&text).map_err(|refusal| refusal.at(&file))?;
-    if map.facing.is_none() && options.facing == Facing::Map {
+    let map = LedMap::read(&text).map_err(|refusal| refusal.at(&file))?;
+    let facing = options.facing.into();
+    if map.facing.is_none() && facing == Facing::Map {
         say(
             "note",
             "the map has no ways that the LEDs face: each takes the light of the side away from the upright axis through \
              their middle; --facing all takes that of all sides",
         );
     }
-    let placed = Placed::new(map, options.up, options.facing, options.height)?;
+    let placed = PlacedLeds::new(map, options.up.into(), facing, options.height)?;
     let count = placed.places.len();
     if let Some(limit) = options.limit.filter(|limit| *limit as usize <= count) {
         let expected = format_args!("more than {count} mA, which {count} dark LEDs take");
@@ -87,11 +87,11 @@ pub(crate) fn leds(options: &Leds) -> Result<bool, Refusal> {
     let kept: Vec<_> = kept.collect();
     if options.turn > 0 {
         kept.iter().try_for_each(|(number, (_, light))| {
-            placed.check_turn(light).map_err(|refusal| refusal.at(lights[*number].0))
+            check_turn(&placed, light).map_err(|refusal| refusal.at(lights[*number].0))
         })?;
     }
     let kept: Vec<_> = kept.into_iter().map(|(_, light)| light).collect();
-    let lit = placed.lit(kept.iter().map(|(_, light)| light))?;
+    let lit = lit(&placed, kept.iter().map(|(_, light)| light))?;
     // The scene has another name than each light.
     let taken = kept.iter().map(|(name, _)| *name).chain([name.as_str()]);
     let name = names(taken, language).pop().unwrap_or(name);

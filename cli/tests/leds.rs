@@ -8,7 +8,10 @@ use std::process::{Command, Output};
 use luminaire::display::{self, Apa102, Hd108, LedChip, LedLoad, LedOrder, LedStrip, Rgbw};
 use luminaire::dynamic::{AnyLight, CompiledAnyLight};
 use luminaire::{Fx16, Length, Rgb, Vec3};
-use luminaire_export::json;
+use luminaire_exchange::leds::{Facing, LedMap, PlacedLeds, Up};
+use luminaire_export::{Language, export_all, json};
+use luminaire_render::Strip;
+use luminaire_render::scenes::{Example, tree as page};
 
 const LIBRARY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../export/c/src");
 
@@ -510,6 +513,48 @@ fn each_target_sends_the_bytes_of_the_library() {
     assert_eq!(found.len(), of_crates.len());
     let differs = found.iter().zip(&of_crates).position(|(found, expected)| found != expected);
     assert_eq!(differs, None, "Rust writes what Arduino sends");
+}
+
+/// The tree of the page, with the LEDs of a map that says which way they face, has the bytes that the program for the same
+/// map and lights sends.
+#[test]
+fn the_tree_of_the_page_has_the_bytes_of_the_program() {
+    let folder = folder("page");
+    let (map, scene, own) = (folder.join("map.csv"), folder.join("scene.json"), folder.join("own"));
+    let mut lines = String::from("index,x,y,z,xn,yn,zn,error\n");
+    for (i, [x, y, z]) in (0..).zip(tree()) {
+        let _ = writeln!(lines, "{i},{},{},{},{},{},0.3,0", 17.0 * x + 3.0, 17.0 * y, 17.0 * z, x - y, y + x);
+    }
+    let fixtures = Example::Tree.setup().expect("constants").fixtures_at(1.3).expect("a time");
+    let lights: Vec<_> = fixtures.iter().map(|fixture| *fixture.light()).collect();
+    let named = ["a", "b", "c", "d"].into_iter().zip(lights.iter().copied());
+    let (text, refused) = export_all(named, Language::Json);
+    assert_eq!(refused, []);
+    fs::write(&scene, text).expect("a file");
+    fs::write(&map, &lines).expect("a file");
+
+    let placed = LedMap::read(&lines)
+        .and_then(|map| PlacedLeds::new(map, Up::Z, Facing::Map, Some(page::HEIGHT.into())))
+        .expect("a map");
+    let vectors = |all: &[[f64; 3]]| -> Vec<_> {
+        all.iter().map(|own| Vec3::from(own.map(|number| number as f32))).collect()
+    };
+    let strip = Strip::new(vectors(&placed.places), page::LIMIT);
+    let strip = strip.facing(vectors(placed.facing.as_deref().expect("the map has ways")));
+    let shown = strip.frame::<Fx16>(&lights).expect("lights of the page");
+    let shown: Vec<_> = shown.into_iter().flat_map(|led| [led.red, led.green, led.blue]).collect();
+
+    let [map, scene, path] = [&map, &scene, &own].map(|path| path.display());
+    let output = luminaire(&format!(
+        "leds --map {map} {scene} --output {path} --height {} --limit {} --order rgb --turn 0",
+        page::HEIGHT,
+        page::LIMIT
+    ));
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let sent = sent(&own, "own.ino");
+    assert_eq!(sent[..shown.len()], shown);
+    let lit = shown.iter().filter(|byte| **byte > 8).count();
+    assert!(lit > 50, "{lit} bytes are lit");
 }
 
 /// A light at the largest distance that is accepted turns without an overflow, and one beyond it is refused unless it

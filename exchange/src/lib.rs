@@ -1,4 +1,4 @@
-//! Lights from the files and the numbers of other tools, and parameters of a light for other tools.
+//! Lights from the files and the numbers of other tools, and parameters of a light for other tools; and places of LEDs.
 #![forbid(unsafe_code)]
 
 mod about;
@@ -9,6 +9,7 @@ mod family;
 mod fit;
 mod input;
 mod lamp;
+pub mod leds;
 mod limits;
 mod measured;
 mod parameters;

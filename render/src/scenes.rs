@@ -22,7 +22,7 @@ mod show;
 pub(crate) mod solids;
 pub mod stage;
 mod three_point;
-mod tree;
+pub mod tree;
 mod turntable;
 
 pub use self::{fixture::MovingLight, setup::Setup, turntable::turntable};

@@ -5,8 +5,11 @@ mod measured;
 use crate::{light::hex_of, name::Name, own_cone, refusal::Refusal};
 use luminaire::{Cone, dynamic::AnyLight, falloff::AnyFalloff, projector::Projection};
 use luminaire_exchange::{
-    Curve, Definition, Lamp, Lamps, Reading, Residual, Use, fits, number, parameters, read, share,
+    Curve, Definition, Lamp, Lamps, Reading, Residual, Use, fits,
+    leds::{Facing, LedMap, PlacedLeds, Up},
+    number, parameters, read, share,
 };
+use luminaire_render::scenes::tree;
 use serde_json::{Value, json};
 use wasm_bindgen::{Clamped, prelude::*};
 
@@ -58,6 +61,47 @@ impl LightFile {
         );
         let told = [found.text(lamp), told];
         Ok(told.into_iter().chain(found.notes.into_iter().map(String::from)).collect())
+    }
+}
+
+/// LEDs at the places of a map, for the scene of the tree.
+#[wasm_bindgen(getter_with_clone)]
+#[derive(Debug)]
+pub struct LedFile {
+    /// The places in metres: three numbers for each LED.
+    pub places: Vec<f32>,
+    /// The ways that the LEDs face: as many numbers.
+    pub facing: Vec<f32>,
+    /// What the LEDs are, in a sentence.
+    pub told: String,
+}
+
+#[wasm_bindgen]
+impl LedFile {
+    /// Reads a map of LEDs, with the numbers that `luminaire leds --height 2` puts into a program. Returns nothing for a
+    /// file that is no map. Throws what the reader refuses, in its words.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Option<Self>, Refusal> {
+        let map = str::from_utf8(bytes).ok().filter(|text| LedMap::is_map(name, text));
+        let Some(map) = map.map(LedMap::read).transpose()? else { return Ok(None) };
+        // A plane that lies in the map stands on the stage.
+        let is_upright = map.places.iter().any(|place| place[2] != map.places[0][2]);
+        let height = f64::from(tree::HEIGHT);
+        let up = if is_upright { Up::Z } else { Up::Y };
+        if !is_upright && map.places.iter().all(|place| place[1] == map.places[0][1]) {
+            let expected = "at least two heights: LEDs stand upright on the stage";
+            return Err(Refusal(format!("LEDs = {} at one height: expected {expected}", map.places.len())));
+        }
+        let leds = PlacedLeds::new(map, up, Facing::Map, Some(height))?;
+        let takes = match leds.side {
+            Facing::Map => "of the side that it faces, as the map says",
+            _ => "of the side away from the upright axis through their middle",
+        };
+        let numbers =
+            |all: &[[f64; 3]]| all.as_flattened().iter().map(|number| *number as f32).collect::<Vec<_>>();
+        let count = leds.places.len();
+        let told = format!("{count} LEDs, {height} m high: each takes the light {takes}.");
+        let facing = leds.facing.as_deref().map_or_else(Vec::new, numbers);
+        Ok(Some(Self { places: numbers(&leds.places), facing, told }))
     }
 }
 

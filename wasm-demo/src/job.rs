@@ -1,14 +1,18 @@
 //! A picture to draw, as text that can be posted to a worker.
 
-use crate::{address, format::Format, refusal::Refusal, rig::Rig, state::State};
-use luminaire_render::scenes::{Example, turntable};
+use crate::{address, format::Format, leds, refusal::Refusal, rig::Rig, state::State};
+use luminaire_render::{
+    Strip,
+    scenes::{Example, tree, turntable},
+};
+use std::rc::Rc;
 
 /// Lights above the turntable, for measuring: their number, and the side of their shadow maps in
 /// texels.
 pub(crate) type Load = (usize, Option<u16>);
 
 /// Everything that a picture depends on. The text of a job is a state's address after the size, the
-/// load and the scene, each before a space.
+/// load, the scene and the LEDs of a file, each before a space.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Job {
     /// Width and height of the picture in pixels.
@@ -25,7 +29,8 @@ pub(crate) fn write(size: (u32, u32), load: Option<Load>, state: &State, lights:
     let plays = State::of(state.scene, 0).plays;
     let state = State { plays, other: None, is_difference: false, ..state.clone() };
     let address = address::write(&state, lights);
-    format!("{}x{} {spots}x{side} {} {address}", size.0, size.1, state.scene.name())
+    let leds = leds::written(state.leds.as_deref());
+    format!("{}x{} {spots}x{side} {} {leds} {address}", size.0, size.1, state.scene.name())
 }
 
 /// Returns the number format of a job, without building its scene.
@@ -44,7 +49,7 @@ impl Task {
     /// Reads a job. The scene is only built if it is not that of the task before.
     pub(crate) fn read(text: &str, before: Option<Self>) -> Result<Self, Refusal> {
         let refused = || Refusal::name("job", text, "a job that the stage has written");
-        let mut words = text.splitn(4, ' ');
+        let mut words = text.splitn(5, ' ');
         let mut pair = || -> Option<(u32, u32)> {
             let (one, other) = words.next()?.split_once('x')?;
             Some((one.parse().ok()?, other.parse().ok()?))
@@ -52,11 +57,14 @@ impl Task {
         let (size, (spots, side)) = pair().zip(pair()).ok_or_else(refused)?;
         let side = u16::try_from(side).map_err(|_| refused())?;
         let load = (spots > 0).then_some((spots as usize, Some(side).filter(|&side| side > 0)));
-        let (scene, address) = words.next().zip(words.next()).ok_or_else(refused)?;
-        let scene = address::scene_named(scene)?;
-        let kept = before.filter(|before| (before.job.state.scene, before.job.load) == (scene, load));
-        let rig = kept.map_or_else(|| rig(scene, load), |before| Ok(before.rig))?;
+        let scene = address::scene_named(words.next().ok_or_else(refused)?)?;
+        let (leds, address) = words.next().zip(words.next()).ok_or_else(refused)?;
+        let leds = leds::read(leds).ok_or_else(refused)?.map(Rc::new);
+        let is_kept = |job: &Job| (job.state.scene, job.load, &job.state.leds) == (scene, load, &leds);
+        let kept = before.filter(|before| is_kept(&before.job));
+        let rig = kept.map_or_else(|| rig(scene, load, leds.as_deref()), |before| Ok(before.rig))?;
         let (state, refused) = address::parse_in(scene, rig.lights(), address);
+        let state = State { leds, ..state };
         match refused.into_iter().next() {
             Some(refusal) => Err(refusal),
             None => Ok(Self { rig: rig.fitted(&state)?, job: Job { size, load, state } }),
@@ -64,17 +72,18 @@ impl Task {
     }
 }
 
-/// Returns a scene as it was composed, or the turntable under a load.
-pub(crate) fn rig(scene: Example, load: Option<Load>) -> Result<Rig, Refusal> {
-    let Some((spots, side)) = load else { return Ok(Rig::new(scene.setup()?)?) };
+/// Returns a scene as it was composed, the tree with the LEDs of a file, or the turntable under a load.
+pub(crate) fn rig(scene: Example, load: Option<Load>, leds: Option<&Strip>) -> Result<Rig, Refusal> {
+    let Some((spots, side)) = load else {
+        return Ok(Rig::new(leds.map_or_else(|| scene.setup(), |leds| tree::with_leds(leds.clone()))?)?);
+    };
     let rig = Rig::new(turntable(spots)?)?;
     Ok(side.map_or(rig.clone(), |side| rig.with_shadow_side(side)))
 }
 
 /// Writes the job to draw a scene as it opens.
 pub(crate) fn write_opened(scene: Example, size: (u32, u32)) -> String {
-    let state = State::of(scene, 0);
-    format!("{}x{} 0x0 {} {}", size.0, size.1, scene.name(), address::write(&state, 0))
+    write(size, None, &State::of(scene, 0), 0)
 }
 
 #[cfg(test)]
@@ -113,7 +122,7 @@ mod tests {
     #[test]
     fn the_load_of_the_turntable_is_part_of_the_job() {
         let load = Some((5, Some(256)));
-        let rig = rig(Example::Turntable, load).unwrap();
+        let rig = rig(Example::Turntable, load, None).unwrap();
         let mut stage = Stage::with_rig(Example::Turntable, rig);
         stage.switch("shadow", true).unwrap();
         let text = write((96, 54), load, stage.state(), stage.rig().lights());
@@ -121,6 +130,32 @@ mod tests {
         let fixtures = task.rig.fixtures_at(0.0).unwrap();
         assert_eq!((fixtures.len(), task.job.load), (5, load));
         assert!(fixtures.iter().all(|fixture| fixture.shadow().is_some_and(|(side, _)| side == 256)));
+    }
+
+    /// A worker has each number of the LEDs to the bit, and keeps their scene until there are others.
+    #[test]
+    fn the_leds_of_a_file_are_part_of_the_job() {
+        let mut stage = Stage::of(Example::Show).unwrap();
+        let places = [-0.0, 2.0, 1.0 / 3.0, f32::MIN_POSITIVE, 0.0, -100.0];
+        stage.put_leds(&places, &[0.0, 1.0, 0.0, 0.6, 0.0, -0.8]).unwrap();
+        let job = |stage: &Stage| write((96, 54), None, stage.state(), stage.rig().lights());
+        let task = Task::read(&job(&stage), None).unwrap();
+        assert_eq!((task.job.state.scene, &task.job.state.leds), (Example::Tree, &stage.state().leds));
+        let bits = |task: &Task| -> Vec<u32> {
+            let places = task.rig.scene().strip().unwrap().places();
+            places.iter().flat_map(|own| [own.x, own.y, own.z]).map(f32::to_bits).collect()
+        };
+        assert_eq!(bits(&task), places.map(f32::to_bits));
+
+        stage.put_leds(&places[..3], &[]).unwrap();
+        assert_eq!(stage.rig().scene().strip().unwrap().places().len(), 1);
+        let task = Task::read(&job(&stage), Some(task)).unwrap();
+        assert_eq!(bits(&task).len(), 3);
+        stage.open("tree").unwrap();
+        let task = Task::read(&job(&stage), Some(task)).unwrap();
+        assert_eq!((task.job.state.leds, task.rig.scene().strip().unwrap().places().len()), (None, 500));
+        let job = job(&stage).replace(" - ", " 00,zz ");
+        assert!(Task::read(&job, None).is_err());
     }
 
     #[test]

@@ -69,6 +69,8 @@ mod job;
 #[cfg(feature = "state")]
 mod kind;
 #[cfg(feature = "state")]
+mod leds;
+#[cfg(feature = "state")]
 mod light;
 #[cfg(feature = "state")]
 mod map;
@@ -120,7 +122,7 @@ pub use composite::Composite;
 #[cfg(feature = "stage")]
 pub use divided::Divided;
 #[cfg(feature = "files")]
-pub use file::LightFile;
+pub use file::{LedFile, LightFile};
 #[cfg(feature = "state")]
 pub use light::{DialEnds, LightState};
 #[cfg(feature = "comparison")]

@@ -106,7 +106,7 @@ impl Stage {
     #[wasm_bindgen(js_name = openTurntable)]
     pub fn open_turntable(&mut self, spots: usize, shadow_side: Option<u16>) -> Result<(), Refusal> {
         let load = Some((spots, shadow_side));
-        let mut stage = Self::with_rig(Example::Turntable, job::rig(Example::Turntable, load)?);
+        let mut stage = Self::with_rig(Example::Turntable, job::rig(Example::Turntable, load, None)?);
         if shadow_side.is_some() {
             stage.switch(Effect::Shadow.name(), true)?;
         }

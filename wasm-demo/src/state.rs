@@ -2,7 +2,8 @@
 
 use crate::{format::Format, map::Subject, refusal::one_of, setting::Setting, viewpoint::Viewpoint};
 use luminaire::dynamic::Effect;
-use luminaire_render::{Output, scenes::Example};
+use luminaire_render::{Output, Strip, scenes::Example};
+use std::rc::Rc;
 
 /// The effects that have a switch, with the label of each switch.
 pub(crate) const SWITCHABLE: [(Effect, &str); 5] = [
@@ -27,6 +28,8 @@ pub(crate) const LIGHTS: usize = 80;
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct State {
     pub(crate) scene: Example,
+    /// The LEDs of a file, in place of those of the tree. No address has them.
+    pub(crate) leds: Option<Rc<Strip>>,
     pub(crate) format: Format,
     /// The format of the other half of a divided picture; `None` for a whole picture.
     pub(crate) other: Option<Format>,
@@ -63,6 +66,7 @@ impl State {
     pub(crate) fn of(scene: Example, lights: usize) -> Self {
         Self {
             scene,
+            leds: None,
             format: Format::Fx16,
             other: None,
             is_difference: false,

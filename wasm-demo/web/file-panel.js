@@ -8,11 +8,12 @@ import { counted, degrees } from "./numbers.js";
 import { label, line, shape } from "./shapes.js";
 
 /**
- * A light, as the module describes it; the throw of the selected light of the stage in metres, and what puts a light there and
- * returns the outcome in words.
+ * A light, as the module describes it; the LEDs of a map; the throw of the selected light of the stage in metres, and what puts a light or
+ * LEDs there and returns the outcome in words.
  * @typedef {{ name: string, fit: string | null, settings: string | null, isCut: boolean, intensity: number, isCandela: boolean, beam: number,
  *   field: number, difference: string, photometry: string, points: number[][], planes: number[][][] | null, drawn: number[][], notes: string[] }} FileLight
- * @typedef {{ throwOf: () => number, put: (light: FileLight) => string }} OnStage
+ * @typedef {{ places: Float32Array, facing: Float32Array, told: string }} FileLeds
+ * @typedef {{ throwOf: () => number, put: (light: FileLight) => string, putLeds: (leds: FileLeds) => string }} OnStage
  */
 
 /** @param {string} id */
@@ -26,7 +27,7 @@ const select = (id) => find(`file-${id}`, HTMLSelectElement);
  * @param {HTMLElement} place
  * @param {OnStage} stage
  */
-export async function openPanel(place, { throwOf, put }) {
+export async function openPanel(place, { throwOf, put, putLeds }) {
   place.innerHTML = await fetchText("file.html");
   const reader = new FileThread();
   /** @type {FileLight[]} */
@@ -82,8 +83,10 @@ export async function openPanel(place, { throwOf, put }) {
 
   /** @type {(name: string, bytes: Uint8Array<ArrayBuffer>, isRound: boolean) => Promise<{ told: string, isRound: boolean }>} */
   return async (name, bytes, isRound) => {
-    const { lights: found, notes } = await reader.ask({ name, bytes, reach: throwOf(), isRound });
-    lights = found;
+    const { lights: found, notes, ...leds } = await reader.ask({ name, bytes, reach: throwOf(), isRound });
+    lights = found ?? [];
+    place.hidden = !found;
+    if (!found) return { told: `${name}: ${putLeds(leds)}`, isRound: true };
     element("notes").textContent = notes.join("\n");
     select("light").replaceChildren(...lights.map(({ name }, i) => new Option(`${i + 1} ${name}`, String(i))));
     element("chosen").hidden = lights.length === 0;

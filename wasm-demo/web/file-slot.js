@@ -1,5 +1,5 @@
-// The lights of files that are picked by a button, or dropped on the page: one file is shown, and a list has the others. What reads
-// them is loaded with the first one.
+// The lights of files, and maps of LEDs, that are picked by a button or dropped on the page: one file is shown, and a list has the
+// others. What reads them is loaded with the first one.
 import { element } from "./elements.js";
 import { words } from "./failure.js";
 import { built } from "./parts.js";
@@ -42,7 +42,6 @@ export function takeFiles(stage) {
       if (file !== newest) return;
       const shown = await show(file.name, new Uint8Array(bytes), isRound);
       [told.textContent, round.hidden] = [shown.told, shown.isRound];
-      place.hidden = false;
     } catch (error) {
       if (file !== newest) return;
       [told.textContent, told.className] = [`${file.name}: ${words(error)}`, "error"];

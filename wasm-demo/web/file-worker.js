@@ -1,7 +1,7 @@
 // Reads files of other tools off the page's thread, which a large file would hold up.
 import { words } from "./failure.js";
 import { compile } from "./module.js";
-import { LightFile, initSync } from "./pkg/files.js";
+import { LedFile, LightFile, initSync } from "./pkg/files.js";
 
 const ready = compile(new URL("pkg/files_bg.wasm", import.meta.url)).then((module) => initSync({ module }));
 
@@ -26,6 +26,8 @@ function answerTo(question) {
   if ("bytes" in question) {
     file?.free();
     file = undefined;
+    const leds = LedFile.read(question.name, question.bytes);
+    if (leds) return { places: leds.places, facing: leds.facing, told: leds.told };
     file = new LightFile(question.name, question.bytes, question.reach, question.isRound);
     return JSON.parse(file.told());
   }

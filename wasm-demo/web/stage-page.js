@@ -151,6 +151,11 @@ export class StagePage {
         const exposed = isDark ? "It lights no surface." : `The picture is exposed for it, by ${tidy(stage.get("exposure"))} EV.`;
         return refusal || `It is light ${element("panel-title").textContent}, here and in the link. ${exposed}`;
       },
+      putLeds: ({ places, facing, told }) => {
+        const refusal = refusalOf(() => stage.putLeds(places, facing));
+        this.#changed();
+        return refusal || `${told} They are on the tree's stage, but not in the link.`;
+      },
     });
     joinTabs();
     this.#join();

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use luminaire_exchange::leds;
 use luminaire_export::Language;
 
 use crate::source::{Source, Spot};
@@ -71,12 +72,22 @@ impl Target {
     }
 }
 
-/// The side from which an LED takes light.
-#[derive(Clone, Copy, PartialEq, Debug, clap::ValueEnum)]
+/// The names of [`leds::Facing`].
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
 pub(super) enum Facing {
     Map,
     Out,
     All,
+}
+
+impl From<Facing> for leds::Facing {
+    fn from(facing: Facing) -> Self {
+        match facing {
+            Facing::Map => Self::Map,
+            Facing::Out => Self::Out,
+            Facing::All => Self::All,
+        }
+    }
 }
 
 /// A family of chips.
@@ -95,10 +106,20 @@ pub(super) enum Order {
     Bgr,
 }
 
+/// The names of [`leds::Up`].
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 pub(super) enum Up {
     Y,
     Z,
+}
+
+impl From<Up> for leds::Up {
+    fn from(up: Up) -> Self {
+        match up {
+            Up::Y => Self::Y,
+            Up::Z => Self::Z,
+        }
+    }
 }
 
 impl Family {

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use luminaire::dynamic::AnyLight;
+use luminaire_exchange::leds::{Facing, PlacedLeds};
 
-use super::options::{Facing, Family, Leds, Order, Target};
-use super::placed::Placed;
+use super::options::{Family, Leds, Order, Target};
 
 /// A file of a program.
 pub(super) struct File {
@@ -35,7 +35,7 @@ pub(super) struct Program<'a> {
     pub(super) name: &'a str,
     /// The name of the folder.
     pub(super) stem: &'a str,
-    pub(super) placed: &'a Placed,
+    pub(super) placed: &'a PlacedLeds,
     pub(super) lights: &'a [(&'a str, AnyLight)],
 }
 

@@ -14,23 +14,39 @@ const IDLE: u16 = 1;
 
 /// LEDs at places of a scene, which show the bytes of a strip and not the shading of a surface.
 ///
-/// An LED has the [irradiance](luminaire::light::CompiledSpotLight::irradiance_facing) of all spotlights
-/// at its place, without gobos and shadows. A [`LedStrip`] converts the light of all LEDs to bytes.
+/// An LED has the irradiance of all spotlights at its place, without gobos and shadows: on the side that it faces, or
+/// of [all sides](luminaire::light::CompiledSpotLight::irradiance_facing). A [`LedStrip`] converts the light of all
+/// LEDs to bytes.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Strip {
     places: Vec<Vec3<f32>>,
+    /// The ways that the LEDs face; none for LEDs that take light from all sides.
+    facing: Vec<Vec3<f32>>,
     limit: u32,
 }
 
 impl Strip {
-    /// Creates a strip with LEDs at these places in metres, whose current has a limit in milliamperes.
+    /// Creates a strip with LEDs at these places in metres, whose current has a limit in milliamperes. They take light
+    /// from all sides.
     pub fn new(places: impl IntoIterator<Item = Vec3<f32>>, limit: u32) -> Self {
-        Self { places: places.into_iter().collect(), limit }
+        Self { places: places.into_iter().collect(), facing: Vec::new(), limit }
+    }
+
+    /// Returns the strip with LEDs that face these ways, which are unit vectors: one for each, in the order of the
+    /// places. LEDs without one take light from all sides.
+    #[must_use]
+    pub fn facing(self, facing: impl IntoIterator<Item = Vec3<f32>>) -> Self {
+        Self { facing: facing.into_iter().collect(), ..self }
     }
 
     /// Returns the places of the LEDs in metres.
     pub fn places(&self) -> &[Vec3<f32>] {
         &self.places
+    }
+
+    /// Returns the ways that the LEDs face; none if they take light from all sides.
+    pub fn ways(&self) -> &[Vec3<f32>] {
+        &self.facing
     }
 
     /// Returns the limit of the current in milliamperes.
@@ -49,10 +65,16 @@ impl Strip {
         lights: impl IntoIterator<Item = &'a AnyLight>,
     ) -> Result<Vec<Rgb<u8>>, Error> {
         let lights = lights.into_iter().map(AnyLight::compile::<S>).collect::<Result<Vec<_>, Error>>()?;
-        let arrived = self.places.iter().map(|&place| {
+        let arrived = (0..).zip(&self.places).map(|(led, &place)| {
+            let (place, facing) = (place.map(S::length), self.facing.get::<usize>(led));
+            let facing = facing.map(|&facing| S::normal(facing));
             let add = |sum: Rgb<S::Irradiance>, light: &CompiledAnyLight<S>| match light {
                 CompiledAnyLight::Spot(spot) => {
-                    sum + Rgb::lit(spot.irradiance_facing(place.map(S::length)), spot.color())
+                    let light = match facing {
+                        Some(facing) => spot.irradiance(place, facing),
+                        None => spot.irradiance_facing(place),
+                    };
+                    sum + Rgb::lit(light, spot.color())
                 }
                 _ => sum,
             };

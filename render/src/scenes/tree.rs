@@ -1,7 +1,7 @@
-//! A tree of 500 LEDs on a spiral, under four coloured spotlights that go up and down.
+//! A tree of LEDs under four coloured spotlights that go up and down.
 
 use super::{MovingLight, Setup, fixture::Sweep, room::floor, solids::cone};
-use crate::{Camera, Material, Scene, Strip};
+use crate::{Camera, Material, Mesh, Scene, Strip};
 use alloc::vec::Vec;
 use core::f32::consts::TAU;
 use glam::{Vec2, Vec3};
@@ -9,21 +9,40 @@ use luminaire::{Cone, Error, HalfAngle, Rgb, SpotLight, attenuation::NoAttenuati
 
 const LEDS: usize = 500;
 /// The limit of the current in milliamperes.
-const LIMIT: u32 = 8_000;
+pub const LIMIT: u32 = 8_000;
 /// The height of the tree and the radius of its foot, in metres.
-const HEIGHT: f32 = 2.0;
+pub const HEIGHT: f32 = 2.0;
 const RADIUS: f32 = 0.6;
+/// The radius of an LED in metres.
+const LED: f32 = 0.019;
 
 /// The colours of the spotlights.
 const COLORS: [Rgb<f32>; 4] =
     [Rgb::new(1.0, 0.1, 0.0), Rgb::new(0.0, 0.3, 1.0), Rgb::new(1.0, 0.6, 0.1), Rgb::new(0.5, 0.0, 1.0)];
 
+/// Builds the scene of [`Example::Tree`](super::Example::Tree): 500 LEDs on a spiral around a cone.
 pub(super) fn setup() -> Result<Setup, Error> {
+    // Inside the spiral, so that the LEDs behind it are hidden.
+    let trunk = cone(0.93 * RADIUS, 0.96 * HEIGHT);
+    build(Strip::new((0..LEDS).map(place), LIMIT), Some(trunk))
+}
+
+/// Builds the scene of [`Example::Tree`](super::Example::Tree) with other LEDs, and without what they hang on. The
+/// spotlights light LEDs that stand on the floor, in the middle, and are [`HEIGHT`] high.
+///
+/// # Errors
+/// A place that no mesh can have.
+pub fn with_leds(strip: Strip) -> Result<Setup, Error> {
+    build(strip, None)
+}
+
+fn build(strip: Strip, trunk: Option<Mesh>) -> Result<Setup, Error> {
     let mut scene = Scene::new();
     scene.add(floor(40.0, 40.0), Material::srgb(128, 128, 136))?;
-    // Inside the spiral, so that the LEDs behind it are hidden.
-    scene.add(cone(0.93 * RADIUS, 0.96 * HEIGHT), Material::srgb(40, 66, 52))?;
-    scene.add_strip(Strip::new((0..LEDS).map(place), LIMIT), 0.019)?;
+    if let Some(trunk) = trunk {
+        scene.add(trunk, Material::srgb(40, 66, 52))?;
+    }
+    scene.add_strip(strip, LED)?;
     scene.set_ambient(Rgb::new(0.02, 0.022, 0.03))?;
     let camera = Camera::new(luminaire::Vec3::new(0.0, 0.9, 0.0), 5.4, 0.0, 0.12, 0.46);
     let fixtures = COLORS.iter().enumerate().map(|(number, color)| spot(number, *color));

@@ -3,7 +3,7 @@
 
 use super::Stage;
 use crate::{
-    address,
+    address, job, leds,
     parameter::{self, Value},
     photometry::full_scale,
     refusal::Refusal,
@@ -12,7 +12,8 @@ use crate::{
     state::{LIGHTS, State, switch_of, switchable},
     viewpoint::Reach,
 };
-use luminaire_render::scenes::MovingLight;
+use luminaire_render::scenes::{Example, MovingLight};
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 /// Largest number of states to return to.
@@ -149,6 +150,19 @@ impl Stage {
             .ok_or_else(|| Refusal::name("light", settings, "the settings of an address"))?;
         let intensity = Some(if is_candela { peak / full_scale(self.state.scene) } else { peak });
         self.change_light(light, |light| *light = Setting { is_on, position, target, intensity, ..put[0] })
+    }
+
+    /// Puts the LEDs of a file in place of those of the tree, whose scene opens: places in metres, and the ways that
+    /// they face or none, with three numbers for each LED. The lights of the tree stay as they are.
+    #[wasm_bindgen(js_name = putLeds)]
+    pub fn put_leds(&mut self, places: &[f32], facing: &[f32]) -> Result<(), Refusal> {
+        let refused =
+            || Refusal::outside("LEDs", (places.len() / 3) as f32, [1.0, leds::MOST as f32], "on the page");
+        let leds = Some(Rc::new(leds::strip(places, facing).ok_or_else(refused)?));
+        if self.state.scene != Example::Tree || self.load.is_some() {
+            self.open(Example::Tree.name())?;
+        }
+        self.change(|state| state.leds = leds)
     }
 
     /// Multiplies the angles of a light by a factor and conserves its flux.
@@ -339,9 +353,12 @@ impl Stage {
     }
 
     fn adopt(&mut self, next: State) -> Result<(), Refusal> {
-        let is_another = next.scene != self.state.scene;
-        let rig =
-            if is_another { Rig::new(next.scene.setup()?)?.fitted(&next) } else { self.rig.fitted(&next) }?;
+        let is_another = (next.scene, &next.leds) != (self.state.scene, &self.state.leds);
+        let rig = if is_another {
+            job::rig(next.scene, None, next.leds.as_deref())?.fitted(&next)
+        } else {
+            self.rig.fitted(&next)
+        }?;
         (self.state, self.rig) = (next, rig);
         // What is no step of a gesture begins another one.
         if let Some(grip) = &mut self.grip {

@@ -168,3 +168,27 @@ quick("a file is read to its end although the tool for the file before it is cha
   }, longFile());
   assert.deepEqual(told, ["file = none: expected a file that has been read. Open it again.", 1, "# system: godot"]);
 });
+
+quick("a map of LEDs takes the place of those of the tree, and can be undone", async () => {
+  await open(ONE);
+  await give("tree.csv", `index,x,y,z,xn,yn,zn\n${Array.from({ length: 90 }, (_, i) => `${i},${Math.cos(i)},${Math.sin(i)},${i / 30},${Math.cos(i)},${Math.sin(i)},0`).join("\n")}`);
+  assert.equal(await words("file-told"), "tree.csv: 90 LEDs, 2 m high: each takes the light of the side that it faces, as the map says. They are on the tree's stage, but not in the link.");
+  await until(() => /^90 LEDs take/.test(document.getElementById("leds").textContent));
+  await isWritten(/scene=tree/);
+  assert.equal(await shows("file"), false);
+  const before = await sum();
+  await give("flat.json", JSON.stringify(Array.from({ length: 64 }, (_, i) => [i % 8, i >> 3])));
+  await until(() => /^64 LEDs take/.test(document.getElementById("leds").textContent));
+  assert.match(await words("file-told"), /^flat\.json: 64 LEDs, 2 m high: each takes the light of the side away from/);
+  await change("the LEDs before", () => press("undo"));
+  assert.equal(await sum(), before);
+  for (const [name, content, refusal] of [
+    ["two.csv", "0,0,0\n1,0,0", /^two\.csv: LEDs = 2 at one height: expected at least two heights/],
+    ["gap.csv", "index,x,y,z\n0,1,2,3\n2,1,2,4", /^gap\.csv: LED = 2: expected 1/],
+    ["many.csv", Array.from({ length: 2001 }, (_, i) => `0,0,${i}`).join("\n"), /^many\.csv: LEDs = 2001: expected 1 to 2000 on the page/],
+  ]) {
+    await give(name, content);
+    assert.match(await words("file-told"), refusal);
+    assert.equal(await sum(), before, `${name} changes nothing`);
+  }
+});

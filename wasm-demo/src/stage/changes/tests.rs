@@ -134,7 +134,7 @@ fn haze_dither_and_shadows_are_added_and_taken_away() {
     }
     assert_eq!(look(&stage), before);
     for (side, is_taken) in [(64, true), (5, false)] {
-        let rig = job::rig(Example::Turntable, Some((8, Some(side)))).unwrap();
+        let rig = job::rig(Example::Turntable, Some((8, Some(side))), None).unwrap();
         let mut stage = Stage::with_rig(Example::Turntable, rig);
         assert_eq!(stage.switch("shadow", true).is_ok(), is_taken);
         assert_eq!(sides(&stage), [Some(side).filter(|_| is_taken); 8]);

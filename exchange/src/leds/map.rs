@@ -1,25 +1,47 @@
 //! The places of LEDs, from the maps that people have.
 
-use luminaire_exchange::Refusal;
 use serde_json::Value;
+
+use crate::refusal::Refusal;
 
 /// The most LEDs of a map: an index of 16 bits sets the phase of each.
 const MOST: usize = 65_536;
 
-/// What a map holds, in the order of the LEDs.
+/// The most bytes of a map of a matrix: a longer text is not parsed to find out whether it is one.
+const LONGEST: usize = 1 << 20;
+
+/// What a map of LEDs holds, in the order of the LEDs and in the map's own coordinates and units.
 #[derive(Debug, PartialEq)]
-pub(crate) struct Map {
-    pub(crate) places: Vec<[f64; 3]>,
-    /// The ways that the LEDs face, if the map says so.
-    pub(crate) facing: Option<Vec<[f64; 3]>>,
+pub struct LedMap {
+    /// The places.
+    pub places: Vec<[f64; 3]>,
+    /// The ways that the LEDs face, of any length, if the map says so.
+    pub facing: Option<Vec<[f64; 3]>>,
 }
 
-impl Map {
+impl LedMap {
+    /// Returns whether a file is a map: a table by its name (`.csv`), or a text that begins as the maps in JSON or those of
+    /// GIFT trees do. No file of lights does.
+    pub fn is_map(name: &str, text: &str) -> bool {
+        let is_table = name.rsplit_once('.').is_some_and(|(_, kind)| kind.eq_ignore_ascii_case("csv"));
+        let is_matrix = |text: &str| {
+            text.len() <= LONGEST
+                && serde_json::from_str::<Value>(text).is_ok_and(|value| value["map"].is_array())
+        };
+        match trimmed(text) {
+            text if is_table || text.starts_with('[') => true,
+            text => text.starts_with('{') && is_matrix(text),
+        }
+    }
+
     /// Reads a table of numbers, with or without a line of names, such as those of GIFT trees (`x,y,z` or `[x, y, z]`) and of
     /// marimapper (`index,x,y,z,xn,yn,zn,error`); a Pixelblaze map, `[[x, y, z], ..]`; or a WLED map of a matrix,
     /// `{"width": .., "map": [..]}`, whose LEDs are a unit apart.
-    pub(crate) fn read(text: &str) -> Result<Self, Refusal> {
-        let text = text.trim_start_matches('\u{feff}').trim();
+    ///
+    /// # Errors
+    /// A text that is no such map, with the line or the number of the LED; no LED, or more than 65,536.
+    pub fn read(text: &str) -> Result<Self, Refusal> {
+        let text = trimmed(text);
         let lists = text.strip_prefix('[').is_some_and(|rest| rest.trim_start().starts_with('['));
         let map = if lists || text.starts_with('{') { json(text) } else { table(text) }?;
         let count = map.places.len();
@@ -34,7 +56,12 @@ impl Map {
     }
 }
 
-fn json(text: &str) -> Result<Map, Refusal> {
+/// Returns a text without a byte order mark and the space around it.
+fn trimmed(text: &str) -> &str {
+    text.trim_start_matches('\u{feff}').trim()
+}
+
+fn json(text: &str) -> Result<LedMap, Refusal> {
     let value: Value = serde_json::from_str(text).map_err(|error| Refusal::new("map", error, "JSON"))?;
     let places = match &value {
         Value::Array(places) => {
@@ -42,7 +69,7 @@ fn json(text: &str) -> Result<Map, Refusal> {
         }
         _ => return matrix(&value),
     };
-    Ok(Map { places: places.collect::<Result<_, _>>()?, facing: None })
+    Ok(LedMap { places: places.collect::<Result<_, _>>()?, facing: None })
 }
 
 /// A list of two or three numbers; the third is 0 without it.
@@ -56,7 +83,7 @@ fn place(own: &Value) -> Result<[f64; 3], Refusal> {
 }
 
 /// The places of a matrix that WLED maps: each entry is the LED of a place, row by row from the top, or -1.
-fn matrix(value: &Value) -> Result<Map, Refusal> {
+fn matrix(value: &Value) -> Result<LedMap, Refusal> {
     let expected = "a whole number of columns, as WLED writes it beside `map`";
     let width = value["width"].as_u64().filter(|width| *width > 0);
     let width = width.ok_or_else(|| Refusal::new("width", &value["width"], expected))? as usize;
@@ -79,7 +106,7 @@ fn matrix(value: &Value) -> Result<Map, Refusal> {
     }
     found.sort_by_key(|(led, _)| *led);
     ordered(found.iter().map(|(led, _)| *led as usize))?;
-    Ok(Map { places: found.into_iter().map(|(_, place)| place).collect(), facing: None })
+    Ok(LedMap { places: found.into_iter().map(|(_, place)| place).collect(), facing: None })
 }
 
 /// Fails unless the sorted LEDs are 0, 1, and so on.
@@ -119,7 +146,7 @@ impl Columns {
     }
 }
 
-fn table<'a>(text: &'a str) -> Result<Map, Refusal> {
+fn table<'a>(text: &'a str) -> Result<LedMap, Refusal> {
     let words = |line: &'a str| -> Vec<&'a str> {
         let line = line.trim().trim_start_matches('[').trim_end_matches(']');
         line.split([',', ';', '\t']).map(str::trim).collect()
@@ -154,7 +181,7 @@ fn table<'a>(text: &'a str) -> Result<Map, Refusal> {
     found.sort_by_key(|(led, ..)| *led);
     ordered(found.iter().map(|(led, ..)| *led))?;
     let facing = found.iter().map(|(.., facing)| *facing).collect::<Option<Vec<_>>>();
-    Ok(Map {
+    Ok(LedMap {
         places: found.iter().map(|(_, place, _)| *place).collect(),
         facing: facing.filter(|own| !own.is_empty()),
     })
@@ -175,11 +202,15 @@ mod tests {
             "[1, 2, 3]\n[4, 5.5, -6]\n",
             "x;y;z\n1;2;3\n4;5.5;-6",
         ] {
-            assert_eq!(Map::read(text).unwrap(), Map { places: places.clone(), facing: None }, "{text}");
+            assert_eq!(
+                LedMap::read(text).unwrap(),
+                LedMap { places: places.clone(), facing: None },
+                "{text}"
+            );
         }
         let text = "index,x,y,z,xn,yn,zn,error\n1,4,5.5,-6,0,0,1,0.1\n0,1,2,3,1,0,0,0.2\n";
-        assert_eq!(Map::read(text).unwrap(), Map { places, facing: Some(facing) });
-        let matrix = Map::read(r#"{"width": 2, "height": 2, "map": [1, -1, 0, 2]}"#).unwrap();
+        assert_eq!(LedMap::read(text).unwrap(), LedMap { places, facing: Some(facing) });
+        let matrix = LedMap::read(r#"{"width": 2, "height": 2, "map": [1, -1, 0, 2]}"#).unwrap();
         assert_eq!(matrix.places, [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]);
     }
 
@@ -197,7 +228,7 @@ mod tests {
             (r#"{"map": [0]}"#, &["width = null"]),
             (r#"{"width": 1, "map": [-2]}"#, &["map[0]", "LED = -2"]),
         ] {
-            let refusal = Map::read(text).unwrap_err().to_string();
+            let refusal = LedMap::read(text).unwrap_err().to_string();
             assert!(parts.iter().all(|part| refusal.contains(part)), "{text}: {refusal}");
         }
     }
